@@ -1,0 +1,62 @@
+"""One expression, three languages: LaTeX for the eye, NumPy for the figures, JavaScript for the stage.
+
+Nothing is derived here and nothing is typed: what goes in is a SymPy expression, what comes out says the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import sympy as sp
+from sympy.physics.vector.printing import VectorLatexPrinter
+
+from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Omega_squared, m_prime
+
+_NAMES = {m_prime: "m'", Omega_squared: r"\Omega^{2}", sp.Symbol("L"): r"\mathcal{L}"}
+_PLAIN = {
+    **dict(zip(VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
+    **dict(zip(COORDINATES, sp.symbols("X phi Phi"), strict=True)),
+    sp.Symbol("R", positive=True): sp.Symbol("radius"),
+}
+"""What a program calls the coordinates, their rates and R."""
+
+
+class _LatexPrinter(VectorLatexPrinter):
+    """SymPy's printer for mechanics, with words as subscripts set upright."""
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        letter, _, word = expr.name.partition("_")
+        if len(word) > 2 and expr not in self._settings["symbol_names"]:
+            return rf"{letter}_{{\mathrm{{{word}}}}}"
+        return super()._print_Symbol(expr)
+
+
+def latex(expression: sp.Basic) -> str:
+    """Return the LaTeX of an expression or relation: primes and dots as physicists write them."""
+    return _LatexPrinter({"symbol_names": _NAMES, "mul_symbol": r"\,"}).doprint(expression)
+
+
+def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., Any]:
+    """Return a NumPy function of the arguments that evaluates the expression elementwise."""
+    return sp.lambdify([_PLAIN.get(a, a) for a in arguments], expression.subs(_PLAIN), modules="numpy")
+
+
+def javascript(formulas: Mapping[str, Any]) -> str:
+    """Return a JavaScript object literal: each SymPy expression becomes an arrow function of its symbols by name.
+
+    Parameters
+    ----------
+    formulas : name → expression, or name → another such mapping
+    """
+    entries = (
+        f"{name}: {javascript(value) if isinstance(value, Mapping) else _arrow(value)}"
+        for name, value in formulas.items()
+    )
+    return "{" + ", ".join(entries) + "}"
+
+
+def _arrow(expression: sp.Expr) -> str:
+    plain = sp.sympify(expression).subs(_PLAIN)
+    names = sorted(symbol.name for symbol in plain.free_symbols)
+    return f"({{{', '.join(names)}}}) => {sp.jscode(plain)}"

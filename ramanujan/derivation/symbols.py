@@ -1,0 +1,141 @@
+"""The machine as symbols: its bodies, the rolling constraints between them, and the energies that follow.
+
+Every route starts here and nowhere else. Lives here: names, geometry, energies. Not here: any equation of motion.
+
+A body is what it weighs, how it is shaped and where it is. Where it is follows from what it rolls on:
+
+    rolling on a surface       x_centre = x_surface + Rθ     (θ clockwise, x to the right)
+    lying on top of a roller   x_slab   = x_centre  + Rθ
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
+epsilon = sp.Symbol("varepsilon", positive=True)
+Omega_squared = sp.Symbol("Omega_squared", positive=True)
+
+t = sp.Symbol("t")
+X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
+COORDINATES = (X, phi, Phi)
+VELOCITIES = tuple(q.diff(t) for q in COORDINATES)
+ACCELERATIONS = tuple(q.diff(t, 2) for q in COORDINATES)
+
+HOOP, SOLID_CYLINDER = sp.Integer(1), sp.Rational(1, 2)
+"""Shape factors β = I/(mass·R²)."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body: ½·mass·ẋ² of its centre plus ½·β·mass·R²·θ̇² about it.
+
+    Parameters
+    ----------
+    name : one of block, hoop, cylinder, slab, top
+    mass : m or m′ [kg]
+    displacement : of its centre over the ground, to the right [m]
+    angle : clockwise rotation θ [rad]; zero for what does not roll
+    shape_factor : β, dimensionless
+    """
+
+    name: str
+    mass: sp.Expr
+    displacement: sp.Expr
+    angle: sp.Expr = sp.S.Zero
+    shape_factor: sp.Expr = sp.S.Zero
+
+    @property
+    def velocity(self) -> sp.Expr:
+        """ẋ, of the centre over the ground [m/s]."""
+        return self.displacement.diff(t)
+
+    @property
+    def moment_of_inertia(self) -> sp.Expr:
+        """I = β·mass·R², about the axis of the body [kg·m²]."""
+        return self.shape_factor * self.mass * R**2
+
+    @property
+    def translation(self) -> sp.Expr:
+        """½·mass·ẋ² [J]."""
+        return self.mass * self.velocity**2 / 2
+
+    @property
+    def rotation(self) -> sp.Expr:
+        """½·I·θ̇² [J]."""
+        return self.moment_of_inertia * self.angle.diff(t) ** 2 / 2
+
+    @property
+    def kinetic_energy(self) -> sp.Expr:
+        """Translation plus rotation [J]."""
+        return self.translation + self.rotation
+
+
+@dataclass(frozen=True)
+class Machine:
+    """The five bodies in the order block, hoop, cylinder, slab, top, and the spring between slab and block."""
+
+    bodies: tuple[Body, ...]
+
+    def __getitem__(self, name: str) -> Body:
+        return next(body for body in self.bodies if body.name == name)
+
+    @property
+    def deformation(self) -> sp.Expr:
+        """Of the spring, positive in compression [m]: the slab's displacement over the block."""
+        return sp.expand(self["slab"].displacement - self["block"].displacement)
+
+    @property
+    def kinetic_energy(self) -> sp.Expr:
+        """T [J], summed over the bodies."""
+        return sp.Add(*(body.kinetic_energy for body in self.bodies))
+
+    @property
+    def potential_energy(self) -> sp.Expr:
+        """U = ½k·deformation² [J]."""
+        return k * self.deformation**2 / 2
+
+    @property
+    def lagrangian(self) -> sp.Expr:
+        """ℒ = T − U [J], with like terms gathered."""
+        return gather(self.kinetic_energy - self.potential_energy)
+
+
+def machine(
+    roller_mass: sp.Expr = m_prime,
+    hoop: Any = HOOP,
+    cylinder: Any = SOLID_CYLINDER,
+    top: Any = SOLID_CYLINDER,
+) -> Machine:
+    """Return the machine with its rolling constraints worked in.
+
+    Parameters
+    ----------
+    roller_mass : mass of each of the two lower rollers; `m` gives the paper's section 1
+    hoop, cylinder, top : shape factors β of the three rolling bodies
+
+    Source: paper, figure 1 and the text before eq. (1).
+    """
+    block = Body("block", m, -X)
+    hoop_body = Body("hoop", roller_mass, _rolling_on(block.displacement, phi), phi, sp.sympify(hoop))
+    cylinder_body = Body("cylinder", roller_mass, _rolling_on(block.displacement, phi), phi, sp.sympify(cylinder))
+    slab = Body("slab", m, hoop_body.displacement + R * hoop_body.angle)
+    top_body = Body("top", m, _rolling_on(block.displacement, Phi), Phi, sp.sympify(top))
+    return Machine((block, hoop_body, cylinder_body, slab, top_body))
+
+
+def gather(expression: sp.Expr) -> sp.Expr:
+    """Return a form quadratic in the motion with one term for each product of coordinates, its coefficient factored."""
+    unknowns = [*ACCELERATIONS, *VELOCITIES, *COORDINATES]
+    polynomial = sp.Poly(sp.expand(expression), *unknowns)
+    return sp.Add(
+        *(sp.factor(coefficient) * sp.prod(u**n for u, n in zip(unknowns, powers, strict=True))
+          for powers, coefficient in polynomial.terms())
+    )  # fmt: skip
+
+
+def _rolling_on(surface: sp.Expr, angle: sp.Expr) -> sp.Expr:
+    return surface + R * angle
