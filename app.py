@@ -1,0 +1,16 @@
+"""Ramanujan's oscillator: the app. Start it with `streamlit run app.py`."""
+
+import streamlit as st
+
+from ramanujan.scenes import cached, controls, look
+
+st.set_page_config("Ramanujan’s oscillator", "🚕", layout="wide", initial_sidebar_state=340)
+
+page = st.navigation(
+    [st.Page("ramanujan/scenes/oscillator.py", title="Oscillator", icon=":material/waves:", default=True)],
+    position="top",
+)
+cached.warm_up()
+look.tighten()
+controls.sidebar()
+page.run()

@@ -1,0 +1,49 @@
+"""The motion in closed form: q(t) = a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, from any initial state.
+
+The shape of the solution is the spectrum: one oscillating mode (its shape from the elimination) and two zero modes,
+which let X and Φ drift. Its six constants are solved from the six initial values.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from ramanujan.derivation.euler_lagrange import eliminate
+from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, X, machine, phi, t
+
+Omega = sp.Symbol("Omega", positive=True)
+INITIAL = {q: sp.Symbol(name) for q, name in zip(COORDINATES, ("X", "phi", "Phi"), strict=True)}
+INITIAL_RATE = {q: sp.Symbol(f"{symbol.name}_dot") for q, symbol in INITIAL.items()}
+"""The initial values of the coordinates and of their rates."""
+
+
+@cache
+def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
+    """Return how far each coordinate swings for one radian of φ in the oscillating mode: κR, 1, λ."""
+    result = eliminate(bodies or machine())
+    return {
+        X: sp.factor(result.X_from_phi / phi.diff(t, 2)),
+        phi: sp.S.One,
+        Phi: sp.factor(result.Phi_from_phi / phi.diff(t, 2)),
+    }
+
+
+def coefficients(bodies: Machine | None = None) -> dict[sp.Expr, tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
+    """Return (a, b, c, d) of each coordinate in terms of the initial values, Ω, the masses and R."""
+    shape = mode_shape(bodies)
+    cosine, sine = sp.symbols("cosine sine")
+    start = {q: sp.Symbol(f"start_{q.func}") for q in (X, Phi)}
+    drift = {q: sp.Symbol(f"drift_{q.func}") for q in (X, Phi)}
+    at_start = [start.get(q, 0) + shape[q] * cosine - INITIAL[q] for q in COORDINATES]
+    rate_at_start = [drift.get(q, 0) + shape[q] * sine * Omega - INITIAL_RATE[q] for q in COORDINATES]
+    unknowns = [cosine, sine, *start.values(), *drift.values()]
+    solved = sp.solve([*at_start, *rate_at_start], unknowns, dict=True)[0]
+    return {
+        q: tuple(
+            sp.factor(sp.sympify(part).subs(solved))
+            for part in (start.get(q, 0), drift.get(q, 0), shape[q] * cosine, shape[q] * sine)
+        )
+        for q in COORDINATES
+    }

@@ -1,0 +1,130 @@
+"""Arrays in, Plotly figures out: one function for each figure, and the look they share.
+
+A figure gets its numbers and its colours from the caller; it computes neither physics nor themes. Every figure fits
+a phone: labels are anchored inside the axes and never lie on each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import plotly.graph_objects as go
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A labelled point of the curve: ε, Ω²m/k, and what stands beside it (Plotly's own small HTML)."""
+
+    ratio: float
+    value: float
+    label: str
+
+
+def template(colors: Mapping[str, str]) -> go.layout.Template:
+    """Return the look that all figures share: no box, a faint grid, room for labels."""
+    axis = {
+        "showgrid": True,
+        "gridcolor": colors["faint"],
+        "zeroline": False,
+        "showline": True,
+        "linecolor": colors["ink"],
+        "ticks": "outside",
+        "title": {"standoff": 6},
+    }
+    layout = go.Layout(
+        font={"color": colors["ink"], "size": 14},
+        paper_bgcolor="rgba(0,0,0,0)",
+        plot_bgcolor="rgba(0,0,0,0)",
+        margin={"l": 56, "r": 16, "t": 12, "b": 48},
+        xaxis=axis,
+        yaxis=axis,
+        hoverlabel={"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
+    )
+    return go.layout.Template(layout=layout)
+
+
+def frequency_curve(
+    ratios: np.ndarray,
+    values: np.ndarray,
+    *,
+    light_limit: float,
+    heavy_limit: np.ndarray,
+    limit_labels: tuple[str, str],
+    equal: Mark,
+    unit: Mark,
+    present: Mark,
+    colors: Mapping[str, str],
+) -> go.Figure:
+    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios and the present machine.
+
+    Parameters
+    ----------
+    ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
+    light_limit : the value for ε → 0
+    heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where it is below the light limit
+    limit_labels : what stands beside the two limits
+    equal, unit, present : the marked machines
+    colors : ink, faint, paper, primary, marker, accent
+    """
+    hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
+    below = heavy_limit <= light_limit
+    figure = go.Figure(layout={"template": template(colors), "height": 340, "showlegend": False})
+    limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
+    figure.add_scatter(
+        x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name="limit"
+    )
+    figure.add_scatter(
+        x=ratios[below], y=heavy_limit[below], mode="lines", line=limit_line, hoverinfo="skip", name="limit"
+    )
+    # Only markers can be clicked; these are there for the pointer, not for the eye.
+    figure.add_scatter(
+        x=ratios,
+        y=values,
+        mode="lines+markers",
+        line={"color": colors["primary"], "width": 3},
+        marker={"size": 14, "opacity": 0},
+        selected={"marker": {"opacity": 0}},
+        unselected={"marker": {"opacity": 0}},
+        hovertemplate=hover,
+        name="any machine",
+    )
+    shown = (
+        (present, "present machine", "circle-open", 20, colors["primary"]),
+        (equal, "equal masses", "circle", 11, colors["marker"]),
+        (unit, "unit frequency", "star", 15, colors["accent"]),
+    )
+    for mark, name, symbol, size, color in shown:
+        figure.add_scatter(
+            x=[mark.ratio],
+            y=[mark.value],
+            mode="markers",
+            marker={"symbol": symbol, "size": size, "color": color, "line": {"width": 3, "color": color}},
+            selected={"marker": {"opacity": 1}},
+            unselected={"marker": {"opacity": 1}},
+            hovertemplate=hover,
+            name=name,
+        )
+    label = {"xref": "x", "yref": "y", "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
+    # Leaders part to opposite sides of the curve, so the two labels are apart however narrow the page.
+    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=24, ay=-62, xanchor="left")
+    figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-30, ay=70, xanchor="right")
+    beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
+    light_label, heavy_label = limit_labels
+    figure.add_annotation(beside, x=_log(ratios[0]), y=light_limit, text=light_label, yanchor="bottom", xshift=6)
+    # Half-way down the asymptote there is nothing to its right.
+    half = int(np.argmin(np.abs(heavy_limit - light_limit / 2)))
+    figure.add_annotation(
+        beside, x=_log(ratios[half]), y=heavy_limit[half], text=heavy_label, yanchor="bottom", xshift=8
+    )
+    figure.update_xaxes(
+        type="log", title="mass ratio ε = m′/m", range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
+    )
+    figure.update_yaxes(title="Ω²m/k", range=[0, 1.16 * light_limit], fixedrange=True)
+    return figure
+
+
+def _log(value: float) -> float:
+    """Plotly places annotations on a logarithmic axis by the exponent of ten."""
+    return float(np.log10(value))

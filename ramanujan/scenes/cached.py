@@ -1,0 +1,132 @@
+"""What is computed once and kept: the only caches of the app, each bounded.
+
+A page asks here for anything that costs more than a moment. Keys are plain numbers.
+"""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import streamlit as st
+import sympy as sp
+
+from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
+from ramanujan.derivation import ROUTES, Route, Step
+from ramanujan.derivation.numbers import exact_values, unit
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.symbols import Omega_squared, epsilon
+
+CURVE_RANGE = (0.01, 30.0)
+"""The mass ratios that the Ω² curve shows; the sliders stay inside."""
+
+
+@st.cache_resource(show_spinner=False)
+def warm_up() -> bool:
+    """Import and derive what every page needs, then take it out of the garbage collector's rounds.
+
+    Streamlit collects garbage after every run; with SymPy and Plotly loaded, walking what never changes would be most
+    of a rerun.
+    """
+    from ramanujan import stage
+
+    stage.warm_up()
+    curve()
+    summary(1.0, 1.0, 1.0)
+    gc.collect()
+    gc.freeze()
+    return True
+
+
+@st.cache_resource(show_spinner=False)
+def route(name: str) -> Route:
+    """Return a route of the derivation."""
+    return ROUTES[name]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The fixed part of the Ω² figure; every number and formula in it comes from the core or from SymPy."""
+
+    ratios: np.ndarray
+    values: np.ndarray
+    light_limit: float
+    heavy_limit: np.ndarray
+    equal: tuple[float, float, str]
+    unit: tuple[float, float, str]
+    light_label: str
+    heavy_label: str
+
+
+@st.cache_resource(show_spinner=False)
+def curve() -> Curve:
+    """Return the Ω² curve with its limits and the two marked ratios."""
+    normalized, condition = unit().normalized_frequency_squared, unit()
+    ratios = np.geomspace(*CURVE_RANGE, 201)
+    light = sp.limit(normalized, epsilon, 0)
+    heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
+    at_equal = normalized.subs(epsilon, 1)
+    numerator, denominator = sp.fraction(condition.root)
+    root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("sqrt", "√")
+    root = root.replace("√(1729)", "√1729").replace("-", "−")
+    return Curve(
+        ratios,
+        normalized_frequency_squared(ratios),
+        float(light),
+        np.array([float(heavy.subs(epsilon, ratio)) for ratio in ratios]),
+        (1.0, float(at_equal), f"equal masses: {at_equal}"),
+        (UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b> at ε = {root}"),
+        f"{light}  (ε → 0)",
+        f"{sp.sstr(heavy).replace('varepsilon', 'ε').replace('*', '')}  (ε → ∞)",
+    )
+
+
+@dataclass(frozen=True)
+class SummaryStep:
+    """A step as the page shows it: words, LaTeX in symbols, LaTeX with the present numbers."""
+
+    heading: str
+    reason: str
+    symbols: str
+    numbers: str
+
+
+_SUMMARY = ("energies", "lagrangian", "motion", "elimination", "frequency", "root")
+
+
+@st.cache_data(show_spinner=False, max_entries=256)
+def summary(m: float, m_prime: float, k: float) -> list[SummaryStep]:
+    """Return the derivation in six steps, in symbols and with the present masses and stiffness."""
+    values = exact_values(m, m_prime, k)
+    steps = (route("euler_lagrange")[key] for key in _SUMMARY)
+    return [_with_numbers(step, values) for step in steps]
+
+
+def _with_numbers(step: Step, values: dict[sp.Symbol, Any]) -> SummaryStep:
+    if step.key == "root":
+        numbers = [latex(equation) for equation in _distance_from_unity(values)]
+    else:
+        numbers = [latex(equation) + _decimal(equation) for equation in step.with_numbers(values).equations]
+    return SummaryStep(step.heading, step.reason, aligned(map(latex, step.equations)), aligned(numbers))
+
+
+def aligned(equations: Iterable[str]) -> str:
+    """Return the equations as one block, each aligned at its first equals sign."""
+    return r"\begin{aligned}" + r" \\[.5em] ".join(e.replace("=", "&=", 1) for e in equations) + r"\end{aligned}"
+
+
+def _decimal(relation: sp.Eq) -> str:
+    """Return ≈ and six digits for Ω², which a person will want to compare with the stage."""
+    if relation.lhs != Omega_squared:
+        return ""
+    return rf" \approx {sp.latex(relation.rhs.evalf(6))}\,\mathrm{{s^{{-2}}}}"
+
+
+def _distance_from_unity(values: dict[sp.Symbol, Any]) -> tuple[sp.Eq, sp.Eq]:
+    """Return the present ε and its (36ε + 1)², to be held against 1729."""
+    left = unit().completed_square.lhs
+    present = sp.expand(left.subs(epsilon, values[epsilon]))
+    return sp.Eq(epsilon, values[epsilon], evaluate=False), sp.Eq(left, present, evaluate=False)

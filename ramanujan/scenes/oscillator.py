@@ -1,0 +1,62 @@
+"""Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from ramanujan import figures, stage
+from ramanujan.scenes import cached, controls, look
+
+
+def slab_released() -> None:
+    """Take over the compression at which the slab was let go."""
+    controls.set_compression(st.session_state["stage"].released)
+
+
+def ratio_clicked() -> None:
+    """Take the mass ratio of the point that was clicked on the curve."""
+    points = st.session_state["curve"].selection.points
+    if points:
+        controls.take_ratio(points[0]["x"])
+
+
+machine = controls.oscillator()
+
+st.title("Ramanujan’s oscillator", anchor=False)
+stage.mount(
+    stage.payload(machine, controls.compression(), controls.limits("compression"), controls.WATCH),
+    on_released=slab_released,
+)
+
+st.subheader("When is it in step with √(k/m)?", anchor=False)
+base, colors = cached.curve(), look.colors()
+figure = figures.frequency_curve(
+    base.ratios,
+    base.values,
+    light_limit=base.light_limit,
+    heavy_limit=base.heavy_limit,
+    limit_labels=(base.light_label, base.heavy_label),
+    equal=figures.Mark(*base.equal),
+    unit=figures.Mark(*base.unit),
+    present=figures.Mark(machine.mass_ratio, machine.normalized_frequency_squared, ""),
+    colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
+)
+st.plotly_chart(
+    figure,
+    key="curve",
+    on_select=ratio_clicked,
+    selection_mode="points",
+    theme=None,
+    config={"displayModeBar": False},
+    alt=f"Ω²m/k falls from 7/4 for light rollers to 8/(3ε) for heavy ones; this machine, at ε = "
+    f"{machine.mass_ratio:.4g}, has {machine.normalized_frequency_squared:.6g}.",
+)
+st.caption("Click on the curve to build the machine with that mass ratio.")
+
+st.subheader("In six steps", anchor=False)
+for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
+    with st.container(border=True):
+        st.markdown(f"**{number}. {step.heading}**  \n{step.reason}")
+        with st.container(horizontal=True, gap="large"):
+            st.latex(step.symbols, width="content")
+            st.latex(step.numbers, width="content")

@@ -1,0 +1,124 @@
+"""The animated scene: a Components v2 component that draws the machine and listens to the sliders.
+
+Lives here: what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is stage.html
+(what there is), stage.css (how it looks) and stage.js (how it moves). No physics is written in JavaScript: its formulas
+are printed by SymPy from the derivation.
+
+The contract, version 1. To the page:
+
+    version      1
+    parameters   m, m_prime [kg], k [N/m], radius, compression [m]
+    initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
+    limits       compression: the least and the greatest that the slab can be dragged to [m]
+    watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
+    clock        stages with the same clock run and pause together
+    words        the sentences of the live description, with {names} in them
+
+From the page: the trigger `released`, the compression [m] at which the slab was let go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import streamlit as st
+import sympy as sp
+
+from ramanujan.derivation import ROUTES
+from ramanujan.derivation.numbers import unit
+from ramanujan.derivation.printers import javascript
+from ramanujan.derivation.solution import coefficients
+from ramanujan.derivation.symbols import epsilon, k, m, machine
+from ramanujan.oscillator import Oscillator
+
+VERSION = 1
+_HERE = Path(__file__).parent
+_WORDS = {
+    "apart": "The slab swings over the block once every {period} s. The machine's clock runs {side} of the plain "
+    "mass's: {turns} periods part them by one full turn.",
+    "together": "The slab swings over the block once every {period} s, in step with the plain mass for ever.",
+    "paused": "Paused.",
+    "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
+}
+
+
+def formulas() -> dict[str, Any]:
+    """Return every expression that the stage evaluates, by name; `javascript` prints them."""
+    bodies = machine()
+    frequency_squared = ROUTES["euler_lagrange"].natural_frequency_squared
+    return {
+        "natural_frequency": sp.sqrt(frequency_squared),
+        "plain_frequency": sp.sqrt(k / m),
+        "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
+        "normalized_limit": sp.limit(unit().normalized_frequency_squared, epsilon, 0),
+        "motion": {
+            str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
+            for q, parts in coefficients().items()
+        },
+        "deformation": bodies.deformation,
+        "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
+        "mass": {body.name: body.mass for body in bodies.bodies},
+        "displacement": {body.name: body.displacement for body in bodies.bodies},
+        "angle": {body.name: body.angle for body in bodies.bodies},
+        "velocity": {body.name: body.velocity for body in bodies.bodies},
+        "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
+        "potential_energy": bodies.potential_energy,
+    }
+
+
+def payload(
+    oscillator: Oscillator,
+    compression: float,
+    limits: tuple[float, float],
+    watch: Mapping[str, Mapping[str, Any]],
+    **more: Any,
+) -> dict[str, Any]:
+    """Return what the page needs to draw the machine, as plain numbers and words.
+
+    Parameters
+    ----------
+    oscillator : the machine; m, m′ [kg], k [N/m], R [m]
+    compression : x₀ [m]
+    limits : the range of x₀ that the slab can be dragged through [m]
+    watch : slider key → parameter and scale, for following a drag without the server
+    more : `initial`, `clock`: see the module's contract
+    """
+    return {
+        "version": VERSION,
+        "parameters": {
+            "m": oscillator.m,
+            "m_prime": oscillator.m_prime,
+            "k": oscillator.k,
+            "radius": oscillator.radius,
+            "compression": compression,
+        },
+        "limits": {"compression": list(limits)},
+        "watch": {key: dict(slider) for key, slider in watch.items()},
+        "words": {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"},
+        **more,
+    }
+
+
+def mount(data: Mapping[str, Any], *, key: str = "stage", on_released: Callable[[], None] | None = None) -> Any:
+    """Put a stage on the page and return its result; `result.released` is the compression at which it was let go."""
+    return _component()(key=key, data=data, on_released_change=on_released or _ignore)
+
+
+def _ignore() -> None:
+    """Do nothing: Streamlit wants a callback for every trigger that is to be read."""
+
+
+@cache
+def _component() -> Callable[..., Any]:
+    html, css, script = ((_HERE / f"stage.{kind}").read_text(encoding="utf-8") for kind in ("html", "css", "js"))
+    return st.components.v2.component(
+        "ramanujan_stage", html=html, css=css, js=f"const FORMULAS = {javascript(formulas())};\n{script}"
+    )
+
+
+def warm_up() -> None:
+    """Derive and print the stage's formulas before the first visitor asks for them."""
+    _component()
