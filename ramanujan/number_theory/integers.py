@@ -29,7 +29,7 @@ MOST_TERMS = 100
 """The most terms of a continued fraction; even with the largest quotients all its convergents come at once."""
 
 _LARGEST_QUOTIENT = 10**31
-"""No partial quotient exceeds 2√D, which permitted coefficients keep below this."""
+"""No partial quotient exceeds √D, which permitted coefficients keep below this."""
 
 _CUBE_ROOTS = {root**3: root for root in range(1, 10**4 + 1)}
 """Each cube up to LARGEST_NUMBER with its root: looking a number up here needs no root and no rounding."""
@@ -129,7 +129,8 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
 def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
     """Return the first partial quotients of the positive root of aε² + bε + c = 0; fewer where a rational root ends.
 
-    Each complete quotient has the form (P + √D)/Q with integers P, Q, and Q divides D − P².
+    Each complete quotient has the form (P + √D)/Q with integers P, Q, and Q divides D − P². Its conjugate (P − √D)/Q
+    stays negative, so Q stays positive and ⌊√D⌋ may stand for √D under the floor.
 
     Parameters
     ----------
@@ -146,12 +147,10 @@ def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
     terms = integer("terms", terms, 1, MOST_TERMS)
     radicand = discriminant(a, b, c)
     floor = isqrt(radicand)
-    ceiling = floor + (floor * floor < radicand)
     P, Q = -b, 2 * a
     quotients: list[int] = []
     while Q and len(quotients) < terms:
-        # Dividing by a negative number turns the floor of the root into its ceiling.
-        quotient = (P + (floor if Q > 0 else ceiling)) // Q
+        quotient = (P + floor) // Q
         quotients.append(quotient)
         P = quotient * Q - P
         Q = (radicand - P * P) // Q
