@@ -221,7 +221,9 @@ def _demand_per_pull(oscillator: Oscillator, compression: float, spacing: float)
     deformation = abs(real_number(compression))
     if not math.isfinite(deformation):
         raise ValueError(f"compression must be a finite number, not {compression!r:.60}")
-    least = 0.5 * (1 - deformation / _spacing_beyond(deformation, spacing))
+    distance = _spacing_beyond(deformation, spacing)
+    # The difference first: near tipping it is exact, while 1 − x₀/L would lose its digits.
+    least = 0.5 if math.isinf(distance) else (distance - deformation) / distance / 2
     loads = _loads(oscillator, least, least)
     return {name: abs(share) / loads[name] for name, share in _force_shares(oscillator).items()}
 
