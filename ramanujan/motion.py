@@ -1,6 +1,7 @@
 """The machine in time: from an initial state to the exact state at any time, in closed form.
 
-Lives here: `InitialState`, the general solution, and what follows from a state. No integrator, no sampling choice.
+Lives here: `InitialState`, the general solution, and where each body then is and how fast it moves.
+Does not live here: energies and momenta (`energy`), forces (`contact`), how densely to draw (`sampling`), integrators.
 
 Both momenta are conserved, so X and Φ are a steady drift plus a copy of the oscillation of φ:
 
@@ -106,6 +107,74 @@ def motion(oscillator: Oscillator, initial: InitialState, t: Any) -> tuple[np.nd
     return q, q_dot
 
 
+def relative_positions(oscillator: Oscillator, q: Any) -> dict[str, np.ndarray]:
+    """Return how far each body has moved over the block [m], right positive: Rφ, Rφ, 2Rφ and RΦ.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    q : (X, φ, Φ), shape (3, …t); the displacements count from q = 0, where the spring is not deformed
+
+    Returns a dict with the keys hoop, cylinder, slab and top, each of shape (…t); the slab's entry is the deformation
+    of the spring.
+
+    Raises
+    ------
+    ValueError : q does not have three rows of finite numbers.
+
+    Source: the rolling constraints, paper section 2.
+    """
+    return _over_block(oscillator, _rows("q", q))
+
+
+def relative_velocities(oscillator: Oscillator, q_dot: Any) -> dict[str, np.ndarray]:
+    """Return each body's velocity over the block [m/s], right positive: Rφ̇, Rφ̇, 2Rφ̇ and RΦ̇.
+
+    Parameters, keys and errors are those of `relative_positions`, with q̇ in place of q.
+    """
+    return _over_block(oscillator, _rows("q_dot", q_dot))
+
+
+def ground_positions(oscillator: Oscillator, q: Any) -> dict[str, np.ndarray]:
+    """Return how far each body has moved over the ground [m], right positive: −X, Rφ − X, Rφ − X, 2Rφ − X and RΦ − X.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    q : (X, φ, Φ), shape (3, …t); the displacements count from q = 0, where the spring is not deformed
+
+    Returns a dict with the keys block, hoop, cylinder, slab and top, each of shape (…t).
+
+    Raises
+    ------
+    ValueError : q does not have three rows of finite numbers.
+
+    Source: the rolling constraints, paper section 2; X counts to the left.
+    """
+    return _over_ground(oscillator, _rows("q", q))
+
+
+def ground_velocities(oscillator: Oscillator, q_dot: Any) -> dict[str, np.ndarray]:
+    """Return each body's velocity over the ground [m/s], right positive: −Ẋ, Rφ̇ − Ẋ, Rφ̇ − Ẋ, 2Rφ̇ − Ẋ and RΦ̇ − Ẋ.
+
+    Parameters, keys and errors are those of `ground_positions`, with q̇ in place of q.
+    """
+    return _over_ground(oscillator, _rows("q_dot", q_dot))
+
+
+def _over_block(oscillator: Oscillator, q: np.ndarray) -> dict[str, np.ndarray]:
+    """Map (X, φ, Φ), or its time derivative, to the four bodies' motion over the block."""
+    _, phi, Phi = q
+    R = oscillator.radius
+    return {"hoop": R * phi, "cylinder": R * phi, "slab": 2 * R * phi, "top": R * Phi}
+
+
+def _over_ground(oscillator: Oscillator, q: np.ndarray) -> dict[str, np.ndarray]:
+    """Map (X, φ, Φ), or its time derivative, to the five bodies' motion over the ground."""
+    over_block = _over_block(oscillator, q)
+    return {"block": -q[0]} | {body: relative - q[0] for body, relative in over_block.items()}
+
+
 def _cosine_sine(oscillator: Oscillator, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return cos Ωt and sin Ωt from the phase reduced in turns (Dekker's exact product of Ω/2π and t)."""
     high, low = _frequency_in_turns(oscillator)
@@ -142,6 +211,19 @@ def _times(t: Any) -> np.ndarray:
     if not np.all(np.isfinite(times)):
         raise ValueError("t must be finite")
     return times
+
+
+def _rows(name: str, coordinates: Any) -> np.ndarray:
+    """Return coordinates as a float64 array whose rows belong to X, φ and Φ, or raise ValueError."""
+    try:
+        rows = np.asarray(coordinates, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must be an array of numbers") from None
+    if rows.ndim == 0 or len(rows) != 3:
+        raise ValueError(f"{name} must have three rows, for X, φ and Φ, not the shape {rows.shape}")
+    if not np.all(np.isfinite(rows)):
+        raise ValueError(f"{name} must be finite")
+    return rows
 
 
 def _finite(name: str, value: Any) -> float:

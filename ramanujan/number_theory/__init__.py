@@ -1,0 +1,54 @@
+"""The number theory behind 1729, exact: integers and `Fraction`s only, no float enters and none leaves.
+
+    integers   factors, fields, sums of two cubes, x² + 3y², digits and continued fraction of a positive root
+    bodies     rolling bodies → the quadratic for the mass ratio ε = m′/m at which Ω²m/k = w; the 40 machines
+
+For the paper's machine (hoop and cylinder below, cylinder on top) and w = 1 the quadratic is 18ε² + ε − 24 = 0, of
+discriminant 1729 = 1³ + 12³ = 9³ + 10³.
+"""
+
+from ramanujan.number_theory.bodies import (
+    BODIES,
+    Machine,
+    PracticalRatio,
+    machines,
+    norm_form,
+    normalized_frequency_squared_exact,
+    one_change_away,
+    practical_ratios,
+    unit_quadratic,
+)
+from ramanujan.number_theory.integers import (
+    continued_fraction,
+    convergents,
+    discriminant,
+    factorization,
+    field_discriminant,
+    positive_root_digits,
+    represent_x2_plus_3y2,
+    smallest_taxicab,
+    squarefree_part,
+    sums_of_two_cubes,
+)
+
+__all__ = [
+    "BODIES",
+    "Machine",
+    "PracticalRatio",
+    "continued_fraction",
+    "convergents",
+    "discriminant",
+    "factorization",
+    "field_discriminant",
+    "machines",
+    "norm_form",
+    "normalized_frequency_squared_exact",
+    "one_change_away",
+    "positive_root_digits",
+    "practical_ratios",
+    "represent_x2_plus_3y2",
+    "smallest_taxicab",
+    "squarefree_part",
+    "sums_of_two_cubes",
+    "unit_quadratic",
+]

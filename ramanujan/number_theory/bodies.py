@@ -1,0 +1,257 @@
+"""Rolling bodies and the numbers they lead to: the quadratic for the mass ratio, its discriminant, the 40 machines.
+
+Lives here: how the choice of rolling bodies becomes an exact quadratic. Arithmetic that knows no machine: `integers`.
+
+A rolling body of mass M and radius R has the moment of inertia βMR², where β is its shape factor. With β_a, β_b for the
+two lower rollers, β_c for the top body, s = β_a + β_b and γ = β_c/(1 + β_c), the machine of mass ratio ε = m′/m has
+
+    Ω²m/k = [(2 + γ) + 2ε] / [(1 + γ) + ¼(2 + γ)(2 + s)ε + ½sε²].
+
+With rising ε it falls from (2 + γ)/(1 + γ) to 0 (if s > 0). It takes each target w between them once, at the positive
+root of
+
+    2ws ε² + [w(2 + γ)(2 + s) − 8] ε − 4[(2 + γ) − w(1 + γ)] = 0.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import combinations_with_replacement
+from math import gcd, lcm
+from types import MappingProxyType
+
+from ramanujan.number_theory import integers
+
+BODIES = MappingProxyType(
+    {"hoop": Fraction(1), "shell": Fraction(2, 3), "cylinder": Fraction(1, 2), "sphere": Fraction(2, 5)}
+)
+"""Rolling bodies and their shape factors β = I/(MR²), from the thin hoop to the solid sphere."""
+
+LARGEST_PART = 10**6
+"""The largest numerator and denominator of a shape factor or a target; coefficients then stay below 1e26."""
+
+LARGEST_RATIO_PART = 10**1000
+"""The largest numerator and denominator of a mass ratio that is passed in; ordinary convergents fit."""
+
+ShapeFactor = str | int | Fraction
+
+
+def normalized_frequency_squared_exact(
+    beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor, ratio: int | Fraction
+) -> Fraction:
+    """Return Ω²m/k exactly, for any bodies and a rational mass ratio.
+
+        Ω²m/k = [(2 + γ) + 2ε] / [(1 + γ) + ¼(2 + γ)(2 + s)ε + ½sε²]
+
+    Parameters
+    ----------
+    beta_a, beta_b, beta_c : shape factors of the two lower rollers and the top body, from 0 to 1, or names in BODIES
+    ratio : ε = m′/m ≥ 0, dimensionless
+
+    Raises
+    ------
+    ValueError : a shape factor is neither a name nor an exact number from 0 to 1, or the ratio is no exact number ≥ 0.
+
+    Source: paper, section 2, with general shape factors; module docstring.
+    """
+    s, gamma = _inertia(beta_a, beta_b, beta_c)
+    epsilon = integers.rational("ratio", ratio, LARGEST_RATIO_PART)
+    if epsilon < 0:
+        raise ValueError("ratio must not be negative")
+    return _normalized_frequency_squared(s, gamma, epsilon)
+
+
+def unit_quadratic(
+    beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor, target: int | Fraction = 1
+) -> integers.Quadratic:
+    """Return the primitive integers (a, b, c), a > 0 > c, of the quadratic aε² + bε + c = 0 that says Ω²m/k = w.
+
+        2ws ε² + [w(2 + γ)(2 + s) − 8] ε − 4[(2 + γ) − w(1 + γ)] = 0
+
+    As a > 0 > c, exactly one of its roots is positive.
+
+    Parameters
+    ----------
+    beta_a, beta_b, beta_c : shape factors of the two lower rollers and the top body, from 0 to 1, or names in BODIES
+    target : w, dimensionless; 1, the unit frequency, unless given
+
+    Raises
+    ------
+    ValueError : a shape factor is neither a name nor an exact number from 0 to 1; both lower ones are 0 (the equation
+        is then linear); or the target is not an exact number strictly between 0 and (2 + γ)/(1 + γ).
+
+    Source: paper, section 2 (the unit frequency), with general shape factors; module docstring.
+    """
+    s, gamma = _inertia(beta_a, beta_b, beta_c)
+    if s == 0:
+        raise ValueError("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear")
+    w = integers.rational("target", target, LARGEST_PART)
+    limit = (2 + gamma) / (1 + gamma)
+    if not 0 < w < limit:
+        raise ValueError(f"target must lie strictly between 0 and {limit}, the value for very light rollers")
+    return _primitive(2 * w * s, w * (2 + gamma) * (2 + s) - 8, 4 * (w * (1 + gamma) - (2 + gamma)))
+
+
+@dataclass(frozen=True)
+class Machine:
+    """A choice of rolling bodies and of the target Ω²m/k, with the integers that follow from it.
+
+    Parameters
+    ----------
+    left, right, top : the two lower rollers (their order changes nothing) and the top body, names in BODIES or β
+    target : w = Ω²m/k, dimensionless; with numerator and denominator up to 1000 the discriminant of a machine
+        built from BODIES can always be factored
+
+    Raises
+    ------
+    ValueError : as in `unit_quadratic`; a discriminant above 10¹² is neither factored nor searched for cubes.
+    """
+
+    left: ShapeFactor = "hoop"
+    right: ShapeFactor = "cylinder"
+    top: ShapeFactor = "cylinder"
+    target: int | Fraction = Fraction(1)
+
+    def __post_init__(self) -> None:
+        for place in ("left", "right", "top"):
+            _shape_factor(place, getattr(self, place))
+        object.__setattr__(self, "target", integers.rational("target", self.target, LARGEST_PART))
+        # Asking for it here lets no machine exist that has no quadratic.
+        _ = self.quadratic
+
+    @property
+    def bodies(self) -> tuple[ShapeFactor, ShapeFactor, ShapeFactor]:
+        """(left, right, top), in the order of the shape factors β_a, β_b, β_c."""
+        return self.left, self.right, self.top
+
+    @cached_property
+    def quadratic(self) -> integers.Quadratic:
+        """(a, b, c) of aε² + bε + c = 0, primitive, a > 0."""
+        return unit_quadratic(*self.bodies, self.target)
+
+    @property
+    def discriminant(self) -> int:
+        """D = b² − 4ac > 0; for every machine it is (8/w − (2 + γ)(2 − s))² + 8sγ² times the square of a fraction."""
+        return integers.discriminant(*self.quadratic)
+
+    @cached_property
+    def factorization(self) -> tuple[tuple[int, int], ...]:
+        """D as pairs (prime, exponent)."""
+        return integers.factorization(self.discriminant)
+
+    @property
+    def field_discriminant(self) -> int:
+        """The discriminant of the number field ℚ(√D) in which the mass ratio lies."""
+        return integers.field_discriminant(self.discriminant)
+
+    @cached_property
+    def cubes(self) -> tuple[tuple[int, int], ...]:
+        """The ways to write D as a sum of two positive cubes."""
+        return tuple(integers.sums_of_two_cubes(self.discriminant))
+
+
+def machines(target: int | Fraction = 1) -> list[Machine]:
+    """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES."""
+    pairs = combinations_with_replacement(BODIES, 2)
+    return [Machine(left, right, top, target) for left, right in pairs for top in BODIES]
+
+
+def one_change_away(target: int | Fraction = 1) -> list[Machine]:
+    """Return the nine of the 40 machines that differ from the paper's in exactly one body."""
+    paper = Machine()
+    return [machine for machine in machines(target) if _bodies_changed(machine, paper) == 1]
+
+
+def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
+    """Return (x, y) such that x² + 3y² is the paper's discriminant for Ω²m/k = p/q, times a square.
+
+        x = 48q − 7p,   y = 4p,   x² + 3y² = (49p − 48q)² + 4·18p·(56q − 32p)
+
+    Parameters
+    ----------
+    target : w = p/q, dimensionless, strictly between 0 and 7/4
+
+    Raises
+    ------
+    ValueError : the target is not an exact number in that range.
+
+    Source: `unit_quadratic` for s = 3/2, γ = 1/3; the square is that of the coefficients' common factor.
+    """
+    w = Machine(target=target).target
+    return 48 * w.denominator - 7 * w.numerator, 4 * w.numerator
+
+
+@dataclass(frozen=True)
+class PracticalRatio:
+    """A mass ratio ε that a workshop can make, and the error Ω²m/k − w that it leaves, both exact."""
+
+    ratio: Fraction
+    error: Fraction
+
+
+def practical_ratios(
+    beta_a: ShapeFactor = "hoop",
+    beta_b: ShapeFactor = "cylinder",
+    beta_c: ShapeFactor = "cylinder",
+    target: int | Fraction = 1,
+    terms: int = 6,
+) -> list[PracticalRatio]:
+    """Return the convergents of the exact mass ratio as machines to build, each with its exact error in Ω²m/k.
+
+    No fraction with a smaller denominator lies closer to the exact mass ratio than a convergent after the first.
+
+    Parameters
+    ----------
+    beta_a, beta_b, beta_c, target : as in `unit_quadratic`
+    terms : how many convergents, from 1 to 100; a first convergent 0 (no rollers) is left out
+
+    Raises
+    ------
+    ValueError : as in `unit_quadratic`, or for a number of terms that is no such integer.
+    """
+    bodies = (beta_a, beta_b, beta_c)
+    quotients = integers.continued_fraction(*unit_quadratic(*bodies, target), terms)
+    ratios = integers.convergents(quotients)
+    inertia = _inertia(*bodies)
+    w = integers.rational("target", target, LARGEST_PART)
+    return [PracticalRatio(ratio, _normalized_frequency_squared(*inertia, ratio) - w) for ratio in ratios if ratio]
+
+
+def _normalized_frequency_squared(s: Fraction, gamma: Fraction, epsilon: Fraction) -> Fraction:
+    """Return Ω²m/k from s, γ and ε, unchecked: convergents may be longer than what a caller may pass."""
+    return (2 + gamma + 2 * epsilon) / (1 + gamma + (2 + gamma) * (2 + s) * epsilon / 4 + s * epsilon**2 / 2)
+
+
+def _inertia(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> tuple[Fraction, Fraction]:
+    """Return s = β_a + β_b and γ = β_c/(1 + β_c)."""
+    a, b, c = _shape_factor("beta_a", beta_a), _shape_factor("beta_b", beta_b), _shape_factor("beta_c", beta_c)
+    return a + b, c / (1 + c)
+
+
+def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
+    """Return β of a body given by name or number."""
+    if isinstance(body, str):
+        if body not in BODIES:
+            raise ValueError(f"{name} must be one of {', '.join(BODIES)}, or an exact number from 0 to 1")
+        return BODIES[body]
+    beta = integers.rational(name, body, LARGEST_PART)
+    if not 0 <= beta <= 1:
+        raise ValueError(f"{name} must lie between 0 and 1")
+    return beta
+
+
+def _primitive(*coefficients: Fraction) -> integers.Quadratic:
+    """Return the coprime integers in the same proportion."""
+    denominator = lcm(*(x.denominator for x in coefficients))
+    a, b, c = (int(x * denominator) for x in coefficients)
+    divisor = gcd(a, b, c)
+    return a // divisor, b // divisor, c // divisor
+
+
+def _bodies_changed(one: Machine, other: Machine) -> int:
+    """Return how many bodies must be exchanged to turn one machine into the other; lower rollers have no order."""
+    lower = Counter([one.left, one.right]) - Counter([other.left, other.right])
+    return lower.total() + (one.top != other.top)

@@ -1,0 +1,226 @@
+"""Integers and quadratics with integer coefficients: factors, sums of cubes, and the exact digits of a root.
+
+Lives here: what knows no machine. Integers, `Fraction`s and decimal text only; no float enters, none leaves.
+
+A quadratic aε² + bε + c with a > 0 > c has exactly one positive root, ε = (√D − b)/(2a) with D = b² − 4ac. Its digits
+and its continued fraction need nothing but the integer square root of D.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import count
+from math import isqrt, prod
+from numbers import Integral, Rational
+
+from sympy.ntheory import factorint
+
+LARGEST_NUMBER = 10**12
+"""The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""
+
+LARGEST_COEFFICIENT = 10**30
+"""The largest size of a quadratic's coefficient."""
+
+MOST_DIGITS = 1000
+"""The most decimal digits of a root that are given."""
+
+MOST_TERMS = 100
+"""The most terms of a continued fraction; even with the largest quotients all its convergents come at once."""
+
+_LARGEST_QUOTIENT = 10**31
+"""No partial quotient exceeds √D, which permitted coefficients keep below this."""
+
+_CUBE_ROOTS = {root**3: root for root in range(1, 10**4 + 1)}
+"""Each cube up to LARGEST_NUMBER with its root: looking a number up here needs no root and no rounding."""
+
+Quadratic = tuple[int, int, int]
+
+
+def discriminant(a: int, b: int, c: int) -> int:
+    """Return D = b² − 4ac of the quadratic aε² + bε + c; ValueError names a coefficient that is no integer, or a = 0.
+
+    The integers may have up to 30 digits. `discriminant(*quadratic)` takes what `unit_quadratic` returns.
+    """
+    a, b, c = _coefficients(a, b, c)
+    return b * b - 4 * a * c
+
+
+def factorization(n: int) -> tuple[tuple[int, int], ...]:
+    """Return the pairs (prime, exponent) whose product is n, by rising prime; ValueError unless 1 ≤ n ≤ 10¹²."""
+    return tuple(sorted(factorint(_number(n)).items()))
+
+
+def squarefree_part(n: int) -> int:
+    """Return d, where n = d·r² with the largest square r²; ValueError unless 1 ≤ n ≤ 10¹²."""
+    return prod(prime for prime, exponent in factorization(n) if exponent % 2)
+
+
+def field_discriminant(n: int) -> int:
+    """Return the discriminant of the number field ℚ(√n): no rescaling of √n by a rational changes it.
+
+    With d the squarefree part of n it is d if d ≡ 1 (mod 4), else 4d; it is 1 if n is a square, as the field is then ℚ.
+
+    Parameters
+    ----------
+    n : an integer from 1 to LARGEST_NUMBER, such as the discriminant of a quadratic
+
+    Raises
+    ------
+    ValueError : n is not such an integer.
+
+    Source: D. A. Marcus, Number Fields, chapter 2.
+    """
+    d = squarefree_part(n)
+    return d if d % 4 == 1 else 4 * d
+
+
+def sums_of_two_cubes(n: int) -> list[tuple[int, int]]:
+    """Return all pairs of positive integers (x, y), x ≤ y, with x³ + y³ = n, sorted; ValueError unless 1 ≤ n ≤ 10¹²."""
+    n = _number(n)
+    pairs = []
+    for cube, x in _CUBE_ROOTS.items():
+        if 2 * cube > n:
+            break
+        if y := _CUBE_ROOTS.get(n - cube):
+            pairs.append((x, y))
+    return pairs
+
+
+def smallest_taxicab() -> int:
+    """Return the smallest number that is a sum of two positive cubes in two ways, found by trying 1, 2, 3, …"""
+    return next(n for n in count(1) if len(sums_of_two_cubes(n)) == 2)
+
+
+def represent_x2_plus_3y2(n: int) -> list[tuple[int, int]]:
+    """Return all pairs of integers x, y ≥ 0 with x² + 3y² = n, sorted; ValueError unless 1 ≤ n ≤ 10¹².
+
+    x² + 3y² is the norm of x + y√−3 in ℤ[√−3].
+    """
+    n = _number(n)
+    candidates = ((isqrt(n - 3 * y * y), y) for y in range(isqrt(n // 3) + 1))
+    return sorted((x, y) for x, y in candidates if x * x + 3 * y * y == n)
+
+
+def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
+    """Return the positive root of aε² + bε + c = 0 as decimal text, cut off (not rounded) after the digits.
+
+        ⌊10ⁿε⌋ = ⌊(⌊√(10²ⁿD)⌋ − 10ⁿb) / (2a)⌋,   D = b² − 4ac
+
+    Parameters
+    ----------
+    a, b, c : integers with a > 0 > c, so that exactly one root is positive
+    digits : n, how many digits stand after the decimal point, from 1 to 1000
+
+    Raises
+    ------
+    ValueError : a coefficient or the number of digits is not such an integer.
+
+    Source: integer square root; a floor inside a floor of a quotient by an integer changes nothing.
+    """
+    a, b, c = _one_positive_root(a, b, c)
+    digits = integer("digits", digits, 1, MOST_DIGITS)
+    scale = 10**digits
+    scaled_root = (isqrt(discriminant(a, b, c) * scale**2) - b * scale) // (2 * a)
+    whole, decimals = divmod(scaled_root, scale)
+    return f"{whole}.{decimals:0{digits}d}"
+
+
+def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
+    """Return the first partial quotients of the positive root of aε² + bε + c = 0; fewer where a rational root ends.
+
+    Each complete quotient has the form (P + √D)/Q with integers P, Q, and Q divides D − P². Its conjugate (P − √D)/Q
+    stays negative, so Q stays positive and ⌊√D⌋ may stand for √D under the floor.
+
+    Parameters
+    ----------
+    a, b, c : integers with a > 0 > c, so that exactly one root is positive
+    terms : how many partial quotients, from 1 to 100
+
+    Raises
+    ------
+    ValueError : a coefficient or the number of terms is not such an integer.
+
+    Source: H. Davenport, The Higher Arithmetic, chapter IV.
+    """
+    a, b, c = _one_positive_root(a, b, c)
+    terms = integer("terms", terms, 1, MOST_TERMS)
+    radicand = discriminant(a, b, c)
+    floor = isqrt(radicand)
+    P, Q = -b, 2 * a
+    quotients: list[int] = []
+    while Q and len(quotients) < terms:
+        quotient = (P + floor) // Q
+        quotients.append(quotient)
+        P = quotient * Q - P
+        Q = (radicand - P * P) // Q
+    return quotients
+
+
+def convergents(quotients: Sequence[int]) -> list[Fraction]:
+    """Return the fractions at which a continued fraction may be cut off, one for each partial quotient.
+
+    Parameters
+    ----------
+    quotients : at most 100 positive integers; the first may be 0
+
+    Raises
+    ------
+    ValueError : quotients is no such list.
+
+    Source: H. Davenport, The Higher Arithmetic, chapter IV.
+    """
+    if not isinstance(quotients, Sequence) or len(quotients) > MOST_TERMS:
+        raise ValueError(f"quotients must be a list of at most {MOST_TERMS} integers")
+    fractions: list[Fraction] = []
+    before, last = (0, 1), (1, 0)
+    for position, value in enumerate(quotients):
+        quotient = integer("quotients", value, min(position, 1), _LARGEST_QUOTIENT)
+        before, last = last, (quotient * last[0] + before[0], quotient * last[1] + before[1])
+        fractions.append(Fraction(*last))
+    return fractions
+
+
+def _one_positive_root(a: int, b: int, c: int) -> Quadratic:
+    """Return the coefficients, or raise ValueError unless a > 0 > c."""
+    a, b, c = _coefficients(a, b, c)
+    if not a > 0 > c:
+        raise ValueError("a must be positive and c negative, so that exactly one root is positive")
+    return a, b, c
+
+
+def _coefficients(a: int, b: int, c: int) -> Quadratic:
+    """Return a, b, c, or raise ValueError naming the one that is no integer of permitted size."""
+    bound = LARGEST_COEFFICIENT
+    a, b, c = integer("a", a, -bound, bound), integer("b", b, -bound, bound), integer("c", c, -bound, bound)
+    if a == 0:
+        raise ValueError("a must not be 0 in a quadratic")
+    return a, b, c
+
+
+def _number(n: int) -> int:
+    """Return n, or raise ValueError unless it is an integer from 1 to LARGEST_NUMBER."""
+    return integer("n", n, 1, LARGEST_NUMBER)
+
+
+def integer(name: str, value: object, low: int, high: int) -> int:
+    """Return value as an int, or raise ValueError naming it unless it is an integer from low to high."""
+    if isinstance(value, Integral) and not isinstance(value, bool) and low <= value <= high:
+        return int(value)
+    # The value itself is not shown: Python refuses to print an integer of more than 4300 digits.
+    raise ValueError(f"{name} must be an integer from {_readable(low)} to {_readable(high)}")
+
+
+def rational(name: str, value: object, largest: int) -> Fraction:
+    """Return value as a Fraction, or raise ValueError naming it unless it is exact and its parts are small enough."""
+    if not isinstance(value, Rational) or isinstance(value, bool):
+        raise ValueError(f"{name} must be an exact number, an integer or a Fraction")
+    if max(abs(value.numerator), value.denominator) > largest:
+        raise ValueError(f"{name} must have a numerator and a denominator up to {_readable(largest)}")
+    return Fraction(int(value.numerator), int(value.denominator))
+
+
+def _readable(bound: int) -> str:
+    """Return a bound as text, a large power of ten as such."""
+    sign = "−" if bound < 0 else ""
+    return str(bound) if abs(bound) < 10**4 else f"{sign}10^{len(str(abs(bound))) - 1}"

@@ -1,0 +1,646 @@
+"""The 1729 arithmetic against brute force, mpmath, and a SymPy derivation from rolling constraints and energies."""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import math
+import random
+from collections import defaultdict
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise, product
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import ramanujan.number_theory as nt
+
+PAPER = (18, 1, -24)
+LIGHT_ROLLERS_LIMIT = Fraction(7, 4)
+
+unhurried = settings(deadline=None, max_examples=80)
+shape_factors = st.fractions(min_value=0, max_value=1, max_denominator=30)
+positive_shape_factors = shape_factors.filter(bool)
+# A target reachable by every machine: (2+γ)/(1+γ) is least, 5/3, for γ = 1/2.
+common_targets = st.fractions(min_value=Fraction(1, 60), max_value=Fraction(99, 60), max_denominator=60)
+quadratics = st.tuples(st.integers(1, 10**6), st.integers(-(10**6), 10**6), st.integers(-(10**6), -1))
+
+
+# The independent route
+
+
+@cache
+def derived_frequency() -> tuple[sp.Expr, tuple[sp.Symbol, ...]]:
+    """Ω² for m = k = R = 1 and m′ = ε from velocities under the rolling constraints, T and U."""
+    beta_a, beta_b, beta_c, eps, Lam = sp.symbols("beta_a beta_b beta_c epsilon Lambda", positive=True)
+    X, phi, Phi = rates = sp.symbols("X phi Phi")  # the generalized velocities; U has the same form in the coordinates
+    v_block, v_left, v_right, v_slab, v_top = v = sp.symbols("v_block v_left v_right v_slab v_top")
+    contacts = [
+        v_block + X,  # X counts to the left, velocities to the right
+        v_left - phi - v_block,  # lowest point of a body that turns clockwise: v − Rω
+        v_right - phi - v_block,
+        v_top - Phi - v_block,
+        v_left + phi - v_slab,  # highest point: v + Rω
+    ]
+    rolling = sp.solve(contacts, v, dict=True)[0]
+    twice_T = (
+        v_block**2
+        + v_slab**2
+        + eps * (v_left**2 + beta_a * phi**2)
+        + eps * (v_right**2 + beta_b * phi**2)
+        + v_top**2
+        + beta_c * Phi**2
+    ).subs(rolling)
+    deformation = (v_slab - v_block).subs(rolling)
+    mass, stiffness = sp.hessian(twice_T / 2, rates), sp.hessian(deformation**2 / 2, rates)
+    characteristic = sp.Poly((stiffness - Lam * mass).det(), Lam)
+    # Two zero modes: what is left of the characteristic polynomial is linear in Λ = Ω².
+    assert characteristic.monoms()[-1] == (2,)
+    assert characteristic.degree() == 3
+    return -characteristic.nth(2) / characteristic.nth(3), (beta_a, beta_b, beta_c, eps)
+
+
+def exact(number: Fraction) -> sp.Rational:
+    return sp.Rational(number.numerator, number.denominator)
+
+
+def derived_quadratic(betas: tuple[Fraction, ...], target: Fraction) -> tuple[int, ...]:
+    frequency, (*symbols, eps) = derived_frequency()
+    excess = sp.together(frequency.subs(dict(zip(symbols, map(exact, betas), strict=True))) - exact(target))
+    _, polynomial = sp.Poly(sp.numer(excess), eps).clear_denoms(convert=True)
+    coefficients = [int(x) for x in polynomial.primitive()[1].all_coeffs()]
+    return tuple(x if coefficients[0] > 0 else -x for x in coefficients)
+
+
+def betas_of(machine: nt.Machine) -> tuple[Fraction, ...]:
+    return tuple(nt.BODIES[name] for name in machine.bodies)
+
+
+# Machines and quadratics
+
+
+def test_paper_machine():
+    machine = nt.Machine()
+    assert nt.unit_quadratic("hoop", "cylinder", "cylinder") == PAPER == machine.quadratic
+    assert nt.unit_quadratic(1, Fraction(1, 2), Fraction(1, 2)) == PAPER
+    assert nt.discriminant(*PAPER) == machine.discriminant == 1729
+    assert machine.factorization == ((7, 1), (13, 1), (19, 1))
+    assert machine.cubes == ((1, 12), (9, 10))
+    assert machine.field_discriminant == 1729
+
+
+def test_shape_factors_are_moments_of_inertia():
+    """β = I/(MR²), integrated over the radius for bodies of revolution about their axis."""
+    r, z = sp.symbols("r z", positive=True)
+    disc = sp.integrate(r**3, (r, 0, 1)) / sp.integrate(r, (r, 0, 1))
+    # A ball is a stack of discs, a shell a stack of rings of equal area per height (Archimedes).
+    ball = sp.integrate((1 - z**2) ** 2 / 2, (z, -1, 1)) / sp.integrate(1 - z**2, (z, -1, 1))
+    shell = sp.integrate(1 - z**2, (z, -1, 1)) / 2
+    assert {name: exact(beta) for name, beta in nt.BODIES.items()} == {
+        "hoop": 1,
+        "shell": shell,
+        "cylinder": disc,
+        "sphere": ball,
+    }
+    with pytest.raises(TypeError):
+        nt.BODIES["ring"] = Fraction(1)
+
+
+@pytest.mark.parametrize("machine", nt.machines(), ids=lambda m: "-".join(m.bodies))
+def test_every_machine_agrees_with_the_derivation(machine):
+    a, b, c = machine.quadratic
+    assert (a, b, c) == derived_quadratic(betas_of(machine), Fraction(1))
+    assert math.gcd(a, b, c) == 1
+    assert machine.discriminant == sp.discriminant(sp.Poly([a, b, c], sp.Symbol("x")))
+    assert sp.Poly([a, b, c], sp.Symbol("x")).count_roots(0, None) == 1
+    assert math.prod(p**e for p, e in machine.factorization) == machine.discriminant
+
+
+@unhurried
+@given(st.tuples(positive_shape_factors, positive_shape_factors, shape_factors), common_targets)
+def test_any_bodies_and_target_agree_with_the_derivation(betas, target):
+    assert nt.unit_quadratic(*betas, target) == derived_quadratic(betas, target)
+
+
+@unhurried
+@given(st.tuples(shape_factors, shape_factors, shape_factors), st.fractions(min_value=0, max_denominator=10**6))
+def test_exact_frequency_agrees_with_the_derivation(betas, ratio):
+    frequency, symbols = derived_frequency()
+    expected = frequency.subs(dict(zip(symbols, map(exact, (*betas, ratio)), strict=True)))
+    assert exact(nt.normalized_frequency_squared_exact(*betas, ratio)) == expected
+
+
+def test_exact_frequency_has_the_papers_values():
+    """104/99 at equal masses and 7/4 for massless rollers, as in the paper; 9/8 at ε = 5/6."""
+    paper = ("hoop", "cylinder", "cylinder")
+    for ratio, value in ((1, Fraction(104, 99)), (0, Fraction(7, 4)), (Fraction(5, 6), Fraction(9, 8))):
+        assert nt.normalized_frequency_squared_exact(*paper, ratio) == value
+
+
+@unhurried
+@given(
+    st.tuples(positive_shape_factors, positive_shape_factors, shape_factors),
+    st.fractions(min_value=0, max_value=50, max_denominator=50),
+    st.fractions(min_value=Fraction(1, 50), max_value=50, max_denominator=50),
+)
+def test_frequency_falls_and_the_quadratic_is_its_inverse(betas, ratio, step):
+    w = nt.normalized_frequency_squared_exact(*betas, ratio)
+    assert nt.normalized_frequency_squared_exact(*betas, ratio + step) < w
+    # A target the module accepts must have parts up to 10⁶, and ε = 0 is the excluded limit.
+    if ratio and max(w.numerator, w.denominator) <= 10**6:
+        a, b, c = nt.unit_quadratic(*betas, w)
+        assert a * ratio**2 + b * ratio + c == 0
+
+
+def test_lower_rollers_have_no_order():
+    for a, b, c in product(nt.BODIES, repeat=3):
+        assert nt.unit_quadratic(a, b, c) == nt.unit_quadratic(b, a, c)
+
+
+def test_top_body_without_rotational_inertia_makes_the_ratio_rational():
+    for a, b in product(nt.BODIES, repeat=2):
+        assert math.isqrt(D := nt.discriminant(*nt.unit_quadratic(a, b, 0))) ** 2 == D
+    # Negative control: with a top body that spins, no machine of the family has a rational ratio.
+    assert all(math.isqrt(m.discriminant) ** 2 != m.discriminant for m in nt.machines())
+
+
+# The family of 40
+
+
+def test_forty_machines_with_forty_discriminants():
+    family = nt.machines()
+    assert len({(frozenset((m.left, m.right)), m.top) for m in family}) == len(family) == 40
+    assert len({m.discriminant for m in family}) == 40
+    assert all(m.quadratic[0] > 0 > m.quadratic[2] for m in family)
+
+
+def test_only_three_discriminants_are_sums_of_two_cubes():
+    found = {m.bodies: (m.discriminant, m.cubes) for m in nt.machines() if m.cubes}
+    assert found == {
+        ("hoop", "cylinder", "cylinder"): (1729, ((1, 12), (9, 10))),
+        ("hoop", "shell", "sphere"): (5896, ((4, 18),)),
+        ("sphere", "sphere", "shell"): (1064, ((4, 10),)),
+    }
+
+
+def test_one_change_away():
+    changed = {m.bodies: m.discriminant for m in nt.one_change_away()}
+    assert len(changed) == 9  # three places, three other bodies in each
+    assert 1729 not in changed.values()
+    expected = {
+        ("hoop", "hoop", "cylinder"): 37,
+        ("cylinder", "cylinder", "cylinder"): 33,
+        ("hoop", "cylinder", "sphere"): 48,
+        ("hoop", "cylinder", "hoop"): 777,
+        ("hoop", "cylinder", "shell"): 1204,
+    }
+    assert expected.items() <= changed.items()
+    single = [("hoop", b, "cylinder") for b in nt.BODIES] + [(a, "cylinder", "cylinder") for a in nt.BODIES]
+    single += [("hoop", "cylinder", c) for c in nt.BODIES]
+    places = {(frozenset(lower), top) for *lower, top in single if (*lower, top) != ("hoop", "cylinder", "cylinder")}
+    assert {(frozenset(lower), top) for *lower, top in changed} == places
+
+
+def test_family_for_another_target():
+    target = Fraction(3, 2)
+    assert {m.target for m in nt.machines(target)} == {target}
+    for machine in nt.machines(target)[::7]:
+        assert machine.quadratic == derived_quadratic(betas_of(machine), target)
+
+
+def test_discriminants_of_ordinary_targets_can_be_factored():
+    """The promise in `Machine`: parts up to 1000 suffice; large primes leave the least to cancel."""
+    for target in (Fraction(997, 991), Fraction(1, 997), Fraction(991, 997), Fraction(1663, 998), Fraction(999, 1000)):
+        for machine in nt.machines(target):
+            assert math.prod(p**e for p, e in machine.factorization) == machine.discriminant
+
+
+def test_machine_is_a_value():
+    assert nt.Machine(target=1) == nt.Machine(target=Fraction(1))
+    assert len({nt.Machine(), nt.Machine()}) == 1
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        nt.Machine().top = "hoop"
+
+
+# Numbers
+
+
+def test_sums_of_two_cubes_against_every_pair():
+    bound = 20_000
+    roots = range(1, 28)  # 27³ = 19683 is the last cube below the bound
+    pairs = defaultdict(list)
+    for x in roots:
+        for y in roots:
+            if x <= y:
+                pairs[x**3 + y**3].append((x, y))
+    for n in range(1, bound + 1):
+        assert nt.sums_of_two_cubes(n) == sorted(pairs[n])
+
+
+@pytest.mark.parametrize(
+    ("n", "pairs"),
+    [
+        # Hardy–Wright and OEIS A011541: the smallest sums in three ways.
+        (87_539_319, [(167, 436), (228, 423), (255, 414)]),
+        (119_824_488, [(11, 493), (90, 492), (346, 428)]),
+        # 10⁴ is the largest root that occurs; a cube plus nothing is no sum of two positive cubes.
+        (10**12, []),
+        (9_999**3 + 1, [(1, 9_999)]),
+        (2 * 7_937**3, [(7_937, 7_937)]),
+        (1728, []),
+        (1, []),
+        (2, [(1, 1)]),
+    ],
+)
+def test_sums_of_two_cubes_of_known_numbers(n, pairs):
+    assert nt.sums_of_two_cubes(n) == pairs
+
+
+@unhurried
+@given(st.integers(1, 9_999), st.integers(1, 9_999))
+def test_sums_of_two_cubes_finds_what_was_put_in(x, y):
+    n = x**3 + y**3
+    if n <= 10**12:
+        found = nt.sums_of_two_cubes(n)
+        assert (min(x, y), max(x, y)) in found
+        assert all(a**3 + b**3 == n and 1 <= a <= b for a, b in found)
+        assert found == sorted(set(found))
+
+
+def test_smallest_taxicab_against_every_pair():
+    ways = defaultdict(int)
+    for x in range(1, 20):
+        for y in range(x, 20):
+            ways[x**3 + y**3] += 1
+    # Sums below 20³ are complete here, so the least one with two ways is the smallest of all.
+    smallest = min(n for n, count in ways.items() if count == 2 and n < 20**3)
+    assert nt.smallest_taxicab() == smallest == 1729
+
+
+def test_factors_against_trial_division():
+    for n in range(1, 2_000):
+        squares = max(r * r for r in range(1, math.isqrt(n) + 1) if n % (r * r) == 0)
+        assert nt.squarefree_part(n) == n // squares
+        factors = nt.factorization(n)
+        assert math.prod(p**e for p, e in factors) == n
+        assert all(all(p % q for q in range(2, p)) for p, _ in factors)
+        assert all(p < q for (p, _), (q, _) in pairwise(factors))
+
+
+def test_field_discriminant_against_the_integers_of_the_field():
+    """Brute force: √d-fields whose half-sums (1+√d)/2 are algebraic integers have discriminant d, the others 4d."""
+    x = sp.Symbol("x")
+    for n in (2, 3, 5, 6, 7, 8, 12, 13, 20, 45, 48, 1204, 1729, 4 * 1729, 5896):
+        d = int(sp.sqrt(n).as_coeff_Mul()[1] ** 2)  # SymPy takes the square out of the root
+        omega = (1 + sp.sqrt(d)) / 2
+        polynomial = sp.Poly(sp.minimal_polynomial(omega, x), x)
+        basis = polynomial if polynomial.LC() == 1 else sp.Poly(sp.minimal_polynomial(sp.sqrt(d), x), x)
+        assert nt.field_discriminant(n) == sp.discriminant(basis)
+    assert nt.field_discriminant(1729) == 1729
+    assert nt.field_discriminant(49) == nt.field_discriminant(1) == 1
+
+
+@unhurried
+@given(st.integers(1, 10**6), st.integers(1, 10**3))
+def test_field_discriminant_survives_rescaling(n, scale):
+    assert nt.field_discriminant(n * scale**2) == nt.field_discriminant(n)
+
+
+def test_x2_plus_3y2_against_every_pair():
+    bound = 3_000
+    pairs = defaultdict(list)
+    for x in range(math.isqrt(bound) + 1):
+        for y in range(math.isqrt(bound) + 1):
+            pairs[x * x + 3 * y * y].append((x, y))
+    for n in range(1, bound + 1):
+        assert nt.represent_x2_plus_3y2(n) == pairs[n]
+    assert (41, 4) in nt.represent_x2_plus_3y2(1729)
+    assert nt.represent_x2_plus_3y2(10**12) == [(500_000, 500_000), (10**6, 0)]
+
+
+def test_norm_form_is_the_discriminant_times_a_square():
+    draw = random.Random(1729)
+    for _ in range(1000):
+        q = draw.randrange(1, 10**5)
+        target = Fraction(draw.randrange(1, (7 * q + 3) // 4), q)
+        x, y = nt.norm_form(target)
+        ratio = Fraction(x * x + 3 * y * y, nt.discriminant(*nt.unit_quadratic("hoop", "cylinder", "cylinder", target)))
+        assert ratio.denominator == 1
+        assert math.isqrt(ratio.numerator) ** 2 == ratio.numerator
+
+
+@pytest.mark.parametrize("target", [Fraction(1), Fraction(4, 3), Fraction(5, 7)])
+def test_every_discriminant_has_the_general_form(target):
+    """(8/w − (2+γ)(2−s))² + 8sγ², up to the square of a fraction."""
+    for machine in nt.machines(target):
+        beta_a, beta_b, beta_c = betas_of(machine)
+        s, gamma = beta_a + beta_b, beta_c / (1 + beta_c)
+        ratio = ((8 / target - (2 + gamma) * (2 - s)) ** 2 + 8 * s * gamma**2) / machine.discriminant
+        assert math.isqrt(ratio.numerator) ** 2 == ratio.numerator
+        assert math.isqrt(ratio.denominator) ** 2 == ratio.denominator
+
+
+def test_norm_form_of_the_unit_frequency():
+    assert nt.norm_form() == nt.norm_form(1) == (41, 4)
+    # Negative control: the form belongs to the paper's bodies, not to every machine.
+    with_sphere = nt.discriminant(*nt.unit_quadratic("hoop", "cylinder", "sphere"))
+    assert math.isqrt(1729 * with_sphere) ** 2 != 1729 * with_sphere
+
+
+# The positive root
+
+
+def precise_root(a: int, b: int, c: int, decimals: int) -> mpmath.mpf:
+    mpmath.mp.dps = decimals + 60
+    return max(mpmath.polyroots([a, b, c], maxsteps=500, extraprec=2 * decimals + 400), key=mpmath.re)
+
+
+@pytest.fixture(autouse=True)
+def _restore_precision():
+    with mpmath.workdps(15):
+        yield
+
+
+@pytest.mark.parametrize("digits", [1, 2, 15, 38, 200, 1000])
+def test_digits_of_the_papers_ratio_against_mpmath(digits):
+    mpmath.mp.dps = digits + 30
+    root = (mpmath.sqrt(1729) - 1) / 36
+    text = nt.positive_root_digits(*PAPER, digits)
+    whole, decimals = text.split(".")
+    assert (whole, len(decimals)) == ("1", digits)
+    # mpmath prints rounded; with 20 more digits than are compared the cut falls on true digits.
+    assert mpmath.nstr(root, digits + 20, strip_zeros=False).startswith(text)
+
+
+@unhurried
+@given(quadratics, st.integers(1, 60))
+def test_digits_are_cut_off_and_not_rounded(quadratic, digits):
+    root = precise_root(*quadratic, digits)
+    shown = mpmath.mpf(nt.positive_root_digits(*quadratic, digits))
+    # mpmath's error, relative 10^-(digits + 60), is far below this slack even for roots near 10⁶.
+    slack = mpmath.mpf(10) ** -(digits + 30)
+    assert -slack <= root - shown < mpmath.mpf(10) ** -digits + slack
+
+
+def test_digits_of_rational_roots():
+    assert nt.positive_root_digits(1, 0, -4, 3) == "2.000"
+    assert nt.positive_root_digits(3, -2, -1, 2) == "1.00"
+    assert nt.positive_root_digits(8, 7, -1, 5) == "0.12500"
+    assert nt.positive_root_digits(10**30, 0, -1, 20) == "0." + "0" * 14 + "100000"
+
+
+@pytest.mark.parametrize("machine", nt.machines()[::3], ids=lambda m: "-".join(m.bodies))
+def test_continued_fraction_against_sympy(machine):
+    a, b, c = machine.quadratic
+    iterator = sp.continued_fraction_iterator((-b + sp.sqrt(machine.discriminant)) / (2 * a))
+    assert nt.continued_fraction(a, b, c, 12) == [int(next(iterator)) for _ in range(12)]
+
+
+def test_continued_fraction_of_the_papers_ratio_is_periodic():
+    start, *rest = sp.continued_fraction_periodic(-1, 36, 1729)
+    period = [int(q) for q in rest[-1]] if isinstance(rest[-1], list) else []
+    preperiod = [int(q) for q in (start, *rest[:-1])] if not isinstance(start, list) else []
+    assert period
+    quotients = nt.continued_fraction(*PAPER, 100)
+    tail = quotients[len(preperiod) :]
+    assert quotients[: len(preperiod)] == preperiod
+    assert tail == (period * 100)[: len(tail)]
+
+
+@unhurried
+@given(quadratics)
+def test_convergents_close_in_on_the_root_from_both_sides(quadratic):
+    a, b, c = quadratic
+    quotients = nt.continued_fraction(*quadratic, 14)
+    # For a > 0 > c the polynomial is negative below the positive root and positive above it.
+    signs = [a * r * r + b * r + c for r in nt.convergents(quotients)]
+    rational = math.isqrt(nt.discriminant(*quadratic)) ** 2 == nt.discriminant(*quadratic)
+    if rational and len(quotients) < 14:
+        assert signs.pop() == 0
+    assert all(value < 0 for value in signs[::2])
+    assert all(value > 0 for value in signs[1::2])
+
+
+@unhurried
+@given(st.fractions(min_value=Fraction(1, 1000), max_value=10**6, max_denominator=1000), st.integers(1, 50))
+def test_continued_fraction_of_a_rational_root_ends_at_it(root, other):
+    # (qε − p)(ε + other): one positive root p/q
+    p, q = root.numerator, root.denominator
+    assert nt.convergents(nt.continued_fraction(q, q * other - p, -p * other, 100))[-1] == root
+
+
+def test_practical_ratios_of_the_papers_machine():
+    ratios = nt.practical_ratios()
+    assert [r.ratio for r in ratios[:4]] == [1, Fraction(8, 7), Fraction(9, 8), Fraction(62, 55)]
+    errors = {r.ratio: r.error for r in ratios}
+    assert errors[1] == Fraction(104, 99) - 1
+    # Two significant digits, as quoted: +8.5e-4 and −6.0e-6.
+    assert Fraction(845, 10**6) < errors[Fraction(9, 8)] < Fraction(855, 10**6)
+    assert -Fraction(605, 10**8) < errors[Fraction(62, 55)] < -Fraction(595, 10**8)
+
+
+def test_practical_ratios_are_best_approximations():
+    mpmath.mp.dps = 40
+    root = (mpmath.sqrt(1729) - 1) / 36
+    for found in nt.practical_ratios(terms=5)[1:]:
+        distance = abs(mpmath.mpf(found.ratio.numerator) / found.ratio.denominator - root)
+        for q in range(1, found.ratio.denominator):
+            assert abs(mpmath.nint(q * root) / q - root) > distance
+
+
+@pytest.mark.parametrize("machine", nt.machines()[::5], ids=lambda m: "-".join(m.bodies))
+def test_practical_ratios_leave_the_stated_error(machine):
+    frequency, symbols = derived_frequency()
+    target = Fraction(4, 3)
+    for found in nt.practical_ratios(*machine.bodies, target, 5):
+        values = dict(zip(symbols, map(exact, (*betas_of(machine), found.ratio)), strict=True))
+        assert exact(found.error) == frequency.subs(values) - exact(target)
+        assert found.ratio > 0
+
+
+def test_practical_ratio_of_a_rational_machine_is_exact():
+    assert nt.practical_ratios("hoop", "cylinder", 0, terms=100)[-1].error == 0
+
+
+# Exactness and bad input
+
+
+def everything(value: object):
+    """The value and all that it contains."""
+    yield value
+    if isinstance(value, dict | list | tuple):
+        for item in value.items() if isinstance(value, dict) else value:
+            yield from everything(item)
+    elif isinstance(value, nt.Machine):
+        public = ("left", "right", "top", "target", "quadratic", "discriminant", "factorization", "cubes")
+        yield from everything([getattr(value, name) for name in (*public, "field_discriminant")])
+    elif dataclasses.is_dataclass(value):
+        yield from everything(list(vars(value).values()))
+
+
+def outputs() -> list[object]:
+    # NumPy and SymPy integers are integers too; nothing of theirs may leak into the answers.
+    numbers = (1729, np.int64(1729), sp.Integer(1729))
+    functions = (
+        nt.factorization,
+        nt.squarefree_part,
+        nt.field_discriminant,
+        nt.sums_of_two_cubes,
+        nt.represent_x2_plus_3y2,
+    )
+    results: list[object] = [f(n) for f in functions for n in numbers]
+    for one in (1, np.int64(1), sp.Integer(1), sp.Rational(1)):
+        results += [nt.unit_quadratic(one, sp.Rational(1, 2), Fraction(1, 2), one), nt.norm_form(one)]
+        results += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.Machine(target=one)]
+        results += [nt.practical_ratios(target=one), nt.convergents([one, one])]
+    quadratic = tuple(map(np.int64, PAPER))
+    results += [nt.discriminant(*quadratic), nt.continued_fraction(*quadratic, 9)]
+    results += [nt.positive_root_digits(*quadratic, np.int64(30)), nt.smallest_taxicab(), dict(nt.BODIES)]
+    return [*results, nt.machines(), nt.one_change_away()]
+
+
+def test_answers_are_integers_fractions_and_text():
+    kept = {int, Fraction, str, list, tuple, dict, nt.Machine, nt.PracticalRatio}
+    assert {type(value) for value in everything(outputs())} <= kept
+    # Negative control: the walk finds a float inside a container.
+    assert float in {type(value) for value in everything([(1, {"x": [0.5]})])}
+
+
+def test_source_has_no_float_and_no_floating_square_root():
+    sources = sorted(Path(nt.__file__).parent.glob("*.py"))
+    assert len(sources) == 3
+    for source in sources:
+        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+            assert not (isinstance(node, ast.Constant) and isinstance(node.value, float | complex))
+            used = getattr(node, "id", None) or getattr(node, "attr", None) or getattr(node, "name", None)
+            assert used not in ("float", "sqrt", "Decimal")
+
+
+def test_only_sympy_ntheory_is_imported_from_outside():
+    for source in Path(nt.__file__).parent.glob("*.py"):
+        for node in ast.walk(ast.parse(source.read_text(encoding="utf-8"))):
+            module = getattr(node, "module", None) if isinstance(node, ast.ImportFrom) else None
+            assert module is None or not module.startswith(("numpy", "mpmath", "streamlit", "plotly"))
+            assert module is None or not module.startswith("sympy") or module == "sympy.ntheory"
+            assert module is None or not module.startswith("ramanujan") or module.startswith("ramanujan.number_theory")
+
+
+HUGE = 10**5000  # more digits than Python prints
+NOT_INTEGERS = [True, 1729.0, math.nan, math.inf, "1729", None, Fraction(1, 2), 1j, [1], np.float64(3), np.bool_(True)]
+
+
+@pytest.mark.parametrize("bad", [0, -1, 10**12 + 1, HUGE, -HUGE, *NOT_INTEGERS], ids=lambda v: type(v).__name__)
+@pytest.mark.parametrize(
+    "function",
+    [
+        nt.factorization,
+        nt.squarefree_part,
+        nt.field_discriminant,
+        nt.sums_of_two_cubes,
+        nt.represent_x2_plus_3y2,
+    ],
+)
+def test_bad_numbers_are_refused(function, bad):
+    with pytest.raises(ValueError, match=r"^n must be an integer from 1 to 10\^12$"):
+        function(bad)
+
+
+@pytest.mark.parametrize("bad", [HUGE, -HUGE, *NOT_INTEGERS], ids=lambda v: type(v).__name__)
+@pytest.mark.parametrize(("place", "name"), list(enumerate("abc")))
+def test_bad_coefficients_are_refused(bad, place, name):
+    coefficients = list(PAPER)
+    coefficients[place] = bad
+    calls = [
+        lambda: nt.discriminant(*coefficients),
+        lambda: nt.positive_root_digits(*coefficients, 5),
+        lambda: nt.continued_fraction(*coefficients, 5),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError, match=rf"^{name} must be an integer"):
+            call()
+
+
+@pytest.mark.parametrize("quadratic", [(0, 1, -1), (-18, 1, 24), (1, -3, 2), (1, 0, 0), (1, 0, 1)])
+def test_quadratics_without_exactly_one_positive_root_are_refused(quadratic):
+    for call in (nt.positive_root_digits, nt.continued_fraction):
+        with pytest.raises(ValueError, match=r"^a must"):
+            call(*quadratic, 5)
+
+
+@pytest.mark.parametrize("bad", [0, -1, 1001, HUGE, *NOT_INTEGERS], ids=lambda v: type(v).__name__)
+def test_bad_lengths_are_refused(bad):
+    with pytest.raises(ValueError, match=r"^digits must"):
+        nt.positive_root_digits(*PAPER, bad)
+    with pytest.raises(ValueError, match=r"^terms must"):
+        nt.continued_fraction(*PAPER, bad)
+    with pytest.raises(ValueError, match=r"^terms must"):
+        nt.practical_ratios(terms=bad)
+
+
+@pytest.mark.parametrize(
+    "bad", [None, 3, "12", [1.0], [-1], [1, 0], [1, HUGE], [True], [1] * 101, {1, 2}], ids=lambda v: type(v).__name__
+)
+def test_bad_quotients_are_refused(bad):
+    with pytest.raises(ValueError, match=r"^quotients must"):
+        nt.convergents(bad)
+
+
+INEXACT = [0.5, math.nan, math.inf, True, None, b"hoop", 1j, [1], np.float64(0.5), Fraction(1, HUGE), Fraction(HUGE)]
+
+
+@pytest.mark.parametrize("bad", [-1, 2, Fraction(-1, 9), "ring", "", *INEXACT], ids=lambda v: type(v).__name__)
+@pytest.mark.parametrize(("place", "name"), list(enumerate(["beta_a", "beta_b", "beta_c"])))
+def test_bad_bodies_are_refused(bad, place, name):
+    bodies = ["hoop", "cylinder", "cylinder"]
+    bodies[place] = bad
+    for call in (nt.unit_quadratic, nt.practical_ratios):
+        with pytest.raises(ValueError, match=rf"^{name} must"):
+            call(*bodies)
+    with pytest.raises(ValueError, match=rf"^{name} must"):
+        nt.normalized_frequency_squared_exact(*bodies, 1)
+    with pytest.raises(ValueError, match=rf"^{('left', 'right', 'top')[place]} must"):
+        nt.Machine(*bodies)
+
+
+@pytest.mark.parametrize("bad", [0, -1, LIGHT_ROLLERS_LIMIT, 2, "1", *INEXACT], ids=lambda v: type(v).__name__)
+def test_bad_targets_are_refused(bad):
+    calls = [
+        lambda: nt.unit_quadratic("hoop", "cylinder", "cylinder", bad),
+        lambda: nt.practical_ratios(target=bad),
+        lambda: nt.Machine(target=bad),
+        lambda: nt.norm_form(bad),
+        lambda: nt.machines(bad),
+        lambda: nt.one_change_away(bad),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError, match=r"^target must"):
+            call()
+
+
+@pytest.mark.parametrize("bad", [-1, 0.5, math.nan, True, "1", None, Fraction(1, HUGE)], ids=lambda v: type(v).__name__)
+def test_bad_ratios_are_refused(bad):
+    with pytest.raises(ValueError, match=r"^ratio must"):
+        nt.normalized_frequency_squared_exact("hoop", "cylinder", "cylinder", bad)
+
+
+def test_two_lower_rollers_without_rotational_inertia_are_refused():
+    with pytest.raises(ValueError, match=r"^beta_a and beta_b must not both be 0"):
+        nt.unit_quadratic(0, 0, "hoop")
+
+
+def test_largest_permitted_inputs_have_a_discriminant():
+    """Parts up to 10⁶ lead to coefficients that the other functions still take."""
+    betas = (Fraction(999_983, 10**6), Fraction(999_979, 999_999), Fraction(999_961, 999_998))
+    quadratic = nt.unit_quadratic(*betas, Fraction(999_953, 999_997))
+    assert nt.discriminant(*quadratic) > 10**24  # the primes above leave no common factor to cancel
+    assert len(nt.positive_root_digits(*quadratic, 1000)) == 1002
+    # Here the root lies below 1, so that the first convergent is 0 and left out.
+    assert len(nt.practical_ratios(*betas, Fraction(999_953, 999_997), 100)) == 99
+    with pytest.raises(ValueError, match=r"^n must"):
+        _ = nt.Machine(*betas, Fraction(999_953, 999_997)).factorization
