@@ -42,7 +42,9 @@ def template(colors: Mapping[str, str]) -> go.layout.Template:
         yaxis=axis,
         hoverlabel={"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
     )
-    return go.layout.Template(layout=layout)
+    # Choosing a point must not dim the others.
+    keep = {"marker": {"opacity": 1}}
+    return go.layout.Template(layout=layout, data={"scatter": [{"selected": keep, "unselected": keep}]})
 
 
 def frequency_curve(
@@ -68,26 +70,33 @@ def frequency_curve(
     equal, unit, present : the marked machines
     colors : ink, faint, paper, primary, marker, accent
     """
-    hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
+    # Single precision is a thousand times finer than a pixel, and half the bytes.
     below = heavy_limit <= light_limit
     figure = go.Figure(layout={"template": template(colors), "height": 340, "showlegend": False})
     limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
+    figure.layout.template.data.scatter[
+        0
+    ].hovertemplate = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
     figure.add_scatter(
         x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name="limit"
     )
     figure.add_scatter(
-        x=ratios[below], y=heavy_limit[below], mode="lines", line=limit_line, hoverinfo="skip", name="limit"
+        x=ratios[below].astype(np.float32),
+        y=heavy_limit[below].astype(np.float32),
+        mode="lines",
+        line=limit_line,
+        hoverinfo="skip",
+        name="limit",
     )
     # Only markers can be clicked; these are there for the pointer, not for the eye.
     figure.add_scatter(
-        x=ratios,
-        y=values,
+        x=ratios.astype(np.float32),
+        y=values.astype(np.float32),
         mode="lines+markers",
         line={"color": colors["primary"], "width": 3},
         marker={"size": 14, "opacity": 0},
         selected={"marker": {"opacity": 0}},
         unselected={"marker": {"opacity": 0}},
-        hovertemplate=hover,
         name="any machine",
     )
     shown = (
@@ -101,15 +110,13 @@ def frequency_curve(
             y=[mark.value],
             mode="markers",
             marker={"symbol": symbol, "size": size, "color": color, "line": {"width": 3, "color": color}},
-            selected={"marker": {"opacity": 1}},
-            unselected={"marker": {"opacity": 1}},
-            hovertemplate=hover,
             name=name,
         )
     label = {"xref": "x", "yref": "y", "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
+    label |= {"bgcolor": colors["paper"], "align": "left"}
     # Leaders part to opposite sides of the curve, so the two labels are apart however narrow the page.
-    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=24, ay=-62, xanchor="left")
-    figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-30, ay=70, xanchor="right")
+    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=20, ay=-66, xanchor="left")
+    figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-16, ay=62, xanchor="right")
     beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
     light_label, heavy_label = limit_labels
     figure.add_annotation(beside, x=_log(ratios[0]), y=light_limit, text=light_label, yanchor="bottom", xshift=6)

@@ -14,6 +14,7 @@ from sympy.physics.vector.printing import VectorLatexPrinter
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Omega_squared, m_prime
 
 _NAMES = {m_prime: "m'", Omega_squared: r"\Omega^{2}", sp.Symbol("L"): r"\mathcal{L}"}
+_LONG_DENOMINATOR = 10**7
 _PLAIN = {
     **dict(zip(VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
     **dict(zip(COORDINATES, sp.symbols("X phi Phi"), strict=True)),
@@ -33,7 +34,12 @@ class _LatexPrinter(VectorLatexPrinter):
 
 
 def latex(expression: sp.Basic) -> str:
-    """Return the LaTeX of an expression or relation: primes and dots as physicists write them."""
+    """Return the LaTeX of an expression or relation: primes and dots as physicists write them.
+
+    A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal of eight digits.
+    """
+    long = {number: number.evalf(8) for number in expression.atoms(sp.Rational) if number.q >= _LONG_DENOMINATOR}
+    expression = expression.xreplace(long)
     return _LatexPrinter({"symbol_names": _NAMES, "mul_symbol": r"\,"}).doprint(expression)
 
 

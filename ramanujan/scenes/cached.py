@@ -65,7 +65,7 @@ class Curve:
 def curve() -> Curve:
     """Return the Ω² curve with its limits and the two marked ratios."""
     normalized, condition = unit().normalized_frequency_squared, unit()
-    ratios = np.geomspace(*CURVE_RANGE, 201)
+    ratios = np.geomspace(*CURVE_RANGE, 121)
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
@@ -77,10 +77,10 @@ def curve() -> Curve:
         normalized_frequency_squared(ratios),
         float(light),
         np.array([float(heavy.subs(epsilon, ratio)) for ratio in ratios]),
-        (1.0, float(at_equal), f"equal masses: {at_equal}"),
-        (UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b> at ε = {root}"),
-        f"{light}  (ε → 0)",
-        f"{sp.sstr(heavy).replace('varepsilon', 'ε').replace('*', '')}  (ε → ∞)",
+        (1.0, float(at_equal), f"equal masses<br>{at_equal}"),
+        (UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
+        f"{light} for ε → 0",
+        f"{sp.sstr(heavy).replace('varepsilon', 'ε').replace('*', '')}<br>for ε → ∞",
     )
 
 
@@ -94,7 +94,7 @@ class SummaryStep:
     numbers: str
 
 
-_SUMMARY = ("energies", "lagrangian", "motion", "elimination", "frequency", "root")
+_SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
@@ -114,8 +114,11 @@ def _with_numbers(step: Step, values: dict[sp.Symbol, Any]) -> SummaryStep:
 
 
 def aligned(equations: Iterable[str]) -> str:
-    """Return the equations as one block, each aligned at its first equals sign."""
-    return r"\begin{aligned}" + r" \\[.5em] ".join(e.replace("=", "&=", 1) for e in equations) + r"\end{aligned}"
+    """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
+    lines = list(equations)
+    to_zero = any(line.endswith("= 0") for line in lines)
+    marked = ("&" + line if to_zero else line.replace("=", "&=", 1) for line in lines)
+    return r"\begin{aligned}" + r" \\[.5em] ".join(marked) + r"\end{aligned}"
 
 
 def _decimal(relation: sp.Eq) -> str:

@@ -55,6 +55,7 @@ WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} f
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")
 _LONGEST = 60
+_PRESET = "preset"
 _COMPLAINT = "complaint"
 _LAST_GOOD = "last_good"
 
@@ -63,9 +64,7 @@ def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
     complaints = [*_bad_link(), *_restore_good_values()]
     with st.sidebar:
-        with st.container(horizontal=True, gap="xsmall"):
-            for label, act in PRESETS.items():
-                st.button(label, on_click=act, key=f"preset {label}")
+        st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
         for key in ("m", "m_prime", "k", "compression"):
             _slider(CONTROLS[key])
         with st.expander("More"):
@@ -124,10 +123,16 @@ PRESETS: dict[str, Callable[[], None]] = {
 }
 
 
+def _take_preset() -> None:
+    """Do what was asked for, and leave no choice standing: the next slider would belie it."""
+    PRESETS[st.session_state[_PRESET]]()
+    st.session_state[_PRESET] = None
+
+
 def _slider(control: Control) -> None:
     label = f"{control.symbol}, {control.meaning} [{control.unit}]"
-    words, entry = st.columns([0.56, 0.44], vertical_alignment="center", gap="small")
-    words.markdown(f"**{control.symbol}** [{control.unit}]  \n:small[{control.meaning}]")
+    heading = st.container(horizontal=True, vertical_alignment="center")
+    heading.markdown(f"**{control.symbol}** [{control.unit}]  \n:small[{control.meaning}]", width=118)
     value = st.slider(
         label,
         control.least,
@@ -141,7 +146,7 @@ def _slider(control: Control) -> None:
     )
     # The box stands above its slider but is made after it, so that it shows what the slider holds.
     st.session_state[_exact(control)] = repr(value)
-    entry.text_input(
+    heading.text_input(
         f"{label}, exactly",
         key=_exact(control),
         label_visibility="collapsed",

@@ -14,22 +14,26 @@ def slab_released() -> None:
 
 
 def ratio_clicked() -> None:
-    """Take the mass ratio of the point that was clicked on the curve."""
+    """Take the mass ratio of the point that was clicked on the curve: a mark's exactly, the curve's in four digits."""
     points = st.session_state["curve"].selection.points
     if points:
-        controls.take_ratio(points[0]["x"])
+        ratio = points[0]["x"]
+        marks = (base.equal[0], base.unit[0])
+        controls.take_ratio(ratio if ratio in marks else float(f"{ratio:.4g}"))
 
 
-machine = controls.oscillator()
+machine, base = controls.oscillator(), cached.curve()
 
 st.title("Ramanujan’s oscillator", anchor=False)
 stage.mount(
-    stage.payload(machine, controls.compression(), controls.limits("compression"), controls.WATCH),
+    stage.payload(machine, controls.compression()),
+    limits=controls.limits("compression"),
+    watch=controls.WATCH,
     on_released=slab_released,
 )
 
 st.subheader("When is it in step with √(k/m)?", anchor=False)
-base, colors = cached.curve(), look.colors()
+colors = look.colors()
 figure = figures.frequency_curve(
     base.ratios,
     base.values,
@@ -55,8 +59,8 @@ st.caption("Click on the curve to build the machine with that mass ratio.")
 
 st.subheader("In six steps", anchor=False)
 for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
-    with st.container(border=True):
-        st.markdown(f"**{number}. {step.heading}**  \n{step.reason}")
-        with st.container(horizontal=True, gap="large"):
-            st.latex(step.symbols, width="content")
+    st.markdown(f"**{number}. {step.heading}**  \n{step.reason}")
+    with st.container(horizontal=True, gap="large"):
+        st.latex(step.symbols, width="content")
+        if step.numbers != step.symbols:
             st.latex(step.numbers, width="content")

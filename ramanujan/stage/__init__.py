@@ -4,22 +4,30 @@ Lives here: what crosses from Python to the page (`payload`, `formulas`) and the
 (what there is), stage.css (how it looks) and stage.js (how it moves). No physics is written in JavaScript: its formulas
 are printed by SymPy from the derivation.
 
-The contract, version 1. To the page:
+What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
+Streamlit sends it once a session, and a second component without any content, the feed, carries the numbers.
+
+The contract, version 1. To the page, once:
+
+    stage        the name under which the feed speaks to it
+    limits       compression: the least and the greatest that the slab can be dragged to [m]
+    watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
+    clock        stages with the same clock run and pause together
+
+and by the feed, at every change:
 
     version      1
     parameters   m, m_prime [kg], k [N/m], radius, compression [m]
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
-    limits       compression: the least and the greatest that the slab can be dragged to [m]
-    watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
-    clock        stages with the same clock run and pause together
-    words        the sentences of the live description, with {names} in them
 
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Mapping
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -32,10 +40,16 @@ from ramanujan.derivation.numbers import unit
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import coefficients
 from ramanujan.derivation.symbols import epsilon, k, m, machine
+from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator
 
 VERSION = 1
 _HERE = Path(__file__).parent
+_FEED = """
+export default ({ data }) => {
+  (globalThis.ramanujanFeed ??= {})[data.stage] = data.payload;
+};
+"""
 _WORDS = {
     "apart": "The slab swings over the block once every {period} s. The machine's clock runs {side} of the plain "
     "mass's: {turns} periods part them by one full turn.",
@@ -69,56 +83,61 @@ def formulas() -> dict[str, Any]:
     }
 
 
-def payload(
-    oscillator: Oscillator,
-    compression: float,
-    limits: tuple[float, float],
-    watch: Mapping[str, Mapping[str, Any]],
-    **more: Any,
-) -> dict[str, Any]:
-    """Return what the page needs to draw the machine, as plain numbers and words.
+def payload(oscillator: Oscillator, compression: float, initial: InitialState | None = None) -> dict[str, Any]:
+    """Return what the feed carries: the machine, and the state from which it was released, as plain numbers.
 
     Parameters
     ----------
     oscillator : the machine; m, m′ [kg], k [N/m], R [m]
     compression : x₀ [m]
+    initial : the state at release; without it, at rest with the spring compressed by x₀
+    """
+    parameters = {**asdict(oscillator), "compression": compression}
+    start = {} if initial is None else {"initial": asdict(initial)}
+    return {"version": VERSION, "parameters": parameters, **start}
+
+
+def mount(
+    data: Mapping[str, Any],
+    *,
+    limits: tuple[float, float],
+    watch: Mapping[str, Mapping[str, Any]],
+    key: str = "stage",
+    clock: str = "main",
+    on_released: Callable[[], None] | None = None,
+) -> Any:
+    """Put a stage on the page and return its result; `result.released` is the compression at which it was let go.
+
+    Parameters
+    ----------
+    data : the payload
     limits : the range of x₀ that the slab can be dragged through [m]
     watch : slider key → parameter and scale, for following a drag without the server
-    more : `initial`, `clock`: see the module's contract
+    key : of the stage among the page's elements
+    clock : name of the clock, shared by stages that are to run together
+    on_released : called when the slab was let go
     """
-    return {
-        "version": VERSION,
-        "parameters": {
-            "m": oscillator.m,
-            "m_prime": oscillator.m_prime,
-            "k": oscillator.k,
-            "radius": oscillator.radius,
-            "compression": compression,
-        },
-        "limits": {"compression": list(limits)},
-        "watch": {key: dict(slider) for key, slider in watch.items()},
-        "words": {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"},
-        **more,
-    }
-
-
-def mount(data: Mapping[str, Any], *, key: str = "stage", on_released: Callable[[], None] | None = None) -> Any:
-    """Put a stage on the page and return its result; `result.released` is the compression at which it was let go."""
-    return _component()(key=key, data=data, on_released_change=on_released or _ignore)
+    stage, feed = _components()
+    fixed = {"stage": key, "limits": {"compression": limits}, "watch": watch, "clock": clock}
+    result = stage(key=key, data=fixed, on_released_change=on_released or _ignore)
+    feed(key=f"{key}_feed", data={"stage": key, "payload": data})
+    return result
 
 
 def _ignore() -> None:
     """Do nothing: Streamlit wants a callback for every trigger that is to be read."""
 
 
-@cache
-def _component() -> Callable[..., Any]:
-    html, css, script = ((_HERE / f"stage.{kind}").read_text(encoding="utf-8") for kind in ("html", "css", "js"))
-    return st.components.v2.component(
-        "ramanujan_stage", html=html, css=css, js=f"const FORMULAS = {javascript(formulas())};\n{script}"
-    )
-
-
 def warm_up() -> None:
     """Derive and print the stage's formulas before the first visitor asks for them."""
-    _component()
+    _components()
+
+
+@cache
+def _components() -> tuple[Callable[..., Any], Callable[..., Any]]:
+    html, css, script = ((_HERE / f"stage.{kind}").read_text(encoding="utf-8") for kind in ("html", "css", "js"))
+    words = {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"}
+    given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
+    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
+    feed = st.components.v2.component("ramanujan_feed", js=_FEED)
+    return stage, feed

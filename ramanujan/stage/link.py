@@ -11,30 +11,26 @@ _HTML = (
     '<button type="button">Copy link</button> <output role="status"></output><input readonly hidden aria-label="Link">'
 )
 _CSS = """
-button { font: inherit; color: inherit; background: transparent; border: 1px solid var(--st-widget-border-color);
-  border-radius: var(--st-button-radius); padding: .35rem .75rem; cursor: pointer; }
-button:hover { border-color: var(--st-primary-color); }
-button:focus-visible { outline: 3px solid var(--st-primary-color); outline-offset: 2px; }
-input { width: 100%; margin-top: .4rem; box-sizing: border-box; font: inherit; }
+button, input { font: inherit; color: inherit; background: none; padding: .35rem .75rem;
+  border: 1px solid var(--st-widget-border-color); border-radius: var(--st-button-radius); }
+:focus-visible { outline: 3px solid var(--st-primary-color); }
 """
+# Browsers keep the clipboard from pages that are not served securely: there the text itself is offered.
 _JS = """
-export default function ({ parentElement }) {
-  const [button, output, input] = ["button", "output", "input"].map((name) => parentElement.querySelector(name));
+export default ({ parentElement }) => {
+  const [button, output, input] = parentElement.querySelectorAll("button, output, input");
   button.onclick = async () => {
     try {
       await navigator.clipboard.writeText(location.href);
       output.textContent = "Copied.";
     } catch {
-      // Browsers keep the clipboard from pages that are not served securely: offer the text itself.
+      output.textContent = "Copy it from here:";
       input.hidden = false;
       input.value = location.href;
       input.select();
-      output.textContent = "Copy it from here:";
     }
-    setTimeout(() => (output.textContent = ""), 4000);
   };
-  return () => (button.onclick = null);
-}
+};
 """
 
 

@@ -1,6 +1,6 @@
 // The machine on the page: draws it, plays it, and listens to the slab, the buttons and the sidebar's sliders.
-// Physics is not written here: FORMULAS, printed by SymPy, stands before this text. The contract with Python is in
-// __init__.py. All lengths here are centimetres of the picture, x to the right and y UP from the floor.
+// Physics is not written here: FORMULAS, printed by SymPy, and WORDS stand before this text. The contract with Python is
+// in __init__.py: the numbers of each stage arrive in globalThis.ramanujanFeed. All lengths here are centimetres of the picture, x to the right and y UP from the floor.
 
 const CM = 100; // per metre
 const STEPS = 24; // steps of the step buttons in one period
@@ -16,13 +16,11 @@ const clocks = new Map(); // name → {playing, speed}: stages with one clock ru
 let frame = 0;
 
 export default function ({ data, parentElement, setTriggerValue }) {
-  if (!mounted.has(parentElement)) mounted.set(parentElement, new Stage(parentElement));
-  const stage = mounted.get(parentElement);
-  stage.sendReleased = (compression) => setTriggerValue("released", compression);
-  stage.receive(data);
+  if (!mounted.has(parentElement)) mounted.set(parentElement, new Stage(parentElement, data));
+  mounted.get(parentElement).sendReleased = (compression) => setTriggerValue("released", compression);
   frame ||= requestAnimationFrame(tick);
   return () => {
-    stage.dispose();
+    mounted.get(parentElement)?.dispose();
     mounted.delete(parentElement);
   };
 }
@@ -32,6 +30,10 @@ function tick(now) {
   const elapsed = Math.min((now - lastTick) / 1000, 0.1); // a hidden tab does not catch up
   lastTick = now;
   const stages = [...mounted.values()];
+  for (const stage of stages) {
+    const data = globalThis.ramanujanFeed?.[stage.name];
+    if (data && data !== stage.data) stage.receive(data);
+  }
   for (const clock of clocks.values()) {
     const periods = stages.filter((stage) => stage.clock === clock).map((stage) => stage.period());
     clock.slowing = Math.min(1, ...periods.map((period) => period / EYE));
@@ -113,7 +115,13 @@ const fill = (sentence, values) => sentence.replace(/\{(\w+)\}/g, (_, name) => v
 // ---------------------------------------------------------------- one stage
 
 class Stage {
-  constructor(root) {
+  constructor(root, { stage, limits, watch, clock }) {
+    this.name = stage;
+    this.limits = limits;
+    this.watch = watch;
+    this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (!clocks.has(clock)) clocks.set(clock, { playing: !this.calm, speed: 1, slowing: 1 });
+    this.clock = clocks.get(clock);
     this.find = (selector) => root.querySelector(selector);
     this.all = (selector) => [...root.querySelectorAll(selector)];
     this.host = this.find(".stage");
@@ -124,7 +132,6 @@ class Stage {
     this.offset = { X: 0, phi: 0, Phi: 0, plain: 0 }; // what is left of the last jump
     this.sinceText = TEXT_INTERVAL;
     this.layers = { energy: true, arrows: false, traces: false };
-    this.calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.stop = new AbortController();
     this.buildOnce();
     this.listen();
@@ -143,9 +150,6 @@ class Stage {
 
   receive(data) {
     const first = !this.data;
-    const name = data.clock ?? "main";
-    if (!clocks.has(name)) clocks.set(name, { playing: !this.calm, speed: 1, slowing: 1 });
-    this.clock = clocks.get(name);
     this.change(() => {
       this.data = data;
       this.live = {};
@@ -156,7 +160,7 @@ class Stage {
       else this.moving.delete(key);
     }
     if (first) {
-      this.find(".unity").textContent = data.words.unity;
+      this.find(".unity").textContent = WORDS.unity;
       this.offset = mapValues(this.offset, () => 0);
       if (this.calm) this.drawGhosts();
       this.showLayers();
@@ -234,7 +238,7 @@ class Stage {
     for (const [key, atRest] of this.moving) {
       const value = this.slider(key)?.value;
       if (value === undefined || value === atRest) continue;
-      const { parameter, scale } = this.data.watch[key];
+      const { parameter, scale } = this.watch[key];
       const moved = Number(value) * scale;
       if (moved !== this.parameters[parameter]) this.change(() => (this.live[parameter] = moved));
     }
@@ -246,7 +250,7 @@ class Stage {
     const on = (target, type, handler, options = {}) =>
       target.addEventListener(type, handler, { ...options, signal: this.stop.signal });
     const begin = (event) => {
-      const keys = Object.keys(this.data?.watch ?? {});
+      const keys = Object.keys(this.watch);
       const key = keys.find((name) => event.target.closest?.(`.st-key-${CSS.escape(name)}`));
       const value = key && this.slider(key)?.value;
       if (value !== undefined) this.moving.set(key, value);
@@ -326,7 +330,7 @@ class Stage {
 
   /** Hold the machine at rest with the spring compressed by so much, rounded to a tenth of a millimetre. */
   compress(compression) {
-    const [least, most] = this.data.limits.compression;
+    const [least, most] = this.limits.compression;
     this.live.compression = Math.round(Math.min(most, Math.max(least, compression)) * 1e4) / 1e4;
     this.release();
   }
@@ -360,7 +364,7 @@ class Stage {
   }
 
   drawGeometry() {
-    const g = (this.place = layout(this.parameters, this.data.limits.compression));
+    const g = (this.place = layout(this.parameters, this.limits.compression));
     const { left, right, bottom, top } = g.view;
     set(this.find(".machine"), { viewBox: `${left} ${-top} ${right - left} ${top - bottom}` });
     set(this.find(".earth"), { d: `M${left} 0H${right}V2.2H${left}z` });
@@ -410,8 +414,8 @@ class Stage {
       element("text", { x: at(value), y: 44 }, ticks).textContent = value;
     }
     set(this.find(".body.slab"), {
-      "aria-valuemin": this.data.limits.compression[0] * CM,
-      "aria-valuemax": this.data.limits.compression[1] * CM,
+      "aria-valuemin": this.limits.compression[0] * CM,
+      "aria-valuemax": this.limits.compression[1] * CM,
       "aria-valuenow": p.compression * CM,
       "aria-valuetext": `${digits(p.compression * CM, 3)} cm`,
     });
@@ -556,19 +560,19 @@ class Stage {
     const slow = Math.min(1, this.period() / EYE);
     const note = this.held
       ? `x₀ = ${digits(this.parameters.compression * CM, 3)} cm`
-      : slow < 1 ? fill(this.data.words.slowed, { factor: digits(slow * this.clock.speed, 2) }) : "";
+      : slow < 1 ? fill(WORDS.slowed, { factor: digits(slow * this.clock.speed, 2) }) : "";
     this.find(".note").textContent = note;
   }
 
   speak() {
     const { Omega, plain } = this.solution;
     const apart = Math.abs(Omega / plain - 1);
-    const sentence = fill(apart < 1e-12 ? this.data.words.together : this.data.words.apart, {
+    const sentence = fill(apart < 1e-12 ? WORDS.together : WORDS.apart, {
       period: digits(TURN / Omega, 3),
       side: Omega > plain ? "ahead" : "behind",
       turns: digits(1 / apart, 3),
     });
-    this.find(".live").textContent = this.clock.playing ? sentence : `${sentence} ${this.data.words.paused}`;
+    this.find(".live").textContent = this.clock.playing ? sentence : `${sentence} ${WORDS.paused}`;
   }
 }
 
