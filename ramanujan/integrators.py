@@ -11,9 +11,9 @@ Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
  3. h is the step, one for all runs or an array with one per run; it may be negative. h has the dtype of q or is a
     Python float, and constants are Python floats, so that float32 stays float32.
  4. A step changes no argument in place and keeps nothing between calls.
- 5. A method that begins with a(q) asks for it at the very object q that it was given, and returns as its new q the
-    object at which it evaluated last, if there is one. `trajectory` then hands a(q) on from step to step, and
-    `Method.evaluations` counts with that saving. Called by itself, velocity Verlet evaluates twice.
+ 5. A method that ends with a(q) returns that very object q, and one that begins with a(q) asks for it at the object
+    that it was given: `trajectory` then evaluates it once for both. `Method.evaluations` counts with that saving;
+    called by itself, a velocity Verlet step evaluates twice.
  6. An implicit method may take the acceleration for linear, a(q) = −ω²q with one ω² per run. It reads ω² off
     as −a(1) and solves its equation in closed form: no iteration, no tolerance.
 
@@ -96,7 +96,7 @@ def implicit_midpoint(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tup
 
     Source: [1] eq. (I.1.7); item 6 of the contract.
     """
-    omega_squared = -acceleration(np.ones_like(q))
+    omega_squared = -acceleration(0 * q + 1)
     middle = (q + h / 2 * v) / (1 + h * h / 4 * omega_squared)
     return 2 * middle - q, v - h * omega_squared * middle
 
