@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -52,6 +53,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 write(table)
     except ValueError as error:
         parser.error(str(error))
+    except BrokenPipeError:
+        # Whoever reads has enough; what is still in the buffer must not complain at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0
 
 
