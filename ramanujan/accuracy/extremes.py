@@ -276,15 +276,17 @@ def _samples(dtype: str, kind: type[np.floating], density: int) -> np.ndarray:
 
 def _errors(value: np.ndarray, truth: list[Any], kind: type[np.floating]) -> tuple[np.ndarray, np.ndarray]:
     """Return |value − truth| in ulp of the truth and relative to it; NaN and ∞ pass through."""
-    ulp = np.spacing(np.array([float(t) for t in truth]).astype(kind)).astype(float)
-    size = np.array([float(t) for t in truth])
-    gap = np.array([_gap(float(v), t) for v, t in zip(value, truth, strict=True)])
-    return gap / ulp, gap / size
+    ulps = np.spacing(np.array([float(t) for t in truth]).astype(kind))
+    errors = [_error(float(v), t, float(ulp)) for v, t, ulp in zip(value, truth, ulps, strict=True)]
+    return tuple(np.array(errors).T)
 
 
-def _gap(value: float, truth: Any) -> float:
-    """Return |value − truth|; mpmath knows no NaN that compares, so what is not finite stays as it is."""
-    return float(abs(REFERENCE.mpf(value) - truth)) if np.isfinite(value) else abs(value)
+def _error(value: float, truth: Any, ulp: float) -> tuple[float, float]:
+    """Return the two errors of one value; they are divided with 50 digits, since an ulp may be subnormal."""
+    if not np.isfinite(value):
+        return abs(value), abs(value)
+    gap = abs(REFERENCE.mpf(value) - truth)
+    return float(gap / ulp), float(gap / truth)
 
 
 def _verdicts(value: np.ndarray, error_ulp: np.ndarray, relative: np.ndarray) -> np.ndarray:
