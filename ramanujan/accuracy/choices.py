@@ -1,0 +1,223 @@
+"""What the app itself chooses, each choice with its error and its cost: points, closed form, arithmetic, caching.
+
+Lives here: four small experiments. Does not live here: the integrators' diagram (`work_precision`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import count
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ramanujan.accuracy.phase import largest_phase_error
+from ramanujan.accuracy.progress import Piece, Timing, each, measure, positive_integer
+from ramanujan.motion import InitialState, motion
+from ramanujan.oscillator import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
+
+POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
+PERIODS = (1, 10, 100, 1000, 10_000)
+DIGITS = (15, 30, 50, 100)
+LARGEST_MASS_RATIO = 4.0
+"""Right end of the sampled Ω² curve."""
+
+_BETWEEN = np.arange(1, 32)[:, None] / 32
+_ARRAY = 10_000
+
+
+@dataclass(frozen=True)
+class CurveSampling:
+    """A curve drawn as straight pieces between `points` samples.
+
+    curve : "cosine", one period of it, or "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO
+    pixels : largest vertical distance between the curve and its chords, when the curve fills the figure's height
+    bytes : size of the samples' x and y in float64
+    seconds : time that computing y takes
+    """
+
+    curve: str
+    points: int
+    pixels: float
+    bytes: int
+    seconds: Timing
+
+
+@dataclass(frozen=True)
+class ClosedForm:
+    """The exact solution after `periods` periods: its phase error [rad] and the seconds for one state."""
+
+    periods: int
+    phase_error: float
+    seconds: Timing
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """One evaluation of Ω²m/k in one kind of arithmetic: its relative error and the seconds it takes."""
+
+    name: str
+    relative_error: float
+    seconds: Timing
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """The same result, computed in a slow and in a fast way."""
+
+    slow: str
+    slow_seconds: Timing
+    fast: str
+    fast_seconds: Timing
+
+    @property
+    def ratio(self) -> float:
+        """How many times longer the slow way takes."""
+        return self.slow_seconds.median / self.fast_seconds.median
+
+
+def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> Iterator[Piece[CurveSampling]]:
+    """Yield the error on screen of both curves for each number of points.
+
+    Parameters
+    ----------
+    points : numbers of samples, the ends included; at least 2
+    height : height of the figure [pixels]
+
+    Raises
+    ------
+    ValueError : an argument is outside its range.
+    """
+    height = positive_integer("height", height, 100_000)
+    numbers = [positive_integer("points", n, 10_000) for n in points]
+    if min(numbers, default=2) < 2:
+        raise ValueError("points must be at least 2")
+    curves: list[tuple[str, Callable, float]] = [
+        ("cosine", np.cos, 2 * np.pi),
+        ("frequency", normalized_frequency_squared, LARGEST_MASS_RATIO),
+    ]
+    return each(lambda case: _sampled(*case, height), [(*curve, n) for curve in curves for n in numbers])
+
+
+def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> Iterator[Piece[ClosedForm]]:
+    """Yield error and cost of `motion.motion` after each number of periods; neither grows.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    periods : whole numbers of periods
+
+    Raises
+    ------
+    ValueError : a number of periods is not whole or not positive.
+    """
+    return each(lambda n: _closed_form(oscillator, n), [positive_integer("periods", n, 10**15) for n in periods])
+
+
+def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIGITS) -> Iterator[Piece[Arithmetic]]:
+    """Yield error and cost of Ω²m/k in float32, float64, exact fractions, and mpmath with n digits.
+
+    Parameters
+    ----------
+    mass_ratio : ε, taken as exactly this float
+    digits : decimal digits that mpmath carries
+
+    Raises
+    ------
+    ValueError : the mass ratio is negative or not finite, or a number of digits is not from 1 to 300.
+    """
+    # The function that is measured also judges the argument.
+    normalized_frequency_squared(mass_ratio)
+    epsilon = float(mass_ratio)
+    many, few = np.full(_ARRAY, epsilon), np.float32(epsilon)
+    cases: list[tuple[str, Callable[[], Any], int]] = [
+        ("float32", lambda: normalized_frequency_squared(few), 1),
+        ("float64", lambda: normalized_frequency_squared(epsilon), 1),
+        (f"float64, one of {_ARRAY}", lambda: normalized_frequency_squared(many), _ARRAY),
+        ("fraction", lambda: _rational_form(Fraction(epsilon)), 1),
+    ]
+    cases += [(f"mpmath, {n} digits", _with_digits(positive_integer("digits", n, 300), epsilon), 1) for n in digits]
+    exact = _rational_form(Fraction(epsilon))
+    return each(lambda case: _arithmetic(*case, exact), cases)
+
+
+def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
+    """Yield what is saved where the app keeps a result, or asks once for many.
+
+    Parameters
+    ----------
+    oscillator : the machine that is asked again; the cold calls use machines with a slightly different spring
+    """
+    return each(lambda compare: compare(oscillator), [_frequency_again, _motion_again, _motion_at_once])
+
+
+def _sampled(name: str, curve: Callable, end: float, points: int, height: int) -> CurveSampling:
+    x = np.linspace(0, end, points)
+    y = curve(x)
+    between = x[:-1] + _BETWEEN * np.diff(x)
+    distance = np.abs(curve(between) - (y[:-1] + _BETWEEN * np.diff(y))).max()
+    # The height is that of the curve, not of these samples: two of them may show none of it.
+    extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
+    return CurveSampling(
+        name, points, float(distance / extent * height), x.nbytes + y.nbytes, measure(lambda: curve(x))
+    )
+
+
+def _closed_form(oscillator: Oscillator, periods: int) -> ClosedForm:
+    times = oscillator.period * (periods + np.arange(16) / 16)
+    initial, t = InitialState(phi=1.0), float(times[0])
+    return ClosedForm(periods, largest_phase_error(oscillator, times), measure(lambda: motion(oscillator, initial, t)))
+
+
+def _arithmetic(name: str, evaluate: Callable[[], Any], values: int, exact: Fraction) -> Arithmetic:
+    value, timing = np.ravel(evaluate())[0], measure(evaluate)
+    per_value = Timing(timing.median / values, timing.low / values, timing.high / values)
+    return Arithmetic(name, float(abs(_fraction(value) / exact - 1)), per_value)
+
+
+def _rational_form(epsilon: Any) -> Any:
+    """Ω²m/k as the quotient of two polynomials with integer coefficients: exact for a Fraction."""
+    return 8 * (7 + 6 * epsilon) / ((18 * epsilon + 49) * epsilon + 32)
+
+
+def _with_digits(digits: int, epsilon: float) -> Callable[[], Any]:
+    """Return the evaluation of Ω²m/k in an mpmath context of its own, with that many digits."""
+    context = mpmath.MPContext()
+    context.dps = digits
+    return lambda: _rational_form(context.mpf(epsilon))
+
+
+def _fraction(value: Any) -> Fraction:
+    """Return a float, a Fraction or an mpf (mantissa times a power of two) as exactly the same Fraction."""
+    if hasattr(value, "man_exp"):
+        mantissa, exponent = value.man_exp
+        return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return value if isinstance(value, Fraction) else Fraction(float(value))
+
+
+def _frequency_again(oscillator: Oscillator) -> Comparison:
+    new = _new_machines(oscillator)
+    cold = measure(lambda: next(new).natural_frequency)
+    return Comparison("Ω of a new machine", cold, "Ω asked again", measure(lambda: oscillator.natural_frequency))
+
+
+def _motion_again(oscillator: Oscillator) -> Comparison:
+    new, initial = _new_machines(oscillator), InitialState(phi=1.0)
+    cold = measure(lambda: motion(next(new), initial, 1.0))
+    again = measure(lambda: motion(oscillator, initial, 1.0))
+    return Comparison("one state of a new machine", cold, "one more state of the same", again)
+
+
+def _motion_at_once(oscillator: Oscillator) -> Comparison:
+    initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, 100)
+    singly = measure(lambda: [motion(oscillator, initial, t) for t in times])
+    at_once = measure(lambda: motion(oscillator, initial, times))
+    return Comparison(f"{times.size} states one by one", singly, f"{times.size} states in one call", at_once)
+
+
+def _new_machines(oscillator: Oscillator) -> Iterator[Oscillator]:
+    """Yield machines that were never asked for anything: the spring of each is softer by one part in 1e12."""
+    return (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))

@@ -1,0 +1,190 @@
+"""Numerical integrators for x″ = a(x): one pure step function each, and the registry METHODS.
+
+Lives here: step functions, what is known about each (order, cost, stability), and the loop that drives them.
+Does not live here: any oscillator, any measurement (`accuracy`), any exact solution (`motion`).
+
+Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
+
+ 1. `acceleration(q)` returns x″ at the positions q, with the shape and dtype of q. It depends on q alone.
+ 2. q and v hold independent runs, one per element: an array of any shape, or plain floats for a single run.
+    Element i of the acceleration depends on element i of q alone.
+ 3. h is the step, one for all runs or an array with one per run; it may be negative. h has the dtype of q or is a
+    Python float, and constants are Python floats, so that float32 stays float32.
+ 4. A step changes no argument in place and keeps nothing between calls.
+ 5. A method that ends with a(q) returns that very object q, and one that begins with a(q) asks for it at the object
+    that it was given: `trajectory` then evaluates it once for both. `Method.evaluations` counts with that saving;
+    called by itself, a velocity Verlet step evaluates twice.
+ 6. An implicit method may take the acceleration for linear, a(q) = −ω²q with one ω² per run. It reads ω² off
+    as −a(1) and solves its equation in closed form: no iteration, no tolerance.
+
+References
+----------
+[1] Hairer, Lubich, Wanner: Geometric Numerical Integration, 2nd ed., Springer 2006.
+[2] Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, 2nd ed., Springer 1993.
+[3] Yoshida: Construction of higher order symplectic integrators, Physics Letters A 150 (1990) 262–268.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import Polynomial
+
+Acceleration = Callable[[Any], Any]
+Step = Callable[[Acceleration, Any, Any, Any], tuple[Any, Any]]
+
+_YOSHIDA_4_OUTER = 1 / (2 - 2 ** (1 / 3))
+YOSHIDA_4_WEIGHTS = (_YOSHIDA_4_OUTER, -(2 ** (1 / 3)) * _YOSHIDA_4_OUTER, _YOSHIDA_4_OUTER)
+"""Verlet steps that make up one Yoshida 4 step, in units of h: 2w₁ + w₀ = 1 and 2w₁³ + w₀³ = 0. [3] eq. (2.11)."""
+
+# Roots of four polynomial equations without a closed form: [3] table 1, solution A; digits from [1] eq. (V.3.11).
+_YOSHIDA_6_SIDE = (0.78451361047755726382, 0.23557321335935813368, -1.17767998417887100695)
+YOSHIDA_6_WEIGHTS = (*_YOSHIDA_6_SIDE, 1 - 2 * sum(_YOSHIDA_6_SIDE), *reversed(_YOSHIDA_6_SIDE))
+"""Verlet steps that make up one Yoshida 6 step, in units of h; they are symmetric and sum to 1."""
+
+
+def explicit_euler(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance by q ← q + hv, v ← v + ha(q), both with the old values. [2] section I.7."""
+    return q + h * v, v + h * acceleration(q)
+
+
+def symplectic_euler(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance by v ← v + ha(q), then q ← q + hv with the new velocity. [1] eq. (I.1.9)."""
+    v = v + h * acceleration(q)
+    return q + h * v, v
+
+
+def velocity_verlet(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance by half a kick, a drift and half a kick: v_½ = v + ½ha(q), q ← q + hv_½, v ← v_½ + ½ha(q).
+
+    Source: [1] eq. (I.1.17).
+    """
+    half = h / 2
+    v = v + half * acceleration(q)
+    q = q + h * v
+    return q, v + half * acceleration(q)
+
+
+def rk4(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance (q, v)′ = (v, a(q)) by the classical Runge–Kutta method: weights 1/6, 1/3, 1/3, 1/6. [2] table II.1.2."""
+    half = h / 2
+    a_1 = acceleration(q)
+    v_2, a_2 = v + half * a_1, acceleration(q + half * v)
+    v_3, a_3 = v + half * a_2, acceleration(q + half * v_2)
+    v_4, a_4 = v + h * a_3, acceleration(q + h * v_3)
+    return q + h / 6 * (v + 2 * (v_2 + v_3) + v_4), v + h / 6 * (a_1 + 2 * (a_2 + a_3) + a_4)
+
+
+def yoshida4(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance by three velocity Verlet steps w₁h, w₀h, w₁h, the middle one backwards. [3] eq. (2.11)."""
+    return _composed(YOSHIDA_4_WEIGHTS, acceleration, q, v, h)
+
+
+def yoshida6(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance by seven velocity Verlet steps, symmetric, two of them backwards. [3] solution A."""
+    return _composed(YOSHIDA_6_WEIGHTS, acceleration, q, v, h)
+
+
+def implicit_midpoint(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Advance by q ← q + h(v + v_new)/2, v ← v + ha((q + q_new)/2), solved exactly for a linear acceleration.
+
+        (q + q_new)/2 = (q + ½hv)/(1 + ¼h²ω²),    ω² = −a(1)
+
+    Source: [1] eq. (I.1.7); item 6 of the contract.
+    """
+    omega_squared = -acceleration(0 * q + 1)
+    middle = (q + h / 2 * v) / (1 + h * h / 4 * omega_squared)
+    return 2 * middle - q, v - h * omega_squared * middle
+
+
+@dataclass(frozen=True)
+class Method:
+    """An integrator and what is known about it.
+
+    Parameters
+    ----------
+    title : the name that a reader knows
+    order : p, so that the error after a fixed time falls like h^p
+    evaluations : evaluations of a(q) per step within a `trajectory`; the first step may take one more
+    stability_limit : the largest hΩ at which x″ = −Ω²x stays bounded; 0 for never, ∞ for always
+    symplectic : whether the step preserves area in the phase plane, so that the energy error stays bounded
+    source : reference, numbered as in the module docstring
+    step : the step function
+    """
+
+    title: str
+    order: int
+    evaluations: int
+    stability_limit: float
+    symplectic: bool
+    source: str
+    step: Step
+
+
+def trajectory(method: Method, acceleration: Acceleration, q: Any, v: Any, h: Any) -> Iterator[tuple[Any, Any]]:
+    """Yield the state (q, v) after 1, 2, 3, … steps, without end; take what you need with `itertools.islice`.
+
+    Parameters
+    ----------
+    method : one of METHODS
+    acceleration : a(q), see items 1 and 2 of the contract
+    q, v : positions [m or rad] and velocities at the start, shape (…runs)
+    h : step [s], scalar or shape (…runs)
+    """
+    remembered = _remembering(acceleration)
+    while True:
+        q, v = method.step(remembered, q, v, h)
+        yield q, v
+
+
+def _remembering(acceleration: Acceleration) -> Acceleration:
+    """Return the acceleration with a memory of one: asked again at the same object, it does not evaluate again."""
+    last_q = last_a = None
+
+    def remembered(q: Any) -> Any:
+        nonlocal last_q, last_a
+        if q is not last_q:
+            last_q, last_a = q, acceleration(q)
+        return last_a
+
+    return remembered
+
+
+def _composed(weights: Sequence[float], acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+    """Take one velocity Verlet step of length wh for each weight w."""
+    for weight in weights:
+        q, v = velocity_verlet(acceleration, q, v, weight * h)
+    return q, v
+
+
+def _stability_limit(step: Step) -> float:
+    """Return the stability limit of an explicit step that preserves area, from its own polynomial.
+
+    With h = 1 and a(q) = −sq, s = (hΩ)², the step matrix has determinant 1 and a polynomial in s as its trace; its
+    powers stay bounded while |trace| < 2.
+    """
+    s, zero, one = Polynomial([0.0, 1.0]), Polynomial([0.0]), Polynomial([1.0])
+    trace = step(lambda q: -s * q, one, zero, 1.0)[0] + step(lambda q: -s * q, zero, one, 1.0)[1]
+    # Every trace is 2 at s = 0: that root is divided out.
+    roots = np.concatenate([Polynomial((trace - 2).coef[1:]).roots(), (trace + 2).roots()])
+    return math.sqrt(min(root.real for root in roots if abs(root.imag) < 1e-9 < root.real))
+
+
+METHODS: dict[str, Method] = {
+    "explicit_euler": Method("explicit Euler", 1, 1, 0.0, False, "[2] section I.7", explicit_euler),
+    "symplectic_euler": Method(
+        "symplectic Euler", 1, 1, _stability_limit(symplectic_euler), True, "[1] eq. (I.1.9)", symplectic_euler
+    ),
+    "velocity_verlet": Method(
+        "velocity Verlet", 2, 1, _stability_limit(velocity_verlet), True, "[1] eq. (I.1.17)", velocity_verlet
+    ),
+    "rk4": Method("Runge–Kutta 4", 4, 4, 2 * math.sqrt(2), False, "[2] table II.1.2", rk4),
+    "yoshida4": Method("Yoshida 4", 4, 3, _stability_limit(yoshida4), True, "[3] eq. (2.11)", yoshida4),
+    "yoshida6": Method("Yoshida 6", 6, 7, _stability_limit(yoshida6), True, "[3] solution A", yoshida6),
+    "implicit_midpoint": Method("implicit midpoint", 2, 1, math.inf, True, "[1] eq. (I.1.7)", implicit_midpoint),
+}
+"""Every integrator by its name, the simplest first."""

@@ -1,0 +1,255 @@
+"""The integrators against theory, SciPy and each other: order, stability, symplecticity, reversibility, cost."""
+
+import math
+from itertools import islice
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from ramanujan.integrators import METHODS, YOSHIDA_4_WEIGHTS, YOSHIDA_6_WEIGHTS, trajectory
+
+ALL = sorted(METHODS)
+SYMPLECTIC = [name for name in ALL if METHODS[name].symplectic]
+NONLINEAR = [name for name in ALL if name != "implicit_midpoint"]
+REVERSIBLE = ["implicit_midpoint", "velocity_verlet", "yoshida4", "yoshida6"]
+
+
+def harmonic(q):
+    return -q
+
+
+def pendulum(q):
+    return -math.sin(q)
+
+
+def after(name, acceleration, q, v, h, steps):
+    """The state after so many steps."""
+    return next(islice(trajectory(METHODS[name], acceleration, q, v, h), steps - 1, None))
+
+
+def step_matrix(name, z):
+    """The matrix of one step for x″ = −x with hΩ = z, by columns."""
+    step = METHODS[name].step
+    return np.array([step(harmonic, 1.0, 0.0, z), step(harmonic, 0.0, 1.0, z)], dtype=float).T
+
+
+def test_registry_holds_what_the_page_needs():
+    assert set(METHODS) == {
+        "explicit_euler",
+        "symplectic_euler",
+        "velocity_verlet",
+        "rk4",
+        "yoshida4",
+        "yoshida6",
+        "implicit_midpoint",
+    }
+    for method in METHODS.values():
+        assert method.title
+        assert method.source.startswith("[")
+        with pytest.raises(AttributeError):
+            method.order = 9
+
+
+# The step is chosen per order so that truncation dominates rounding and the next order is still small.
+STEPS_FOR_ORDER = {1: 800, 2: 100, 4: 80, 6: 60}
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_observed_order(name):
+    order, span = METHODS[name].order, 3.0
+    if name in NONLINEAR:
+        # Nonlinear on purpose: a linear problem satisfies some order conditions by itself.
+        acceleration = pendulum
+        exact = solve_ivp(lambda t, y: [y[1], -np.sin(y[0])], (0, span), [1.0, 0.5], "DOP853", rtol=1e-13, atol=1e-15)
+        exact = exact.y[:, -1]
+    else:
+        acceleration = harmonic
+        exact = np.array([math.cos(span) + 0.5 * math.sin(span), 0.5 * math.cos(span) - math.sin(span)])
+    n = STEPS_FOR_ORDER[order]
+    coarse, fine = (
+        np.linalg.norm(np.array(after(name, acceleration, 1.0, 0.5, span / steps, steps)) - exact)
+        for steps in (n, 2 * n)
+    )
+    assert math.log2(coarse / fine) == pytest.approx(order, abs=0.1)
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_stability_limit(name):
+    limit = METHODS[name].stability_limit
+    z = np.geomspace(0.1, 10, 2400)  # neighbours differ by 0.2 %, five times finer than what is asked
+    with np.errstate(over="ignore", invalid="ignore"):
+        q, v = after(name, harmonic, np.ones_like(z), np.zeros_like(z), z, 4000)
+    # Inside the limit the amplitude stays of order one; 1 % outside it has grown beyond every bound in 4000 steps.
+    bounded = np.hypot(q, v) < 1e3
+    if math.isinf(limit):
+        assert bounded.all()
+    elif limit == 0:
+        assert not bounded.any()
+    else:
+        assert z[~bounded][0] == pytest.approx(limit, rel=0.01)
+
+
+# (coefficient, power): numeric minus exact phase per radian, from the expansion of each step matrix's angle by hand.
+PHASE_ERROR = {
+    "explicit_euler": (-1 / 3, 2),
+    "symplectic_euler": (1 / 24, 2),
+    "velocity_verlet": (1 / 24, 2),
+    "implicit_midpoint": (-1 / 12, 2),
+    "rk4": (-1 / 120, 4),
+    "yoshida4": (-0.06614, 4),
+    "yoshida6": (0.003768, 6),
+}
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_leading_phase_error(name):
+    coefficient, power = PHASE_ERROR[name]
+
+    def measured(z):
+        eigenvalue = max(np.linalg.eigvals(step_matrix(name, z)), key=lambda value: value.imag)
+        return (np.angle(eigenvalue) - z) / z ** (power + 1)
+
+    # Richardson: the next term is z² smaller. What stays is of order z⁴ and the rounding of z^(power+1).
+    z = 0.2
+    assert (4 * measured(z / 2) - measured(z)) / 3 == pytest.approx(coefficient, rel=2e-3)
+
+
+@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("z", [0.1, 0.9])
+def test_symplectic_means_that_area_is_preserved(name, z):
+    area = np.linalg.det(step_matrix(name, z))
+    if METHODS[name].symplectic:
+        assert area == pytest.approx(1, abs=1e-14)  # a few roundings
+    else:
+        assert abs(area - 1) > 1e-9  # RK4 at z = 0.1: z⁶/72 = 1.4e-8
+
+
+def largest_energy_errors(name, steps_per_period, periods):
+    """The largest |E/E₀ − 1| over each tenth of the run."""
+    states = trajectory(METHODS[name], harmonic, 1.0, 0.0, 2 * math.pi / steps_per_period)
+    tenth = steps_per_period * periods // 10
+    return [max(abs(q * q + v * v - 1) for q, v in islice(states, tenth)) for _ in range(10)]
+
+
+@pytest.mark.parametrize("name", SYMPLECTIC)
+def test_symplectic_energy_stays_bounded_for_ten_thousand_periods(name):
+    errors = largest_energy_errors(name, steps_per_period=8, periods=10_000)
+    # Rounding walks: 1e5 steps of 1e-16 or so.
+    assert max(errors) <= errors[0] * 1.001 + 1e-11
+
+
+def test_rk4_energy_is_not_bounded():
+    errors = largest_energy_errors("rk4", steps_per_period=40, periods=1000)
+    assert errors == sorted(errors)
+    assert errors[-1] > 5 * errors[0]
+
+
+@pytest.mark.parametrize("name", [*NONLINEAR, "implicit_midpoint"])
+def test_reversibility(name):
+    acceleration = pendulum if name in NONLINEAR else harmonic
+    q, v = after(name, acceleration, 1.0, 0.3, 0.3, 200)
+    q, v = after(name, acceleration, q, v, -0.3, 200)
+    distance = math.hypot(q - 1.0, v - 0.3)
+    if name in REVERSIBLE:
+        assert distance < 1e-12
+    else:
+        assert distance > 1e-4
+
+
+@pytest.mark.parametrize(("name", "tolerance"), [("rk4", 1e-8), ("yoshida4", 1e-6), ("yoshida6", 1e-11)])
+def test_agrees_with_scipy_on_a_pendulum(name, tolerance):
+    solution = solve_ivp(lambda t, y: [y[1], -np.sin(y[0])], (0, 10), [2.0, 0.0], "DOP853", rtol=1e-13, atol=1e-14)
+    # 1000 steps of 0.01; the tolerances are about ten times each method's own error there.
+    assert after(name, pendulum, 2.0, 0.0, 0.01, 1000) == pytest.approx(tuple(solution.y[:, -1]), abs=tolerance)
+
+
+@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("per_run_step", [True, False])
+def test_dtype_and_shape_are_kept(name, dtype, per_run_step):
+    q, v = np.ones((2, 3), dtype), np.zeros((2, 3), dtype)
+    h = np.full((2, 3), 0.1, dtype) if per_run_step else 0.1
+    for array in (q, v):
+        array.flags.writeable = False  # a step that writes into its arguments fails here
+    for q_new, v_new in islice(trajectory(METHODS[name], harmonic, q, v, h), 3):
+        assert (q_new.dtype, v_new.dtype) == (dtype, dtype)
+        assert (q_new.shape, v_new.shape) == ((2, 3), (2, 3))
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_evaluations_are_counted_right(name):
+    calls = 0
+
+    def counting(q):
+        nonlocal calls
+        calls += 1
+        return -q
+
+    after(name, counting, np.ones(1), np.zeros(1), 0.1, 50)
+    saved_by_reuse = name in ("velocity_verlet", "yoshida4", "yoshida6")
+    assert calls == 50 * METHODS[name].evaluations + saved_by_reuse
+
+
+@pytest.mark.parametrize("name", ALL)
+@settings(deadline=None, max_examples=25)
+@given(
+    runs=st.lists(st.tuples(*[st.floats(-10, 10)] * 2, st.floats(0.01, 1), st.floats(0.1, 2)), min_size=1, max_size=5)
+)
+def test_runs_are_independent(name, runs):
+    q, v, h, omega_squared = np.array(runs).T
+    together = after(name, lambda x: -omega_squared * x, q, v, h, 3)
+    for i in range(len(runs)):
+        alone = after(name, lambda x, i=i: -omega_squared[i] * x, q[i], v[i], h[i], 3)
+        assert (together[0][i], together[1][i]) == alone
+
+
+@settings(deadline=None, max_examples=50)
+@given(q=st.floats(-10, 10), v=st.floats(-10, 10), h=st.floats(-100, 100), omega_squared=st.floats(0.01, 100))
+def test_implicit_midpoint_solves_its_equations(q, v, h, omega_squared):
+    q_new, v_new = METHODS["implicit_midpoint"].step(lambda x: -omega_squared * x, q, v, h)
+    # The step is solved, so what is left of each equation is rounding of its largest term.
+    left = v_new - v + h * omega_squared * (q + q_new) / 2
+    assert abs(left) <= 1e-13 * (abs(v) + abs(h) * omega_squared * (abs(q) + abs(v * h))) + 1e-300
+    left = q_new - q - h * (v + v_new) / 2
+    assert abs(left) <= 1e-13 * (abs(q) + abs(h) * (abs(v) + abs(h) * omega_squared * (abs(q) + abs(v * h)))) + 1e-300
+
+
+def test_yoshida_weights_satisfy_their_order_conditions():
+    assert sum(YOSHIDA_4_WEIGHTS) == pytest.approx(1, abs=1e-15)
+    assert sum(w**3 for w in YOSHIDA_4_WEIGHTS) == pytest.approx(0, abs=1e-14)
+    assert tuple(reversed(YOSHIDA_6_WEIGHTS)) == YOSHIDA_6_WEIGHTS
+    for power, total in ((1, 1), (3, 0), (5, 0)):
+        assert sum(w**power for w in YOSHIDA_6_WEIGHTS) == pytest.approx(total, abs=1e-14)
+
+
+def test_yoshida_6_weights_are_the_root_to_the_last_digit():
+    # Besides Σw³ = Σw⁵ = 0 there is one more condition: on x″ = −x, started with v alone, q must be sin z up to z⁵.
+    def conditions(*side):
+        weights = [*side, 1 - 2 * sum(side), *reversed(side)]
+        matrix = [[[1], [0]], [[0], [1]]]  # entries are polynomials in s = z², in the variables (q, hv)
+
+        def multiply(a, b):
+            product = [mpmath.mpf(0)] * (len(a) + len(b) - 1)
+            for i, x in enumerate(a):
+                for j, y in enumerate(b):
+                    product[i + j] += x * y
+            return product[:4]
+
+        def add(a, b):
+            return [(a[i] if i < len(a) else 0) + (b[i] if i < len(b) else 0) for i in range(max(len(a), len(b)))]
+
+        for w in weights:
+            verlet = [[[1, -w * w / 2], [w]], [[0, -w, w**3 / 4], [1, -w * w / 2]]]
+            matrix = [
+                [add(multiply(verlet[i][0], matrix[0][j]), multiply(verlet[i][1], matrix[1][j])) for j in (0, 1)]
+                for i in (0, 1)
+            ]
+        return sum(w**3 for w in weights), sum(w**5 for w in weights), matrix[0][1][2] - mpmath.mpf(1) / 120
+
+    with mpmath.workdps(60):
+        root = mpmath.findroot(conditions, YOSHIDA_6_WEIGHTS[:3])
+        assert tuple(float(w) for w in root) == YOSHIDA_6_WEIGHTS[:3]
