@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import streamlit as st
 
-from ramanujan import figures, stage
-from ramanujan.scenes import cached, controls, look
+from ramanujan import stage
+from ramanujan.figures.oscillator import Mark, frequency_curve
+from ramanujan.scenes import controls, look
+from ramanujan.scenes.cached import oscillator as cached
 
 
 def slab_released() -> None:
@@ -34,15 +36,15 @@ stage.mount(
 
 st.subheader("When is it in step with √(k/m)?", anchor=False)
 colors = look.colors()
-figure = figures.frequency_curve(
+figure = frequency_curve(
     base.ratios,
     base.values,
     light_limit=base.light_limit,
     heavy_limit=base.heavy_limit,
     limit_labels=(base.light_label, base.heavy_label),
-    equal=figures.Mark(*base.equal),
-    unit=figures.Mark(*base.unit),
-    present=figures.Mark(machine.mass_ratio, machine.normalized_frequency_squared, ""),
+    equal=Mark(*base.equal),
+    unit=Mark(*base.unit),
+    present=Mark(machine.mass_ratio, machine.normalized_frequency_squared, ""),
     colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
 )
 st.plotly_chart(

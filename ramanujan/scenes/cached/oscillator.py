@@ -1,11 +1,7 @@
-"""What is computed once and kept: the only caches of the app, each bounded.
-
-A page asks here for anything that costs more than a moment. Keys are plain numbers.
-"""
+"""What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -15,36 +11,14 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
-from ramanujan.derivation import ROUTES, Route, Step
+from ramanujan.derivation import Step
 from ramanujan.derivation.numbers import exact_values, unit
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import Omega_squared, epsilon
+from ramanujan.scenes.cached import route
 
 CURVE_RANGE = (0.01, 30.0)
 """The mass ratios that the Ω² curve shows; the sliders stay inside."""
-
-
-@st.cache_resource(show_spinner=False)
-def warm_up() -> bool:
-    """Import and derive what every page needs, then take it out of the garbage collector's rounds.
-
-    Streamlit collects garbage after every run; with SymPy and Plotly loaded, walking what never changes would be most
-    of a rerun.
-    """
-    from ramanujan import stage
-
-    stage.warm_up()
-    curve()
-    summary(1.0, 1.0, 1.0)
-    gc.collect()
-    gc.freeze()
-    return True
-
-
-@st.cache_resource(show_spinner=False)
-def route(name: str) -> Route:
-    """Return a route of the derivation."""
-    return ROUTES[name]
 
 
 @dataclass(frozen=True)

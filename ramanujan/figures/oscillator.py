@@ -1,8 +1,4 @@
-"""Arrays in, Plotly figures out: one function for each figure, and the look they share.
-
-A figure gets its numbers and its colours from the caller; it computes neither physics nor themes. Every figure fits
-a phone: labels are anchored inside the axes and never lie on each other.
-"""
+"""The figure of page 1: Ω²m/k over the mass ratio."""
 
 from __future__ import annotations
 
@@ -12,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import plotly.graph_objects as go
 
+from ramanujan.figures import template
+
 
 @dataclass(frozen=True)
 class Mark:
@@ -20,31 +18,6 @@ class Mark:
     ratio: float
     value: float
     label: str
-
-
-def template(colors: Mapping[str, str]) -> go.layout.Template:
-    """Return the look that all figures share: no box, a faint grid, room for labels."""
-    axis = {
-        "showgrid": True,
-        "gridcolor": colors["faint"],
-        "zeroline": False,
-        "showline": True,
-        "linecolor": colors["ink"],
-        "ticks": "outside",
-        "title": {"standoff": 6},
-    }
-    layout = go.Layout(
-        font={"color": colors["ink"], "size": 14},
-        paper_bgcolor="rgba(0,0,0,0)",
-        plot_bgcolor="rgba(0,0,0,0)",
-        margin={"l": 56, "r": 16, "t": 12, "b": 48},
-        xaxis=axis,
-        yaxis=axis,
-        hoverlabel={"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
-    )
-    # Choosing a point must not dim the others.
-    keep = {"marker": {"opacity": 1}}
-    return go.layout.Template(layout=layout, data={"scatter": [{"selected": keep, "unselected": keep}]})
 
 
 def frequency_curve(
@@ -70,19 +43,18 @@ def frequency_curve(
     equal, unit, present : the marked machines
     colors : ink, faint, paper, primary, marker, accent
     """
+    hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
     # Single precision is a thousand times finer than a pixel, and half the bytes.
+    ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
     below = heavy_limit <= light_limit
-    figure = go.Figure(layout={"template": template(colors), "height": 340, "showlegend": False})
+    figure = go.Figure(layout={"template": template(colors, hover), "height": 340, "showlegend": False})
     limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
-    figure.layout.template.data.scatter[
-        0
-    ].hovertemplate = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
     figure.add_scatter(
         x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name="limit"
     )
     figure.add_scatter(
-        x=ratios[below].astype(np.float32),
-        y=heavy_limit[below].astype(np.float32),
+        x=ratios[below],
+        y=heavy_limit[below],
         mode="lines",
         line=limit_line,
         hoverinfo="skip",
@@ -90,8 +62,8 @@ def frequency_curve(
     )
     # Only markers can be clicked; these are there for the pointer, not for the eye.
     figure.add_scatter(
-        x=ratios.astype(np.float32),
-        y=values.astype(np.float32),
+        x=ratios,
+        y=values,
         mode="lines+markers",
         line={"color": colors["primary"], "width": 3},
         marker={"size": 14, "opacity": 0},

@@ -1,0 +1,39 @@
+"""What is computed once and kept: the only caches of the app, each bounded, one file for each page.
+
+A page asks here for anything that costs more than a moment. Keys are plain numbers. What only one page needs is
+imported in that page's file, so that the first page does not pay for the others.
+"""
+
+from __future__ import annotations
+
+import gc
+
+import streamlit as st
+
+from ramanujan import stage
+from ramanujan.derivation import ROUTES, Route
+
+
+@st.cache_resource(show_spinner=False)
+def warm_up() -> bool:
+    """Import and derive what every page needs, then take it out of the garbage collector's rounds.
+
+    Streamlit collects garbage after every run; with SymPy and Plotly loaded, walking what never changes would be most
+    of a rerun.
+    """
+    # Imported here, because page 1's caches themselves stand on this file.
+    from ramanujan.figures.oscillator import frequency_curve  # noqa: F401 (imports Plotly)
+    from ramanujan.scenes.cached import oscillator
+
+    stage.warm_up()
+    oscillator.curve()
+    oscillator.summary(1.0, 1.0, 1.0)
+    gc.collect()
+    gc.freeze()
+    return True
+
+
+@st.cache_resource(show_spinner=False)
+def route(name: str) -> Route:
+    """Return a route of the derivation."""
+    return ROUTES[name]
