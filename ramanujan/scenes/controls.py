@@ -53,11 +53,15 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
+PAGE_KEYS: frozenset[str] = frozenset()
+"""Keys that single pages keep in the URL."""
+
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")
 _LONGEST = 60
 _PRESET = "preset"
 _COMPLAINT = "complaint"
 _LAST_GOOD = "last_good"
+_LINK_READ = "link_read"
 
 
 def sidebar() -> None:
@@ -183,20 +187,19 @@ def read_number(text: str) -> float | None:
 
 
 def _bad_link() -> list[str]:
-    """Return a sentence on what the URL says that cannot be meant; Streamlit itself then ignores it."""
+    """Return a sentence on each thing in the link that cannot be meant, once a session; Streamlit itself ignores it."""
+    if st.session_state.setdefault(_LINK_READ, False):
+        return []
+    st.session_state[_LINK_READ] = True
     complaints = []
-    for key in st.query_params:
+    for key, control in CONTROLS.items():
         texts = st.query_params.get_all(key)
-        control = CONTROLS.get(key)
-        if control is None:
-            continue
         number = read_number(texts[0]) if len(texts) == 1 else None
         if len(texts) > 1:
             complaints.append(f"The link gives {key} more than once; it is ignored.")
-        elif number is None or not control.least <= number <= control.most:
+        elif texts and (number is None or not control.least <= number <= control.most):
             complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
-    unknown = sum(key not in CONTROLS for key in st.query_params)
-    if unknown:
+    if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
 
