@@ -17,6 +17,7 @@ from ramanujan.derivation.parser import (
     MAX_LENGTH,
     MAX_WEIGHT,
     NAMES,
+    Expression,
     UnreadableError,
     parse,
     weight,
@@ -24,6 +25,13 @@ from ramanujan.derivation.parser import (
 
 POINT = {name: Fraction(prime) for name, prime in zip(NAMES, (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31), strict=True)}
 m, mp, k, R, X, Xd, phi, phid, Phi, Phid, eps = POINT.values()
+
+
+def _outcome(text: str) -> tuple[Expression | None, str]:
+    try:
+        return parse(text), ""
+    except UnreadableError as refusal:
+        return None, str(refusal)
 
 
 def value(text: str) -> Fraction:
@@ -42,6 +50,7 @@ def decimal_value(text: str) -> float:
         ("k(7m+6m')", k * (7 * m + 6 * mp)),
         ("(m)(m')", m * mp),
         ("mm'", m * mp),
+        ("m_prime*X_dot*phi_dot*Phi_dot", mp * Xd * phid * Phid),
         ("m m'", m * mp),
         ("kR", k * R),
         ("Rphi'", R * phid),
@@ -106,7 +115,7 @@ def test_reads_roots(text: str) -> None:
         ("foo", "foo"),
         ("k'", "k'"),
         ("m''", "m''"),
-        ("m_prime", "mprime"),
+        ("m_primed", "mprimed"),
         ("__import__('os')", "import"),
         ("m.real", "character"),
         ("x", "x"),
@@ -140,11 +149,11 @@ def test_reads_roots(text: str) -> None:
     ],
 )
 def test_refuses_with_a_sentence(text: str, said: str) -> None:
-    with pytest.raises(UnreadableError, match=".") as refusal:
+    with pytest.raises(UnreadableError, match=r"[.?]") as refusal:
         parse(text)
     sentence = str(refusal.value)
     assert said.lower() in sentence.lower()
-    assert sentence.endswith((".", "?", "*."))
+    assert sentence.endswith((".", "?"))
 
 
 @pytest.mark.parametrize("thing", [None, 3, b"m", ["m"], object()])
@@ -203,11 +212,10 @@ _LEAVES = st.sampled_from(list(POINT.items())) | st.integers(0, 99).map(lambda n
 @given(st.recursive(_LEAVES, _combined, max_leaves=12).filter(lambda pair: len(pair[0]) < MAX_LENGTH))
 def test_value_is_the_one_python_computes(pair: tuple[str, Fraction]) -> None:
     text, expected = pair
-    try:
-        parsed = parse(text)
-    except UnreadableError as refusal:
+    parsed, refusal = _outcome(text)
+    if parsed is None:
         # The only refusals a well-formed text can meet.
-        assert any(word in str(refusal) for word in ("large", "nested"))
+        assert any(word in refusal for word in ("large", "nested"))
         return
     assert weight(parsed) <= MAX_WEIGHT
     assert values(parsed, exact=True, points=(POINT,))[0] == expected
@@ -218,10 +226,8 @@ _PIECES = [*NAMES, *"+-*/^()²½√.0123456789 ", "sqrt", "**", "9**9", "(m", "1
 
 def _read_or_refused(text: str) -> None:
     started = time.process_time()
-    try:
-        parse(text)
-    except UnreadableError as refusal:
-        assert 0 < len(str(refusal)) < 200
+    parsed, refusal = _outcome(text)
+    assert parsed is not None or 0 < len(refusal) < 200
     # One second of CPU is the promise; a typical text takes a ten-thousandth of it.
     assert time.process_time() - started < 1
 

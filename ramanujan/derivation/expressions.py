@@ -10,6 +10,7 @@ import random
 from collections.abc import Callable, Iterator, Mapping
 from decimal import Context, Decimal, DivisionByZero, InvalidOperation, Overflow, localcontext
 from fractions import Fraction
+from itertools import combinations
 from typing import Any
 
 import sympy as sp
@@ -64,15 +65,22 @@ POINTS = tuple(_points())
 
 
 def spelled(expression: sp.Expr) -> Expression:
-    """Return a SymPy expression of the derivation as a tree like those that the parser returns."""
+    """Return a SymPy expression of the derivation as a tree like those that the parser returns.
+
+    Raises
+    ------
+    ValueError : expression is not made of known symbols, numbers, sums, products and powers; infinities are not.
+    """
     if expression in SPELLING:
         return Name(SPELLING[expression])
     if expression.is_Rational:
         return Number(Fraction(int(expression.p), int(expression.q)))
     if expression.is_Pow:
         return Power(spelled(expression.base), spelled(expression.exp).value)
-    parts = tuple(map(spelled, expression.args))
-    return Sum(parts) if expression.is_Add else Product(parts)
+    if not (expression.is_Add or expression.is_Mul):
+        raise ValueError(f"expression has no spelling as a formula: {expression}")
+    inside = tuple(map(spelled, expression.args))
+    return Sum(inside) if expression.is_Add else Product(inside)
 
 
 def parts(expression: Expression) -> tuple[Expression, ...]:
@@ -174,6 +182,16 @@ def length(expression: Expression) -> int:
             # A sign, and the 1 above a fraction line, take no room.
             return sum(length(factor) for factor in factors if factor not in _UNITS_OF_A_PRODUCT)
     return sum(map(length, parts(expression)))
+
+
+def has_like_terms(expression: Expression) -> bool:
+    """Tell whether a sum has two terms of which one is a simple multiple of the other."""
+    if isinstance(expression, Sum):
+        exact = not has_root(expression)
+        terms = [values(term, exact) for term in expression.terms]
+        if any(ratio(one, other) is not None for one, other in combinations(terms, 2)):
+            return True
+    return any(map(has_like_terms, parts(expression)))
 
 
 _UNITS_OF_A_PRODUCT = (Number(Fraction(1)), Number(Fraction(-1)))

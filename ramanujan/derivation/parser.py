@@ -31,21 +31,29 @@ class UnreadableError(ValueError):
 
 @dataclass(frozen=True)
 class Number:
+    """A number as typed; 0.5 and ½ are the same."""
+
     value: Fraction
 
 
 @dataclass(frozen=True)
 class Name:
+    """One of `NAMES`."""
+
     name: str
 
 
 @dataclass(frozen=True)
 class Sum:
+    """The sum of its terms; what is subtracted is a term times −1."""
+
     terms: tuple[Expression, ...]
 
 
 @dataclass(frozen=True)
 class Product:
+    """The product of its factors; what divides is a factor to a negative power."""
+
     factors: tuple[Expression, ...]
 
 
@@ -114,8 +122,9 @@ _RATE = re.compile("(?<=[XφϕΦ])\u0307")
 _TOKEN = re.compile(
     r"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<half>[½¼¾])|(?P<word>[A-Za-z_][A-Za-z_']*)|(?P<sign>[-+*/^()])"
 )
+_ALIASES = {"epsilon": "eps", "m_prime": "m'", "X_dot": "X'", "phi_dot": "phi'", "Phi_dot": "Phi'"}
 # Longest first, so that m' is not read as m.
-_NAME = re.compile("epsilon|sqrt|" + "|".join(sorted(NAMES, key=len, reverse=True)))
+_NAME = re.compile("|".join(sorted(("sqrt", *NAMES, *_ALIASES), key=len, reverse=True)))
 
 
 def _plain(text: str) -> str:
@@ -171,7 +180,7 @@ def _names(word: str) -> list[str]:
         if found is None:
             shown = re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS]
             raise UnreadableError(f"I do not know the name “{shown}”; I know {', '.join(NAMES)} and sqrt( ).")
-        names.append("eps" if found[0] == "epsilon" else found[0])
+        names.append(_ALIASES.get(found[0], found[0]))
         position = found.end()
     return names
 
@@ -214,7 +223,7 @@ class _Reader:
                 divided = True
             elif self._starts_a_factor():
                 if divided and not _is_fraction(factors):
-                    raise UnreadableError("How far does the denominator reach? Put it in brackets, or write a *.")
+                    raise UnreadableError("How far does the denominator reach? Put it in brackets.")
                 factors.append(self.factor())
                 divided = False
             else:
@@ -290,9 +299,9 @@ def _power(base: Expression, exponent: Fraction) -> Expression:
 
 
 def _is_fraction(factors: list[Expression]) -> bool:
-    """Tell whether the factors are a number over a number: 1/2 m is a half of m, but k/2m may be two things."""
+    """Tell whether the last factors are a number over a number: 1/2 m is a half of m, but k/2m may be two things."""
     match factors:
-        case [Number(), Power(Number(), _)]:
+        case [*_, Number(), Power(Number(), _)]:
             return True
     return False
 
