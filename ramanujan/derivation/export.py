@@ -39,6 +39,10 @@ _IN_PROSE = {
     "²": "$^2$",
     "…": r"\dots{}",
 }
+_LINE_WIDTH = 66
+"""Characters of a formula that fit into one line of the article; found by setting all routes with TeX."""
+_COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|mathcal|d?dot)[a-zA-Z]+")
+_INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
 _MATH = re.compile(r"(\$[^$]*\$)")
 
 
@@ -94,9 +98,26 @@ def prose_to_latex(text: str) -> str:
 
 
 def _latex_section(step: Step) -> str:
-    rows = " \\\\\n".join(f"  {latex(equation.lhs)} &= {latex(equation.rhs)}" for equation in step.equations)
+    rows = " \\\\\n".join(f"  {_row(equation)}" for equation in step.equations)
     heading, reason = prose_to_latex(step.heading), prose_to_latex(step.reason)
     return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{rows}\n\\end{{align*}}\n"
+
+
+def _row(equation: sp.Eq) -> str:
+    """Return left &= right, a long sum broken into lines."""
+    lines: list[list[sp.Expr]] = [[]]
+    for term in equation.rhs.as_ordered_terms() if equation.rhs.is_Add else [equation.rhs]:
+        if lines[-1] and _width(latex(sp.Add(*lines[-1], term))) > _LINE_WIDTH:
+            lines.append([])
+        lines[-1].append(term)
+    first, *others = (latex(line[0] if len(line) == 1 else sp.Add(*line)) for line in lines)
+    continued = (f" \\\\\n  &\\quad {'' if other.startswith('-') else '+ '}{other}" for other in others)
+    return f"{latex(equation.lhs)} &= {first}{''.join(continued)}"
+
+
+def _width(formula: str) -> int:
+    """Return about how many characters stand side by side."""
+    return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
 def _numbers(values: Mapping[sp.Symbol, sp.Expr]) -> str:

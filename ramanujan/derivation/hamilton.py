@@ -50,7 +50,7 @@ def legendre_transform(bodies: Machine) -> Legendre:
     velocities = {v: _one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
     # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U: nothing has to be multiplied out.
     kinetic = sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2
-    return Legendre(momenta, velocities, _one_fraction(kinetic) + bodies.potential_energy)
+    return Legendre(momenta, velocities, _by_powers_of_p_phi(kinetic) + bodies.potential_energy)
 
 
 def rates_of_momenta(hamiltonian: sp.Expr) -> dict[sp.Expr, sp.Expr]:
@@ -153,6 +153,13 @@ def _steps(
             ),
         ),
     )
+
+
+def _by_powers_of_p_phi(form: sp.Expr) -> sp.Expr:
+    """Return a form in the momenta with one term each for p_φ², p_φ and the rest."""
+    gathered = gather(form, MOMENTA)
+    square, linear, rest = (gathered.coeff(p_phi, power) for power in (2, 1, 0))
+    return square * p_phi**2 + sp.factor(linear) * p_phi + _one_fraction(rest)
 
 
 def _one_fraction(form: sp.Expr) -> sp.Expr:

@@ -43,10 +43,11 @@ def _put_in(expression: sp.Basic, values: _Values, given: frozenset[sp.Symbol]) 
         return expression.func(*(_put_in(argument, values, given) for argument in expression.args))
     numbers, rest = sift(expression.args, lambda argument: _is_number(argument, given), binary=True)
     if numbers and expression.is_Mul and (sums := [argument for argument in rest if argument.is_Add]):
-        # A number before a sum goes into it, where it meets the numbers of the terms.
+        # A number before a sum goes into it, where it meets the numbers of the terms, and takes a denominator along.
         rest.remove(sums[0])
-        distributed = sp.Add(*(sp.Mul(*numbers, term) for term in sums[0].args))
-        return _put_in(sp.Mul(distributed, *rest), values, given)
+        below, before = sift(rest, lambda argument: argument.is_Pow and argument.exp.is_negative, binary=True)
+        distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in sums[0].args))
+        return _put_in(sp.Mul(distributed, *before), values, given)
     number = (_number(expression.func(*numbers), values),) if numbers else ()
     return expression.func(*number, *(_put_in(argument, values, given) for argument in rest))
 
