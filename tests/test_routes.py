@@ -40,6 +40,7 @@ MASS, STIFFNESS = reference.mass_and_stiffness()
 MOMENTA_ON_MOTION = dict(zip(MOMENTA, MASS * sp.Matrix(VELOCITIES), strict=True))
 LEAST = least_inertia(machine())
 OTHER_BODIES = {
+    "top that does not resist turning": {"top": 0},
     "two hoops": {"hoop": 1, "cylinder": 1},
     "sphere on top": {"top": sp.Rational(2, 5)},
     "shell, sphere, hoop": {"hoop": sp.Rational(2, 3), "cylinder": sp.Rational(2, 5), "top": 1},
