@@ -103,17 +103,18 @@ def _latex_section(step: Step) -> str:
     return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{rows}\n\\end{{align*}}\n"
 
 
-def lines(expression: sp.Expr, write: Callable[[sp.Expr], str] = latex) -> list[str]:
+def lines(expression: sp.Expr, write: Callable[[sp.Expr], str] = latex, width: int = _LINE_WIDTH) -> list[str]:
     """Return the LaTeX of an expression, a long sum broken into lines of which each but the first begins with a sign.
 
     Parameters
     ----------
     expression : what is written
     write : expression → LaTeX
+    width : characters that fit into a line
     """
     groups: list[list[sp.Expr]] = [[]]
     for term in expression.as_ordered_terms() if expression.is_Add else [expression]:
-        if groups[-1] and _width(latex(sp.Add(*groups[-1], term))) > _LINE_WIDTH:
+        if groups[-1] and _width(latex(sp.Add(*groups[-1], term))) > width:
             groups.append([])
         groups[-1].append(term)
     first, *others = (write(group[0] if len(group) == 1 else sp.Add(*group)) for group in groups)

@@ -12,14 +12,16 @@ import streamlit as st
 
 _JS = """
 export default ({ data }) => {
-  const release = (event) => {
-    const choice = event.target.closest?.("button");
+  // Once for as long as the page is open: a run of the script draws this again and again.
+  if (globalThis.ramanujanKeys) return;
+  globalThis.ramanujanKeys = true;
+  // On the way down, since the choices keep their clicks to themselves.
+  document.addEventListener("click", (event) => {
     // A click made by a key has no pointer, hence no detail: there the focus has to stay.
-    if (event.detail && choice?.closest(data.choices)) setTimeout(() => choice.blur());
-  };
-  // On the way down: the choices keep their clicks to themselves.
-  document.addEventListener("click", release, true);
-  return () => document.removeEventListener("click", release, true);
+    if (!event.detail || !event.target.closest?.(data.choices)) return;
+    // Not always the button that was clicked: a group gives the focus back to where it was before.
+    setTimeout(() => document.activeElement.closest(data.choices) && document.activeElement.blur());
+  }, true);
 };
 """
 

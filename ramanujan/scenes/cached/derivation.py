@@ -24,6 +24,12 @@ from ramanujan.derivation.substitution import put_in
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.scenes.cached import route
 
+_LINE_WIDTH = 54
+"""Characters of a formula that fit beside the sidebar on a projector of 1280 points; longer sums are broken."""
+
+_MANY = 6
+"""Rows of equations that have to move closer together to fit on one screen."""
+
 _LONGEST_DENOMINATOR = 10**12
 """Ω² is written as a fraction up to here, as a decimal alone beyond."""
 
@@ -193,9 +199,10 @@ def _row(symbolic: sp.Eq, shown: sp.Eq, part: str | None, color: str | None) -> 
         sign, value = _number(shown.rhs)
         return _Row(latex(shown.lhs), sign, [value])
     if part and belongs_to(part, symbolic):
-        return _Row(colored(latex(shown.lhs), color), "=", [colored(line, color) for line in lines(shown.rhs)])
+        right = lines(shown.rhs, width=_LINE_WIDTH)
+        return _Row(colored(latex(shown.lhs), color), "=", [colored(line, color) for line in right])
     write = partial(latex, highlight=dict.fromkeys(names(part, shown), color) if part else None)
-    return _Row(write(shown.lhs), "=", lines(shown.rhs, write))
+    return _Row(write(shown.lhs), "=", lines(shown.rhs, write, _LINE_WIDTH))
 
 
 def _number(value: sp.Expr) -> tuple[str, str]:
@@ -215,15 +222,17 @@ def _number(value: sp.Expr) -> tuple[str, str]:
 def _aligned(rows: list[_Row]) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
     if any(row.right == ["0"] for row in rows):
-        return _block(f"&{row.left} {row.sign} {row.right[0]}" for row in rows)
-    return _block(
+        left = (f"&{row.left} {row.sign} {row.right[0]}" for row in rows)
+        return _block(left, ".5em")
+    aligned = [
         line
         for row in rows
         for line in (f"{row.left} &{row.sign} {row.right[0]}", *(rf"&\quad {more}" for more in row.right[1:]))
-    )
+    ]
+    return _block(aligned, ".5em" if len(aligned) < _MANY else ".15em")
 
 
-def _block(rows: Iterable[str], gap: str = ".5em") -> str:
+def _block(rows: Iterable[str], gap: str) -> str:
     return r"\begin{aligned}" + rf" \\[{gap}] ".join(rows) + r"\end{aligned}"
 
 

@@ -1,0 +1,144 @@
+"""Page 2 in a browser: keys, links, files, colours, and formulas that stay inside a phone."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from ramanujan.derivation import ROUTES
+from tests.conftest import settle
+
+STEP = ".st-key-lecture h3"
+
+
+def step(page) -> str:
+    return page.locator(STEP).inner_text().split(".")[0]
+
+
+def press(page, key: str) -> str:
+    page.keyboard.press(key)
+    settle(page)
+    return step(page)
+
+
+def test_arrow_keys_turn_the_steps_and_the_link_keeps_the_place(visit):
+    page = visit("derivation?route=Hamilton&step=4")
+    assert step(page) == "4"
+    assert press(page, "ArrowRight") == "5"
+    assert "step=5" in page.url
+    assert press(page, "ArrowLeft") == "4"
+    # A click on a choice does not keep the keys: the lecturer goes straight on.
+    page.locator(".st-key-route button", has_text="Newton").click()
+    settle(page)
+    assert step(page) == "1"
+    assert press(page, "ArrowRight") == "2"
+    for view in ("Reading", "Lecture"):
+        page.locator(".st-key-view button", has_text=view).click()
+        settle(page)
+    assert press(page, "ArrowRight") == "3"
+    # Where the arrows have another meaning they keep it.
+    page.locator(".st-key-m input[type=range]").focus()
+    assert press(page, "ArrowRight") == "3"
+    assert "m=1.01" in page.url
+    page.get_by_label("Your formula").fill("k")
+    assert press(page, "ArrowLeft") == "3"
+    assert "route=Newton" in page.url
+
+
+def test_choices_work_by_keyboard_alone(visit):
+    page = visit("derivation")
+    page.locator(".st-key-values button").first.focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Space")
+    settle(page)
+    assert "values=My+numbers" in page.url
+    assert page.evaluate("document.activeElement.getAttribute('role')") == "radio"
+
+
+@pytest.mark.parametrize("title", [ROUTES[name].title for name in ROUTES])
+def test_long_formulas_scroll_in_their_own_box_on_a_phone(visit, title):
+    page = visit(f"derivation?route={title}&view=Reading&body=hoop", width=390, height=844)
+    page.wait_for_selector(".st-key-question")
+    boxes = page.evaluate("""() => [...document.querySelectorAll('.katex-display')].map(box =>
+        [box.getBoundingClientRect().right <= innerWidth, box.scrollWidth > box.clientWidth,
+         getComputedStyle(box).overflowX, box.scrollHeight <= box.clientHeight])""")
+    assert all(inside and overflow == "auto" and whole for inside, _, overflow, whole in boxes)
+    assert any(long for _, long, *_ in boxes)
+    main = page.locator("[data-testid=stMain]")
+    assert main.evaluate("main => main.scrollWidth <= main.clientWidth")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, theme):
+    page = visit("derivation?step=2&body=hoop", theme=theme)
+    page.wait_for_selector(f"{STEP} >> nth=0")
+    inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
+        .map(part => getComputedStyle(part).color)""")
+    wanted = {"light": "rgb(138, 90, 0)", "dark": "rgb(246, 198, 103)"}[theme]
+    assert wanted in inks
+    # Whatever is coloured has that ink, or none of its own.
+    assert len(set(inks) - {wanted}) <= 1
+
+
+def test_three_machines_run_side_by_side(visit):
+    page = visit("derivation")
+    page.wait_for_selector(".st-key-mode_roll")
+    page.wait_for_timeout(1500)
+    for key in ("swing", "glide", "roll"):
+        stage = page.locator(f".st-key-mode_{key}")
+        first = stage.screenshot()
+        page.wait_for_timeout(700)
+        assert stage.screenshot() != first
+
+
+@pytest.mark.parametrize(("kind", "suffix"), [("latex", "tex"), ("markdown", "md"), ("notebook", "ipynb")])
+def test_the_route_as_it_stands_can_be_taken_home(visit, kind, suffix):
+    page = visit("derivation?route=Energy&values=My+numbers")
+    page.wait_for_selector(f".st-key-file_{kind} button")
+    sent = len(page.frames_sent)
+    with page.expect_download() as download:
+        page.locator(f".st-key-file_{kind} button").click()
+    assert download.value.suggested_filename == f"ramanujan-energy-numbers.{suffix}"
+    text = Path(download.value.path()).read_text(encoding="utf-8")
+    assert ROUTES["energy"]["spring_mass"].heading in text
+    if kind == "notebook":
+        assert json.loads(text)["nbformat"] == 4
+    assert len(page.frames_sent) <= sent + 1
+
+
+def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
+    page = visit("derivation")
+    box = page.get_by_label("Your formula")
+    for text, told in (
+        ("m X'^2", "A factor ½ is missing."),
+        ("½ m X'²", "Right!"),
+        ("<img src=x onerror=alert(1)>", "Type only the expression"),
+        (":red[x]", "There is a character that does not belong in a formula: colon."),
+    ):
+        box.fill(text)
+        page.keyboard.press("Enter")
+        settle(page)
+        assert told in page.locator("[data-testid=stAlert]").inner_text()
+    assert page.locator("[data-testid=stAlert] img").count() == 0
+
+
+def test_every_control_has_a_name(visit):
+    page = visit("derivation")
+    page.wait_for_selector(".st-key-question")
+    nameless = page.evaluate("""() => [...document.querySelectorAll('[data-testid=stMain] :is(button, input, select)')]
+        .filter(each => each.type !== 'hidden' && each.offsetParent !== null)
+        .filter(each => !(each.ariaLabel || each.innerText || each.labels?.length || each.title
+            || each.getAttribute('aria-labelledby'))).map(each => each.outerHTML.slice(0, 200))""")
+    assert nameless == []
+
+
+def test_the_first_page_leads_here(visit):
+    page = visit()
+    page.get_by_role("link", name="The whole derivation, by five routes").click()
+    page.wait_for_selector(STEP)
+    settle(page)
+    assert "/derivation" in page.url
+    assert page.get_by_role("heading", name="Five ways to one frequency").is_visible()
