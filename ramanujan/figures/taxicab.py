@@ -1,4 +1,4 @@
-"""The figures of page 4: where the curve takes its target, stacks of cubes, the 40 machines, and how often cubes occur."""
+"""The figures of page 4: where the curve takes its target, stacks of cubes, the 40 machines, how often cubes occur."""
 
 from __future__ import annotations
 
@@ -59,15 +59,17 @@ def level_crossing(
     )
     left, right = np.log10(ratios[0]), np.log10(ratios[-1])
     at = float(np.log10(root))
-    # The label goes to the side with more room, away from the curve: above it on the right, below it on the left.
-    to_right = at < (left + right) / 2
+    # The label goes where the falling curve is not: right above it near its flat start, left above its flat end, else
+    # left below it.
+    at_start = at < left + 0.4 * (right - left)
+    above = at_start or level < 0.35 * values[0]
     figure.add_annotation(
         x=at,
         y=level,
         text=root_label,
-        ax=22 if to_right else -22,
-        ay=-54 if to_right else 40,
-        xanchor="left" if to_right else "right",
+        ax=22 if at_start else -22,
+        ay=-34 if above else 40,
+        xanchor="left" if at_start else "right",
         arrowcolor=colors["ink"],
         arrowwidth=1,
         arrowhead=0,
@@ -75,17 +77,17 @@ def level_crossing(
         bgcolor=colors["paper"],
     )
     figure.add_annotation(
-        x=left if not to_right else right,
+        x=right if at_start else left,
         y=level,
         text=level_label,
         showarrow=False,
-        xanchor="left" if not to_right else "right",
+        xanchor="right" if at_start else "left",
         yanchor="bottom",
-        xshift=-6 if to_right else 6,
+        xshift=-6 if at_start else 6,
         font={"size": 13},
     )
     figure.update_xaxes(type="log", title="mass ratio ε = m′/m", range=[left, right], dtick=1, fixedrange=True)
-    figure.update_yaxes(title="Ω²m/k", range=[0, 1.15 * float(values[0])], fixedrange=True)
+    figure.update_yaxes(title="Ω²m/k", range=[0, 1.3 * float(values[0])], fixedrange=True)
     return figure
 
 
@@ -93,9 +95,7 @@ _UNIT = 2
 """Length of a unit cube's edge in the figure, so that half an edge is an integer, too, and one byte holds it."""
 
 
-def cube_stack(
-    sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]
-) -> go.Figure:
+def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> go.Figure:
     """Draw cubes made of unit cubes side by side: faces as one mesh, the edges of the unit cubes as one line for each.
 
     Parameters
@@ -108,7 +108,7 @@ def cube_stack(
     """
     gap = _UNIT // 2 if apart else 0
     figure = go.Figure(layout={"template": template(colors), "height": 380, "showlegend": False})
-    corners, triangles, labels = [], [], []
+    corners, triangles = [], []
     tallest = max(sides)
     start = 0
     for side in sides:
@@ -125,8 +125,6 @@ def cube_stack(
         for layer in range(layers):
             triangles.append(_BOX_TRIANGLES + 8 * len(corners))
             corners.append(origin + layer * rise + _box(_UNIT * np.array(shape)))
-        top = (layers - 1) * rise[2] + thickness * _UNIT
-        labels.append((origin[0] + side, origin[1] + side, top + 3, f"{side}³ = {side**3}"))
         start += (side + 2) * _UNIT
     x, y, z = np.concatenate(corners).T.astype(np.float32)
     i, j, k = np.concatenate(triangles).T.astype(np.uint8)
@@ -139,16 +137,14 @@ def cube_stack(
         k=k,
         color=colors["primary"],
         flatshading=True,
-        lighting={"ambient": 0.62, "diffuse": 0.6, "specular": 0, "fresnel": 0},
+        lighting={"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0},
         lightposition={"x": 4000, "y": -9000, "z": 14000},
         hoverinfo="skip",
     )
-    x, y, z, text = zip(*labels, strict=True)
-    font = {"size": 15, "color": colors["ink"]}
-    figure.add_scatter3d(x=x, y=y, z=z, mode="text", text=text, textfont=font, hoverinfo="skip")
     angle = np.radians(turn)
-    half = (widest + 2) * _UNIT / 2
-    middle = {"x": (start - 2 * _UNIT) / 2, "y": tallest * _UNIT / 2, "z": half}
+    half = (widest + 3) * _UNIT / 2
+    height = tallest * _UNIT + (tallest - 1) * gap
+    middle = {"x": (start - 2 * _UNIT) / 2, "y": tallest * _UNIT / 2, "z": height / 2}
     hidden = {"visible": False, "showspikes": False}
     figure.update_layout(
         margin={"l": 0, "r": 0, "t": 0, "b": 0},
@@ -159,12 +155,13 @@ def cube_stack(
                 f"{axis}axis": {**hidden, "range": [float(centre - half), float(centre + half)]}
                 for axis, centre in middle.items()
             },
-            "aspectmode": "cube",
+            "aspectmode": "manual",
+            # Larger than Plotly's box of one, since the cubes fill only the middle of it.
+            "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7},
             "dragmode": "turntable",
             "camera": {
                 "projection": {"type": "orthographic"},
-                "eye": {"x": float(1.25 * np.cos(angle)), "y": float(1.25 * np.sin(angle)), "z": 0.62},
-                "center": {"x": 0, "y": 0, "z": -0.15},
+                "eye": {"x": float(0.85 * np.cos(angle)), "y": float(0.85 * np.sin(angle)), "z": 0.42},
             },
         },
     )
@@ -220,11 +217,11 @@ def machine_grid(
     numbers : the discriminants, one row for each pair
     ways : in how many ways each is a sum of two positive cubes
     chosen : row and column of the machine that is marked
-    colors : ink, faint, paper, primary, hoop
+    colors : ink, faint, paper, primary, hoop, on_hoop
     """
     cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
-    flat_ways = [way for row in ways for way in row]
-    fill = [colors["primary"] if way > 1 else colors["hoop"] if way else colors["faint"] for way in flat_ways]
+    flat_numbers = [number for row in numbers for number in row]
+    flat_ways = [min(way, 2) for row in ways for way in row]
     figure = go.Figure(
         layout={
             "template": template(colors),
@@ -233,29 +230,35 @@ def machine_grid(
             "margin": {"l": 128, "r": 4, "t": 52, "b": 4},
         }
     )
-    figure.add_scatter(
-        x=[cells[0][0] + chosen[1]],
-        y=[chosen[0]],
-        mode="markers",
-        marker={"symbol": "square-open", "size": 43, "color": colors["ink"], "line": {"width": 3}},
+    steps = [colors["faint"], colors["hoop"], colors["primary"]]
+    figure.add_heatmap(
+        z=np.reshape(flat_ways, (len(rows), len(columns))).astype(np.uint8),
+        colorscale=[[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
+        zmin=0,
+        zmax=2,
+        xgap=3,
+        ygap=3,
+        showscale=False,
         hoverinfo="skip",
     )
+    # A heatmap cannot be clicked: the numbers stand on markers that can.
+    inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
+    unseen = {"marker": {"opacity": 0}}
     figure.add_scatter(
         x=[x for x, _ in cells],
         y=[y for _, y in cells],
         mode="markers+text",
-        text=[
-            f"<b>{number}</b>" if way else str(number)
-            for number, way in zip((n for row in numbers for n in row), flat_ways, strict=True)
-        ],
-        textfont={
-            "size": 13,
-            "color": [colors["paper"] if way > 1 else colors["on_hoop"] if way else colors["ink"] for way in flat_ways],
-        },
-        marker={"symbol": "square", "size": 36, "color": fill, "line": {"width": 0}},
+        text=[f"<b>{n}</b>" if way else str(n) for n, way in zip(flat_numbers, flat_ways, strict=True)],
+        textfont={"size": 13, "color": [inks[way] for way in flat_ways]},
+        marker={"symbol": "square", "size": 36, "opacity": 0},
+        selected=unseen,
+        unselected=unseen,
         customdata=[[rows[y], columns[x]] for x, y in cells],
         hovertemplate="%{customdata[0]} below, %{customdata[1]} on top<br>discriminant %{text}<extra></extra>",
     )
+    row, column = chosen
+    around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
+    figure.add_shape(type="rect", line={"color": colors["ink"], "width": 3}, **around)
     plain = {"showgrid": False, "showline": False, "ticks": "", "fixedrange": True}
     figure.update_xaxes(
         plain,
@@ -271,9 +274,7 @@ def machine_grid(
     return figure
 
 
-def cube_counts(
-    pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]
-) -> go.Figure:
+def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]) -> go.Figure:
     """Draw, for each pair of lower rollers, how many discriminants are sums of two cubes.
 
     Parameters
@@ -295,7 +296,7 @@ def cube_counts(
         hovertemplate="%{customdata} below: %{x}<extra></extra>",
     )
     figure.update_layout(margin={"l": 128, "r": 30, "t": 4, "b": 44}, bargap=0.3)
-    figure.update_xaxes(title="discriminants that are sums of two cubes", fixedrange=True, rangemode="tozero")
+    figure.update_xaxes(title="sums of two cubes", fixedrange=True, rangemode="tozero")
     figure.update_yaxes(
         tickvals=list(range(len(pairs))),
         ticktext=pairs,

@@ -1,4 +1,4 @@
-"""Page 4: why 1729: the exact mass ratio, the two stacks of cubes, other bodies, other targets, and the open question."""
+"""Page 4: why 1729. The exact mass ratio, two stacks of cubes, other bodies, other targets, the open question."""
 
 from __future__ import annotations
 
@@ -34,28 +34,27 @@ def take_paper() -> None:
     st.session_state.update(PAPER)
 
 
-def portrait(body: str, color: str) -> str:
-    """Return a small drawing of a body as SVG: where the colour is, there is the mass."""
+def drawing(body: str, color: str) -> str:
+    """Return the address of a small drawing of a body: where the colour is, there is the mass."""
     ink = f'stroke="{color}" fill="none"'
     drawings = {
         "hoop": f'<circle cx="24" cy="24" r="19" stroke-width="5" {ink}/>',
         "shell": f'<circle cx="24" cy="24" r="20" stroke-width="2.5" stroke="{color}" fill="{color}" '
         f'fill-opacity=".15"/><ellipse cx="24" cy="24" rx="20" ry="7" stroke-width="1.5" {ink}/>'
         f'<ellipse cx="24" cy="24" rx="7" ry="20" stroke-width="1.5" {ink}/>',
-        "cylinder": f'<circle cx="29" cy="19" r="16" fill="{color}" fill-opacity=".55"/>'
-        f'<path d="M29 3 19 13 30 45 45 19z" fill="{color}" fill-opacity=".55"/>'
-        f'<circle cx="19" cy="29" r="16" fill="{color}"/>',
+        "cylinder": f'<g fill="{color}"><g opacity=".5"><circle cx="29" cy="19" r="15"/>'
+        '<path d="M8.4 18.4 18.4 8.4 39.6 29.6 29.6 39.6z"/></g><circle cx="19" cy="29" r="15"/></g>',
         "sphere": f'<circle cx="24" cy="24" r="21" fill="{color}"/>'
         '<circle cx="18" cy="17" r="7" fill="#fff" fill-opacity=".4"/>'
-        '<circle cx="16.500" cy="15" r="3" fill="#fff" fill-opacity=".6"/>',
+        '<circle cx="16" cy="15" r="3" fill="#fff" fill-opacity=".6"/>',
     }
-    drawing = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48">{drawings[body]}</svg>'
-    return f"data:image/svg+xml;base64,{b64encode(drawing.encode()).decode()}"
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48">{drawings[body]}</svg>'
+    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
 
 
-def scientific(value: float) -> str:
+def scientific(value: Fraction) -> str:
     """Return a number as LaTeX in two digits and a power of ten."""
-    mantissa, exponent = f"{value:+.1e}".split("e")
+    mantissa, exponent = f"{float(value):+.1e}".split("e")
     return rf"{mantissa}\times10^{{{int(exponent)}}}"
 
 
@@ -77,8 +76,8 @@ def link_complaints() -> list[str]:
         if given[key] and not (len(given[key]) == 1 and is_count(given[key][0], most))
     ]
     known = ", ".join(BODIES)
-    return [f"The link's {key} is none of {known}; it is ignored." for key in bodies] + [
-        f"The link's {key} is no whole number that this page takes; it is ignored." for key in numbers
+    return [f"The link’s “{key}” is none of {known}; it is ignored." for key in bodies] + [
+        f"The link’s “{key}” is no whole number that this page takes; it is ignored." for key in numbers
     ]
 
 
@@ -94,7 +93,7 @@ facts, colors, oscillator = cached.condition(), look.colors(), controls.oscillat
 def exactly_in_step() -> None:
     """The unit condition on the curve and as algebra."""
     st.subheader("When is the machine exactly in step?", anchor=False)
-    picture, algebra = st.columns([3, 2], gap="large")
+    picture, algebra = st.columns([3, 2], gap="medium")
     with algebra:
         st.markdown(
             "Beside a plain mass $m$ on the same spring $k$, the machine keeps step for ever if $\\Omega^2m/k=1$. "
@@ -126,7 +125,7 @@ def exactly_in_step() -> None:
 @st.fragment
 def digits_and_fractions() -> None:
     """The exact ratio in any number of digits, and as fractions for the workshop."""
-    decimals, fractions = st.columns(2, gap="large")
+    decimals, fractions = st.columns([2, 3], gap="medium")
     with decimals:
         count = st.number_input(
             "Digits of ε after the point", 1, MOST_DIGITS, 100, step=10, key="digits", bind="query-params", width=260
@@ -141,8 +140,8 @@ def digits_and_fractions() -> None:
     with fractions:
         first, *others = cached.quotients()
         st.markdown(
-            f"As a continued fraction $\\varepsilon=[{first};{', '.join(map(str, others))},\\dots]$. Cut it off, and no "
-            "fraction with a smaller denominator is closer; weigh your rollers by one of these:"
+            f"As a continued fraction $\\varepsilon=[{first};{', '.join(map(str, others))},\\dots]$. Cut it off, and "
+            "no fraction with a smaller denominator is closer; weigh your rollers by one of these:"
         )
         rows = "\n".join(
             f"| ${entry.ratio.numerator}/{entry.ratio.denominator}$ "
@@ -180,8 +179,8 @@ def two_stacks() -> None:
             )
             st.markdown(f"{volumes} = **{facts.number}**", text_alignment="center")
     st.markdown(
-        f"One stack stands in the quadratic itself: its discriminant is ${facts.expanded}={facts.number}$, and "
-        f"$1^2=1^3$ while the other term happens to be a cube."
+        f"One of the stacks stands in the quadratic itself, term by term: its discriminant $b^2-4ac$ is "
+        f"${facts.expanded}={facts.term_by_term}$."
     )
 
 
@@ -192,31 +191,31 @@ def other_bodies() -> None:
         "Is it the machine or these bodies? Put others in. A body of mass $M$ resists spinning with $I=\\beta MR^2$; "
         "the further out its mass, the larger $\\beta$."
     )
-    body_colors = dict(zip(PLACES, ("hoop", "cylinder", "top"), strict=True))
-    for column, (place, words) in zip(st.columns(3), PLACES.items(), strict=True):
+    figures = (
+        f'<figure style="margin:0;display:flex;gap:.4rem;align-items:center">'
+        f'<img width="38" height="38" alt="" src="{drawing(body, colors["block"])}">'
+        f"<figcaption>{body}<br>β = {beta}</figcaption></figure>"
+        for body, beta in BODIES.items()
+    )
+    # Set out like the machine: the body on top stands above, to the right.
+    pictures, above = st.columns(2, vertical_alignment="center")
+    pictures.html(f'<div style="display:flex;flex-wrap:wrap;gap:.6rem 1rem">{"".join(figures)}</div>')
+    for column, (place, words) in zip((*st.columns(2), above), PLACES.items(), strict=True):
         column.segmented_control(
-            words,
-            list(BODIES),
-            default=PAPER[place],
-            required=True,
-            format_func=lambda body, place=place: f"![]({portrait(body, colors[body_colors[place]])}) {body}",
-            key=place,
-            bind="query-params",
+            words, list(BODIES), default=PAPER[place], required=True, key=place, bind="query-params"
         )
     chosen = [st.session_state[place] for place in PLACES]
     story = cached.story(*chosen)
     left, right, top = (float(BODIES[body]) for body in chosen)
     stage.mount(
-        stage.payload(
-            oscillator, controls.compression(), shape_factors={"hoop": left, "cylinder": right, "top": top}
-        ),
+        stage.payload(oscillator, controls.compression(), shape_factors={"hoop": left, "cylinder": right, "top": top}),
         limits=controls.limits("compression"),
         watch=controls.WATCH,
         key="stage_bodies",
         layers=(),
         on_released=slab_released,
     )
-    table, words = st.columns([1, 1], gap="large")
+    table, words = st.columns([1, 1], gap="medium")
     with words:
         told(story)
     with table:
@@ -254,7 +253,9 @@ def told(story: cached.Story) -> None:
     present = number_theory.normalized_frequency_squared_exact(
         *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)
     )
-    st.markdown(f"With your masses, $\\varepsilon={oscillator.mass_ratio:.5g}$, it has $\\Omega^2m/k={float(present):.6g}$.")
+    st.markdown(
+        f"With your masses, $\\varepsilon={oscillator.mass_ratio:.5g}$, it has $\\Omega^2m/k={float(present):.6g}$."
+    )
     with st.container(horizontal=True):
         st.button("Give it its own ratio", key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
         st.button("The paper’s bodies", key="paper_bodies", on_click=take_paper)
@@ -284,8 +285,8 @@ def forty_machines(chosen: Machine) -> None:
         selection_mode="points",
         theme=None,
         config=STILL,
-        alt=f"The discriminants of all {len(machines)} machines, ten pairs of lower rollers by four bodies on top. Only "
-        f"{best.discriminant}, {name(best)}, is a sum of two positive cubes in two ways; "
+        alt=f"The discriminants of all {len(machines)} machines, ten pairs of lower rollers by four bodies on top. "
+        f"Only {best.discriminant}, {name(best)}, is a sum of two positive cubes in two ways; "
         f"{' and '.join(map(str, others))} are so in one. Marked: {chosen.discriminant}, {name(chosen)}.",
     )
     st.caption(
@@ -297,7 +298,7 @@ def forty_machines(chosen: Machine) -> None:
 def another_frequency() -> None:
     """The paper's bodies with another target."""
     st.subheader("Another frequency, another number", anchor=False)
-    picture, words = st.columns([3, 2], gap="large")
+    picture, words = st.columns([3, 2], gap="medium")
     with words:
         st.markdown("Back to the paper’s bodies: ask for $\\Omega^2m/k=p/q$ instead of 1.")
         with st.container(horizontal=True):
@@ -354,7 +355,6 @@ def open_question() -> None:
     x, y = number_theory.norm_form()
     ways = number_theory.represent_x2_plus_3y2(number)
     written = " = ".join(f"{x}^2+3\\cdot{y}^2" for x, y in reversed(ways))
-    primes = [prime for prime, _ in cached.machines()[0].factorization]
     primes = [prime for prime, _ in Machine().factorization]
     rests = {prime % 3 for prime in primes}
     st.markdown("**What has a reason.** For the target $p/q$ the paper’s bodies have the discriminant")
@@ -389,27 +389,27 @@ def open_question() -> None:
         + f", each of {paper.machines}.",
     )
     st.caption(
-        f"Counted here: all targets p/q up to p, q = {cached.COUNTED_PART} that every machine reaches, with each body on "
-        f"top, {paper.machines} discriminants for each pair of rollers. {' and '.join(paper.pair).capitalize()} have "
-        f"{paper.sums} sums of two cubes, the next pair {second.sums}. Small numbers are such sums more often, "
+        f"Counted here: all targets p/q up to p, q = {cached.COUNTED_PART} that every machine reaches, with each body "
+        f"on top, {paper.machines} discriminants for each pair of rollers. {' and '.join(paper.pair).capitalize()} "
+        f"have {paper.sums} sums of two cubes, the next pair {second.sums}. Small numbers are such sums more often, "
         f"but that is not it: {len(smaller)} other pairs have the smaller discriminants (by median)."
     )
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
     st.markdown(
-        f"**What stays a coincidence.** That the plainest target of all, 1, gives a sum of two cubes in *two* ways, and "
-        f"the smallest there is. Of the {paper.machines} discriminants, {paper.taxicabs} are sums of two cubes in two "
-        f"ways; nothing known singles out $p=q=1$. Change any one body and you get {near}: none of them is. A norm "
-        "says why 1729 looks as it does, not why it had to be 1729.".replace("1729", str(number))
+        f"**What stays a coincidence.** That the plainest target of all, 1, gives a sum of two cubes in *two* ways, "
+        f"and the smallest there is. Of the {paper.machines} discriminants, {paper.taxicabs} are sums of two cubes in "
+        f"two ways; nothing known singles out $p=q=1$. Change any one body and you get {near}: none of them is. A norm "
+        f"says why {number} looks as it does, not why it had to be {number}."
     )
 
 
 st.title(str(facts.number), anchor=False)
 st.markdown(
-    f"G. H. Hardy found the number of his taxicab, {facts.number}, rather dull. “No,” said Ramanujan, it is the smallest "
-    "number that is a sum of two cubes in two different ways. Here it decides when a machine swings in time."
+    f"G. H. Hardy found the number of his taxicab, {facts.number}, rather dull. “No,” said Ramanujan, it is the "
+    "smallest number that is a sum of two cubes in two different ways. Here it decides when a machine swings in time."
 )
-for complaint in link_complaints():
-    st.warning(complaint)
+if complaints := link_complaints():
+    st.warning(" ".join(complaints))
 exactly_in_step()
 digits_and_fractions()
 two_stacks()

@@ -32,15 +32,18 @@ COUNTED_PART = 20
 
 @dataclass(frozen=True)
 class Condition:
-    """Ω² = k/m for the paper's machine: equations as LaTeX, the discriminant, its cubes, and b² − 4ac written out."""
+    """Ω² = k/m for the paper's machine: its equations, discriminant D and the cubes that add up to D.
+
+    `expanded` is D as b² − 4ac, `term_by_term` the sum of cubes whose terms are the same; texts are LaTeX.
+    """
 
     equations: tuple[str, ...]
     number: int
     smallest_taxicab: int
     cubes: tuple[tuple[int, int], ...]
-    expanded: str
-    factors: str
     cubes_latex: str
+    expanded: str
+    term_by_term: str
 
 
 @st.cache_resource(show_spinner=False)
@@ -53,14 +56,15 @@ def condition() -> Condition:
     a, b, c = paper.quadratic
     with sp.evaluate(False):
         expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
+    same_terms = [(x, y) for x, y in paper.cubes if x**3 == b**2]
     return Condition(
         tuple(map(latex, lines)),
         int(unit().discriminant),
         number_theory.smallest_taxicab(),
         paper.cubes,
-        sp.latex(expanded, mul_symbol="dot", order="none"),
-        product_of_primes(paper.factorization),
         sums_of_cubes(paper.cubes),
+        sp.latex(expanded, mul_symbol="dot", order="none"),
+        sums_of_cubes(same_terms),
     )
 
 
@@ -140,10 +144,12 @@ def norm_identity() -> str:
     root = sp.sqrt(leading)
     rest = middle / (2 * root)
     y = sp.sqrt(sp.expand((b**2 - 4 * a * c - (root * q + rest) ** 2) / 3))
-    with sp.evaluate(False):
-        discriminant = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
-        norm = sp.Add(sp.Pow(sp.Add(sp.Mul(root, q), rest), 2), sp.Mul(3, sp.Pow(y, 2)))
-    return " = ".join(sp.latex(side, mul_symbol="dot", order="none") for side in (discriminant, norm))
+    x = root * q + rest
+    # Each sum with its positive term first, as one writes it.
+    b, x, minus_c = sp.latex(b), sp.latex(x, order="rev-lex"), sp.latex(sp.expand(-c), order="rev-lex")
+    a, y = sp.latex(a), sp.latex(y)
+    lines = rf"&({b})^2 + 4\cdot {a}\,({minus_c}) \\ &\quad = ({x})^2 + 3\,({y})^2"
+    return rf"\begin{{aligned}}{lines}\end{{aligned}}"
 
 
 def as_norm(p: int, q: int) -> str:
