@@ -9,7 +9,7 @@ from math import isqrt
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, number_theory, stage
-from ramanujan.figures.taxicab import cube_counts, cube_stack, level_crossing, machine_grid
+from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, Machine
 from ramanujan.scenes import controls, look
 from ramanujan.scenes.cached import taxicab as cached
@@ -18,6 +18,7 @@ PLACES = {"left": "Left roller", "right": "Right roller", "top": "Body on top"}
 PAPER = dict(zip(PLACES, Machine().bodies, strict=True))
 STILL = {"displayModeBar": False}
 LAST_TARGET = "last_target"
+MOST_DIGITS = number_theory.integers.MOST_DIGITS
 
 
 def take_clicked() -> None:
@@ -86,7 +87,6 @@ def is_count(text: str, most: int) -> bool:
     return len(text) < 10 and text.isascii() and text.isdigit() and 1 <= int(text) <= most
 
 
-MOST_DIGITS = number_theory.integers.MOST_DIGITS
 facts, colors, oscillator = cached.condition(), look.colors(), controls.oscillator()
 
 
@@ -170,7 +170,7 @@ def two_stacks() -> None:
         volumes = " + ".join(f"{side**3}" for side in sorted(cubes))
         with column:
             st.plotly_chart(
-                cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors),
+                cached.cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors),
                 key=f"cubes_{sides[0]}",
                 theme=None,
                 config=STILL,
@@ -272,7 +272,7 @@ def forty_machines(chosen: Machine) -> None:
     best = max(machines, key=lambda machine: len(machine.cubes))
     others = [machine.discriminant for machine in machines if len(machine.cubes) == 1]
     st.plotly_chart(
-        machine_grid(
+        cached.machine_grid(
             labels,
             columns,
             [[machine.discriminant for machine in row] for row in rows],
@@ -380,7 +380,7 @@ def open_question() -> None:
     second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
     smaller = [tally for tally in tallies if tally.median < paper.median]
     st.plotly_chart(
-        cube_counts([" + ".join(pair) for pair in pairs], [tally.sums for tally in tallies], at, colors),
+        cached.cube_counts([" + ".join(pair) for pair in pairs], [tally.sums for tally in tallies], at, colors),
         key="counts",
         theme=None,
         config=STILL,

@@ -20,6 +20,7 @@ from ramanujan.derivation.numbers import unit
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
+from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import Machine
 from ramanujan.scenes.cached import route
 
@@ -28,6 +29,12 @@ LARGEST_PART = 1000
 
 COUNTED_PART = 20
 """The largest p and q among the targets whose discriminants are counted."""
+
+
+# Building a figure costs more than everything else on the page; these depend on little.
+cube_stack = st.cache_resource(show_spinner=False, max_entries=64)(figures.cube_stack)
+machine_grid = st.cache_resource(show_spinner=False, max_entries=80)(figures.machine_grid)
+cube_counts = st.cache_resource(show_spinner=False, max_entries=4)(figures.cube_counts)
 
 
 @dataclass(frozen=True)
