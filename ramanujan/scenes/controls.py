@@ -56,17 +56,16 @@ WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} f
 PAGE_KEYS: frozenset[str] = frozenset({"left", "right", "top", "p", "q", "digits"})
 """Keys that single pages keep in the URL."""
 
-_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
 _PRESET = "preset"
 _COMPLAINT = "complaint"
-_LAST_GOOD = "last_good"
 _LINK_READ = "link_read"
 
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
-    complaints = [*_bad_link(), *_restore_good_values()]
+    complaints = _bad_link()
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
         for key in ("m", "m_prime", "k", "compression"):
@@ -201,20 +200,6 @@ def _bad_link() -> list[str]:
             complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
     if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
-    return complaints
-
-
-def _restore_good_values() -> list[str]:
-    """Put the last good value in the place of one that is out of its range, however it came there."""
-    good = st.session_state.setdefault(_LAST_GOOD, {key: control.default for key, control in CONTROLS.items()})
-    complaints = []
-    for key, control in CONTROLS.items():
-        value = st.session_state.get(key, control.default)
-        if isinstance(value, int | float) and control.least <= value <= control.most:
-            good[key] = value
-        else:
-            st.session_state[key] = good[key]
-            complaints.append(f"{key} goes {control.range}; it stays as it was.")
     return complaints
 
 
