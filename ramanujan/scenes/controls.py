@@ -54,7 +54,7 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
-PAGE_KEYS: frozenset[str] = frozenset()
+PAGE_KEYS: frozenset[str] = frozenset({"left", "right", "top", "p", "q", "digits"})
 """Keys that single pages keep in the URL."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
