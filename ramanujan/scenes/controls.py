@@ -53,7 +53,7 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
-PAGE_KEYS: frozenset[str] = frozenset()
+PAGE_KEYS: frozenset[str] = frozenset({"glide", "spin", "mu", "view"})
 """Keys that single pages keep in the URL."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")
@@ -186,19 +186,42 @@ def read_number(text: str) -> float | None:
         return None
 
 
+def page_slider(control: Control) -> float:
+    """Draw a slider that only the present page has, bound to the URL, and return its value in SI units."""
+    complaint = _bad_in_link(control)
+    with st.sidebar:
+        if complaint:
+            st.warning(complaint)
+    value = st.slider(
+        f"{control.meaning}, {control.symbol} [{control.unit}]",
+        control.least,
+        control.most,
+        control.default,
+        control.step,
+        format=control.format,
+        key=control.key,
+        bind="query-params",
+    )
+    return (value if control.least <= value <= control.most else control.default) * control.scale
+
+
+def _bad_in_link(control: Control) -> str | None:
+    """Return a sentence on what the link says of a quantity, if that cannot be meant."""
+    texts = st.query_params.get_all(control.key)
+    number = read_number(texts[0]) if len(texts) == 1 else None
+    if len(texts) > 1:
+        return f"The link gives {control.key} more than once; it is ignored."
+    if texts and (number is None or not control.least <= number <= control.most):
+        return f"The link's {control.key} is no number {control.range}; it is ignored."
+    return None
+
+
 def _bad_link() -> list[str]:
     """Return a sentence on each thing in the link that cannot be meant, once a session; Streamlit itself ignores it."""
     if st.session_state.setdefault(_LINK_READ, False):
         return []
     st.session_state[_LINK_READ] = True
-    complaints = []
-    for key, control in CONTROLS.items():
-        texts = st.query_params.get_all(key)
-        number = read_number(texts[0]) if len(texts) == 1 else None
-        if len(texts) > 1:
-            complaints.append(f"The link gives {key} more than once; it is ignored.")
-        elif texts and (number is None or not control.least <= number <= control.most):
-            complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
+    complaints = [*filter(None, map(_bad_in_link, CONTROLS.values()))]
     if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
