@@ -72,9 +72,7 @@ def test_latex_of_every_equation_is_well_formed(step):
         assert source.count(r"\left") == source.count(r"\right")
         assert source.count(r"\begin") == source.count(r"\end")
         # No name of the program shows: not an underscore inside a word, not a Greek letter spelled out.
-        assert not re.search(
-            r"[a-z]_[a-z]|\\mathrm\{(var)?phi\}|(?<!\\)\b(Phi|phi|varphi|alpha|prime|ddot|squared)\b", source
-        )
+        assert not re.search(r"[a-z]_[a-z]|(?<!\\)\b(Phi|phi|varphi|alpha|prime|ddot|squared)\b", source)
 
 
 # NumPy
@@ -119,7 +117,8 @@ def test_javascript_and_numpy_agree():
     state |= {"X": 0.1, "phi": -0.4, "Phi": 2.0, "X_dot": 0.3, "phi_dot": -1.7, "Phi_dot": 0.9}
     script = f"""
     const formulas = {javascript(formulas)}, state = {json.dumps(state)};
-    const call = f => typeof f === "function" ? f(state) : Object.fromEntries(Object.entries(f).map(([n, g]) => [n, call(g)]));
+    const each = (f) => Object.fromEntries(Object.entries(f).map(([name, value]) => [name, call(value)]));
+    const call = (f) => (typeof f === "function" ? f(state) : each(f));
     console.log(JSON.stringify(call(formulas)));
     """
     run = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)

@@ -22,7 +22,6 @@ from ramanujan.derivation.symbols import (
     Omega_squared,
     R,
     gather,
-    k,
     machine,
     phi,
     t,
@@ -92,6 +91,8 @@ def build() -> Route:
 def _steps(
     bodies: Machine, transform: Legendre, rates: dict[sp.Expr, sp.Expr], reduced: Reduction, frequency: sp.Expr
 ) -> tuple[Step, ...]:
+    stiffness = bodies.potential_energy.diff(phi, 2) / R**2
+    lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
     one_degree = (p_phi + reduced.shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
     return (
         Step(
@@ -147,8 +148,8 @@ def _steps(
             "same motion is that of a mass $M_x$.",
             (
                 equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
-                equation(Omega_squared, 4 * k / M_e),
-                equation(M_x, reduced.effective_mass / 4),
+                equation(Omega_squared, stiffness / M_e),
+                equation(M_x, sp.factor(reduced.effective_mass / lever)),
                 equation(Omega_squared, frequency),
             ),
         ),

@@ -81,7 +81,7 @@ def angular_acceleration(name: str) -> sp.Expr:
 
 def free_bodies(bodies: Machine) -> FreeBodies:
     """Return the balances of the five bodies, the five rolling constraints, and their solution."""
-    rollers = [body for body in bodies.bodies if body.shape_factor != 0]
+    rollers = [body for body in bodies.bodies if body.angle != 0]
     forces = tuple(_force_balance(body, bodies) for body in bodies.bodies)
     torques = tuple(_torque_balance(body) for body in rollers)
     rolling = tuple(_rolling(contact) for contact in CONTACTS)

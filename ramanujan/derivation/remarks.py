@@ -40,7 +40,7 @@ class Remark:
 
     def holds(self) -> bool:
         """Tell whether the remark is right."""
-        return self.check()
+        return bool(self.check())
 
 
 def conserved_momenta(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
