@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ramanujan.contact import contact_forces, normal_forces
+from ramanujan.contact import contact_forces, largest_compression, normal_forces, required_friction
 from ramanujan.energy import energies, momenta
 from ramanujan.motion import (
     InitialState,
@@ -143,9 +143,21 @@ def columns(motion: Record) -> dict[str, np.ndarray]:
     return series | {"p_X [kg m/s]": motion.momenta["p_X"], "p_Phi [kg m2/s]": motion.momenta["p_Phi"]}
 
 
-def table(motion: Record) -> str:
-    """Return a record as comma-separated values: the parameters as comments, units in the header."""
+def table(motion: Record, friction_coefficient: float) -> str:
+    """Return a record as comma-separated values: the parameters as comments, units in the header.
+
+    Parameters
+    ----------
+    motion : the record
+    friction_coefficient : μ; with it stand the friction that each contact needs and the greatest x₀ without slip
+
+    Raises
+    ------
+    ValueError : the coefficient is not positive.
+    """
     oscillator, initial = motion.oscillator, motion.initial
+    needed = required_friction(oscillator, motion.compression, spacing=motion.spacing)
+    largest = largest_compression(oscillator, friction_coefficient, spacing=motion.spacing)
     parameters = (
         ("m", oscillator.m, "kg"),
         ("m_prime", oscillator.m_prime, "kg"),
@@ -156,11 +168,14 @@ def table(motion: Record) -> str:
         ("Phi_dot at release", initial.Phi_dot, "rad/s"),
         ("Omega", oscillator.natural_frequency, "rad/s"),
         ("spacing of the lower rollers", motion.spacing, "m"),
+        ("mu", friction_coefficient, ""),
+        ("largest compression without slip", largest, "m"),
+        *((f"friction coefficient needed by {contact}", value, "") for contact, value in needed.items()),
     )
     return csv_table(
         columns(motion),
         [
             "Ramanujan's oscillator in SI units: right is positive except for X and p_X which count to the left",
-            *(f"{name} = {float(value)!r} {unit}" for name, value, unit in parameters),
+            *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters),
         ],
     )

@@ -10,11 +10,11 @@ import plotly.graph_objects as go
 
 from ramanujan.figures import template
 
-PANEL_HEIGHT = {1: 330, 2: 400}
+PANEL_HEIGHT = {1: 330, 2: 370}
 """Number of panels → height of the plotting area [px], all panels and the gap between them, before legend and axis."""
 
 _GAP = 0.12
-_BELOW = 108
+_BELOW = 100
 _ABOVE = 26
 
 
@@ -90,6 +90,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         )
     figure.update_xaxes(
         title="time after release t [s]",
+        automargin=True,
         range=[0, end],
         anchor="free",
         position=0,
@@ -123,9 +124,10 @@ def phase_plane(
             line={"color": orbit.color, "width": orbit.width, "dash": orbit.dash},
             hovertemplate="%{x:.3~g} cm, %{y:.3~g} cm/s",
         )
+    places = [orbit.values for orbit in orbits]
     centred = {"zeroline": True, "zerolinecolor": colors["ink"], "zerolinewidth": 0.5, "nticks": 7}
-    figure.update_xaxes(centred, title="displacement [cm]")
-    figure.update_yaxes(centred, title="velocity [cm/s]")
+    figure.update_xaxes(centred, title="displacement [cm]", automargin=True, range=roomy(places))
+    figure.update_yaxes(centred, title="velocity [cm/s]", range=roomy(velocities))
     figure.update_layout(hovermode="closest", meta={"cursor": "orbit", "period": period, "periods": periods})
     return figure
 
@@ -135,7 +137,6 @@ def friction_bars(
     body_colors: Sequence[str],
     *,
     friction_coefficient: float,
-    labels: Sequence[str],
     colors: Mapping[str, str],
 ) -> go.Figure:
     """Draw the coefficient of static friction that each contact needs as a bar, and the present one as a line.
@@ -145,25 +146,24 @@ def friction_bars(
     needed : contact → least coefficient, dimensionless; the first is drawn on top
     body_colors : of the bars
     friction_coefficient : μ
-    labels : what stands at the end of each bar
     colors : ink, faint and paper
     """
-    figure = go.Figure(layout=_layout(colors, 230))
+    figure = go.Figure(layout=_layout(colors, 250))
     longest = max(*needed.values(), friction_coefficient)
     slips = [value > friction_coefficient for value in needed.values()]
     figure.add_bar(
         x=list(needed.values()),
-        y=list(needed),
+        y=[f"{contact}<br><b>{value:.3g}</b>" for contact, value in needed.items()],
         orientation="h",
         marker={
             "color": list(body_colors),
             "line": {"color": colors["ink"], "width": [2.5 if slip else 0 for slip in slips]},
         },
-        text=list(labels),
+        text=["<b>slips</b>" if slip else "" for slip in slips],
         textposition="outside",
         cliponaxis=False,
         width=0.62,
-        hovertemplate="%{y} needs %{x:.4~g}<extra></extra>",
+        hovertemplate="%{x:.4~g}<extra></extra>",
     )
     figure.add_vline(friction_coefficient, line={"color": colors["primary"], "width": 3})
     figure.add_annotation(
@@ -176,10 +176,17 @@ def friction_bars(
         font={"color": colors["primary"]},
     )
     figure.update_yaxes(autorange="reversed", ticks="", showgrid=False, automargin=True, fixedrange=True)
-    # A third more than the longest bar leaves room for what stands at its end, on a phone too.
-    figure.update_xaxes(title="coefficient of static friction needed", range=[0, 1.4 * longest], nticks=6)
-    figure.update_layout(showlegend=False, height=230 + _ABOVE + 56, margin={"b": 56})
+    # What stands at the end of the longest bar needs room, on a phone too.
+    figure.update_xaxes(title="friction coefficient needed", range=[0, 1.4 * longest], nticks=5)
+    figure.update_layout(showlegend=False, height=250 + _ABOVE + 56, margin={"b": 56})
     return figure
+
+
+def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
+    """Return a range that holds all the arrays, a twelfth wider on both sides."""
+    least, most = min(map(np.min, arrays)), max(map(np.max, arrays))
+    margin = (most - least) / 12 or 1.0
+    return float(least - margin), float(most + margin)
 
 
 def _layout(colors: Mapping[str, str], height: int) -> go.Layout:
@@ -187,6 +194,7 @@ def _layout(colors: Mapping[str, str], height: int) -> go.Layout:
         template=template(colors),
         height=height + _BELOW + _ABOVE,
         margin={"t": _ABOVE, "b": _BELOW, "l": 64},
+        uirevision="stay",
         legend={"orientation": "h", "x": 0, "y": 0, "yref": "container", "yanchor": "bottom", "font": {"size": 13}},
     )
 

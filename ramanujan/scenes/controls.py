@@ -37,7 +37,7 @@ class Control:
     @property
     def range(self) -> str:
         """The range in words."""
-        return f"from {self.least:g} to {self.most:g} {self.unit}"
+        return f"from {self.least:g} to {self.most:g} {self.unit}".rstrip()
 
 
 CONTROLS = {
@@ -193,7 +193,7 @@ def page_slider(control: Control) -> float:
         if complaint:
             st.warning(complaint)
     value = st.slider(
-        f"{control.meaning}, {control.symbol} [{control.unit}]",
+        f"{control.meaning}, {control.symbol}" + (f" [{control.unit}]" if control.unit else ""),
         control.least,
         control.most,
         control.default,

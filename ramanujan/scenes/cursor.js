@@ -62,7 +62,7 @@ function mark(graph, meta, share, panels) {
   graph.data.forEach((orbit, i) => {
     const x = place(graph.layout.xaxis.range, between(numbers(orbit, "x"), share));
     const y = place(graph.layout.yaxis.range, between(numbers(orbit, "y"), share));
-    const dot = { width: "12px", height: "12px", borderRadius: "50%", boxShadow: "0 0 0 2px var(--cursor-paper)" };
+    const dot = { width: "12px", height: "12px", borderRadius: "50%" };
     const style = { left: `${left - home.left + x * width - 6}px`, top: `${bottom - home.top - y * (bottom - top) - 6}px` };
     draw(graph, i, orbit.visible === "legendonly" || y < 0 || y > 1 ? -1 : x, { ...dot, ...style });
   });

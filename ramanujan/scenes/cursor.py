@@ -1,7 +1,7 @@
 """The time cursor: one instant, marked in every figure of the page, moved by pointer or keys without the server.
 
-A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of time),
-period [s] and periods, the number of them that it shows. What is marked is the figure's own data.
+A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
+time), period [s] and periods, the number of them that it shows. What is marked is the figure's own data.
 """
 
 from __future__ import annotations
@@ -17,9 +17,10 @@ _HTML = (
     '<output aria-hidden="true"></output></label>'
 )
 _CSS = """
-.cursor { display: flex; align-items: center; gap: .75rem; font: 400 14px/1.4 var(--st-font); color: var(--st-text-color); }
+.cursor { display: flex; flex-wrap: wrap; align-items: center; gap: 0 .75rem; color: var(--st-text-color);
+  font: 400 14px/1.4 var(--st-font); }
 .cursor span { white-space: nowrap; }
-input { flex: 1; min-width: 5rem; height: 1.75rem; margin: 0; accent-color: var(--st-primary-color); }
+input { flex: 1 1 10rem; min-width: 5rem; height: 1.75rem; margin: 0; accent-color: var(--st-primary-color); }
 input:focus-visible { outline: 3px solid var(--st-primary-color); outline-offset: 2px; }
 output { min-width: 11.5em; font-variant-numeric: tabular-nums; }
 """

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import streamlit as st
 
 from ramanujan import stage
 from ramanujan.contact import first_to_slip, largest_compression, required_friction
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.record import Record, table
 from ramanujan.scenes import controls, look
@@ -15,7 +18,7 @@ from ramanujan.scenes.cursor import cursor
 
 GLIDE = Control("glide", "−Ẋ₀", "Push of the whole machine", "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
 SPIN = Control("spin", "Φ̇₀", "Push of the top cylinder", "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f", "")
-MU = Control("mu", "μ", "Static friction", "no unit", 0.01, 1.5, 0.2, 0.01, "%.2f", "")
+MU = Control("mu", "μ", "Static friction", "", 0.01, 1.5, 0.2, 0.01, "%.2f", "")
 
 
 def chart(figure: object, name: str, alt: str) -> None:
@@ -23,6 +26,11 @@ def chart(figure: object, name: str, alt: str) -> None:
     image = {"filename": f"ramanujan {name}", "scale": 2}
     config = {"displaylogo": False, "toImageButtonOptions": image}
     st.plotly_chart(figure, key=f"figure_{name}", theme=None, config=config, alt=alt)
+
+
+def note(text: str) -> None:
+    """Put small print under a figure, in full contrast."""
+    st.markdown(f":small[{text}]")
 
 
 def verdict(mu: float, largest: float, first: str, compression: float) -> None:
@@ -35,8 +43,8 @@ def verdict(mu: float, largest: float, first: str, compression: float) -> None:
         )
     else:
         st.error(
-            f"**The model no longer holds:** with μ = {mu:.2f}, **{contact}** slips from x₀ = {100 * largest:.3g} cm on. "
-            f"What you see goes on rolling as no real machine would."
+            f"**The model no longer holds.** With μ = {mu:.2f}, **{contact}** slips from x₀ = {100 * largest:.3g} cm "
+            f"on; the picture just rolls on."
         )
 
 
@@ -61,10 +69,10 @@ def show_displacements(motion: Record, figures: tuple) -> None:
         )
     end = motion.t[-1]
     block, top = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
-    st.caption(
-        f"Each push starts one of the two **zero modes**, motions that no spring pulls back. Push the machine: all of it "
-        f"glides, every line over the ground tilts alike and nothing changes over the block. Push the top cylinder: it "
-        f"alone rolls on. After whole periods only this drift is left: block {block:.3g} cm/s over the ground, top "
+    note(
+        f"Each push starts one of the two **zero modes**, motions that no spring pulls back. Push the machine: all of "
+        f"it glides, every line over the ground tilts alike and nothing changes over the block. Push the top cylinder: "
+        f"it alone rolls on. After whole periods only this drift is left: block {block:.3g} cm/s over the ground, top "
         f"cylinder {top:.3g} cm/s over the block."
     )
 
@@ -72,7 +80,7 @@ def show_displacements(motion: Record, figures: tuple) -> None:
 def show_energy(motion: Record, figures: tuple) -> None:
     """The energies, stacked."""
     total = motion.total_energy
-    spread = float(abs(total - total[0]).max() / total[0])
+    spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
     greatest = max(motion.energies, key=lambda key: motion.energies[key][1:].max())
     chart(
         figures[0],
@@ -80,7 +88,7 @@ def show_energy(motion: Record, figures: tuple) -> None:
         f"Energies by body and kind, stacked: their sum stays at {1e3 * total[0]:.4g} mJ. The largest share at any one "
         f"time is that of {cached.NAMES[greatest.partition('_')[0]]}.",
     )
-    st.caption(
+    note(
         f"Plain areas are travel over the ground, hatched ones turning. The sum is {1e3 * total[0]:.4g} mJ at every "
         f"instant drawn, to {spread:.0e} of itself; at release "
         f"{1e3 * motion.energies['spring'][0]:.4g} mJ of it sit in the spring, and your pushes add the rest."
@@ -90,16 +98,17 @@ def show_energy(motion: Record, figures: tuple) -> None:
 def show_momentum(motion: Record, figures: tuple) -> None:
     """Momenta of the bodies, and the two conserved ones."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
+    of_X, _, of_Phi = map(latex, MOMENTA)
     chart(
         figures[0],
         "momentum",
         f"Momentum of each body over time, and two flat lines: all bodies together {-p_X:.3g} kg m/s, "
         f"p_Φ/R {p_Phi / motion.oscillator.radius:.3g} kg m/s.",
     )
-    st.caption(
-        "The bodies pass momentum to and fro; two sums stay flat, because neither X nor Φ stands in the Lagrangian: "
-        "**p_X**, that of the whole machine (X counts to the left, hence the minus sign), and **p_Φ**, the top "
-        "cylinder’s angular momentum about the line where it touches the block. Push the machine and see both move."
+    note(
+        f"The bodies pass momentum to and fro; two sums stay flat, because neither X nor Φ stands in the Lagrangian: "
+        f"${of_X}$, that of the whole machine (X counts to the left, hence the minus sign), and ${of_Phi}$, the top "
+        f"cylinder’s angular momentum about the line where it touches the block. Push the machine and see both move."
     )
 
 
@@ -118,7 +127,6 @@ def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> No
                 {cached.CONTACTS[name]: value for name, value in needed.items()},
                 [cached.contact_color(name, colors) for name in needed],
                 friction_coefficient=mu,
-                labels=[f"{value:.3f}" + (" <b>slips</b>" if value > mu else "") for value in needed.values()],
                 colors=colors,
             ),
             "friction needed",
@@ -126,7 +134,7 @@ def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> No
             + ", ".join(f"{cached.CONTACTS[name]} {value:.3g}" for name, value in needed.items()),
         )
         st.metric("Largest compression without slip", f"{100 * largest:.3g} cm")
-    st.caption(
+    note(
         f"Forces act on the roller, right positive. A contact rolls while its friction stays below μ times its normal "
         f"force; the bars show the worst instant. The slab’s load shifts between the rollers, whose axes stand "
         f"{100 * motion.spacing:.3g} cm apart as drawn. No push changes a contact force: along the zero modes nothing "
@@ -151,19 +159,27 @@ largest = largest_compression(machine, mu, spacing=motion.spacing)
 first = first_to_slip(machine, largest, motion.spacing)
 with scene:
     stage.mount(
-        stage.payload(machine, compression, initial=motion.initial),
+        stage.payload(machine, compression, initial=motion.initial, slipping=None if compression <= largest else first),
         limits=controls.limits("compression"),
         watch=controls.WATCH,
-        key="motion_stage",
-        on_released=lambda: controls.set_compression(st.session_state["motion_stage"].released),
+        key="stage",
+        layers=("forces",),
+        on_released=lambda: controls.set_compression(st.session_state["stage"].released),
     )
 verdict(mu, largest, first, compression)
 
-marker, download = st.columns([4, 1], vertical_alignment="center")
+marker, download = st.columns([5, 1], vertical_alignment="center")
 with marker:
     cursor()
 download.download_button(
-    "CSV", lambda: table(motion), "ramanujan motion.csv", "text/csv", icon=":material/download:", on_click="ignore"
+    "CSV",
+    lambda: table(motion, mu),
+    "ramanujan motion.csv",
+    "text/csv",
+    icon=":material/download:",
+    help="Everything that this page shows, in SI units",
+    on_click="ignore",
+    width="stretch",
 )
 shows = (show_displacements, show_energy, show_momentum, show_forces)
 for tab, view, show in zip(

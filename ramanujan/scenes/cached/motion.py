@@ -8,7 +8,7 @@ import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.figures.motion import PANEL_HEIGHT, Curve, Panel, phase_plane, time_panels
+from ramanujan.figures.motion import PANEL_HEIGHT, Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
 from ramanujan.sampling import points_for_half_pixel
@@ -154,11 +154,7 @@ def _contact_curve(contact: str, values: object, colors: Mapping[str, str]) -> C
 
 
 def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
-    """Return a panel around its curves, a twelfth of their height wider on both sides."""
-    least = min(float(curve.values.min()) for curve in curves)
-    most = max(float(curve.values.max()) for curve in curves)
-    margin = (most - least) / 12 or 1.0
-    return Panel(title, unit, curves, (least - margin, most + margin))
+    return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
 
 
 def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> go.Figure:
