@@ -10,8 +10,8 @@ import plotly.graph_objects as go
 
 from ramanujan.figures import template
 
-PANEL_HEIGHT = {1: 330, 2: 370}
-"""Number of panels → height of the plotting area [px], all panels and the gap between them, before legend and axis."""
+_HEIGHT = {1: 330, 2: 370}
+"""Number of panels → height that they and the gaps between them get [px]."""
 
 _GAP = 0.12
 _BELOW = 100
@@ -57,7 +57,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     colors : ink, faint and paper
     """
     end = period * periods
-    figure = go.Figure(layout=_layout(colors, PANEL_HEIGHT[len(panels)]))
+    figure = go.Figure(layout=_layout(colors, _HEIGHT[len(panels)]))
     named: set[str] = set()
     for number, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if number == 1 else f"y{number}"
@@ -114,7 +114,7 @@ def phase_plane(
     period, periods : the stretch of time that the steps divide [s], for the cursor
     colors : ink, faint and paper
     """
-    figure = go.Figure(layout=_layout(colors, PANEL_HEIGHT[2]))
+    figure = go.Figure(layout=_layout(colors, _HEIGHT[2]))
     for orbit, velocity in zip(orbits, velocities, strict=True):
         figure.add_scatter(
             x=orbit.values.astype(np.float32),

@@ -8,7 +8,7 @@ import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.figures.motion import PANEL_HEIGHT, Curve, Panel, phase_plane, roomy, time_panels
+from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
 from ramanujan.sampling import points_for_half_pixel
@@ -17,8 +17,8 @@ from ramanujan.scenes import look
 PERIODS = 2
 """How many periods of the machine the figures show."""
 
-POINTS = points_for_half_pixel(2 * PERIODS, max(PANEL_HEIGHT.values()))
-"""An energy goes up and down twice in a period, and no curve is higher than the highest panel."""
+POINTS = points_for_half_pixel(2 * PERIODS)
+"""An energy goes up and down twice in a period; and any figure can be opened to fill the screen."""
 
 NAMES = {
     "block": "block",
