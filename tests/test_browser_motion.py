@@ -138,7 +138,7 @@ def test_plotly_keeps_its_legend_zoom_and_png(visit):
     titles = [button.get_attribute("data-title") or "" for button in page.locator(".modebar-btn").all()]
     assert any("png" in title.lower() for title in titles)
     assert any("zoom" in title.lower() for title in titles)
-    assert graph.locator(".legendtext").count() == 10
+    assert graph.locator(".infolayer .legendtext").count() == 10
 
 
 @pytest.mark.parametrize("radius", [5, 20])

@@ -53,7 +53,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     ----------
     panels : from top to bottom; every curve has its values at the same n equal steps from 0 to periods · period
     period : of the machine [s]; each whole one is marked
-    periods : how many are shown
+    periods : how many are shown, at least one
     colors : ink, faint and paper
     """
     end = period * periods
@@ -76,18 +76,11 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
                 }
             }
         )
-    for whole in range(1, periods + 1):
+    for whole in range(1, periods):
         figure.add_vline(whole * period, line={"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-        figure.add_annotation(
-            x=whole * period,
-            y=1,
-            yref="paper",
-            text="one period" if whole == 1 else f"{whole} periods",
-            showarrow=False,
-            xanchor="right",
-            yanchor="bottom",
-            font={"size": 12},
-        )
+    figure.add_annotation(
+        x=period, y=1, yref="paper", text="one period", showarrow=False, yanchor="bottom", font={"size": 12}
+    )
     figure.update_xaxes(
         title="time after release t [s]",
         automargin=True,
@@ -219,7 +212,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -
         showlegend=group not in named,
         mode="lines",
         line={"color": curve.color, "width": curve.width, "dash": curve.dash},
-        hovertemplate=f"%{{y:.3~g}} {panel.unit}",
+        hovertemplate=f"%{{y:.3~g}} {panel.unit}, {panel.title}",
     )
     named.add(group)
     if curve.stacked:

@@ -7,6 +7,7 @@ and the last good value stays.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -56,17 +57,18 @@ WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} f
 PAGE_KEYS: frozenset[str] = frozenset({"glide", "spin", "mu", "view"})
 """Keys that single pages keep in the URL."""
 
-_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
 _PRESET = "preset"
 _COMPLAINT = "complaint"
-_LAST_GOOD = "last_good"
 _LINK_READ = "link_read"
 
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
-    complaints = [*_bad_link(), *_restore_good_values()]
+    # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
+    if complaints := _bad_link():
+        st.warning(" ".join(complaints))
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
         for key in ("m", "m_prime", "k", "compression"):
@@ -75,9 +77,8 @@ def sidebar() -> None:
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
             _slider(CONTROLS["radius"])
         link()
-        complaints += filter(None, [st.session_state.pop(_COMPLAINT, None)])
-        if complaints:
-            st.warning(" ".join(complaints))
+        if complaint := st.session_state.pop(_COMPLAINT, None):
+            st.warning(complaint)
 
 
 def oscillator() -> Oscillator:
@@ -129,7 +130,8 @@ PRESETS: dict[str, Callable[[], None]] = {
 
 def _take_preset() -> None:
     """Do what was asked for, and leave no choice standing: the next slider would belie it."""
-    PRESETS[st.session_state[_PRESET]]()
+    if preset := st.session_state[_PRESET]:
+        PRESETS[preset]()
     st.session_state[_PRESET] = None
 
 
@@ -166,10 +168,10 @@ def _take_exact(control: Control) -> None:
     number = read_number(text)
     if number is None:
         st.session_state[_COMPLAINT] = (
-            f"{control.key} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
+            f"{control.symbol} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
         )
     elif not control.least <= number <= control.most:
-        st.session_state[_COMPLAINT] = f"{control.key} goes {control.range}; it stays as it was."
+        st.session_state[_COMPLAINT] = f"{control.symbol} goes {control.range}; it stays as it was."
     else:
         st.session_state[control.key] = number
 
@@ -188,10 +190,8 @@ def read_number(text: str) -> float | None:
 
 def page_slider(control: Control) -> float:
     """Draw a slider that only the present page has, bound to the URL, and return its value in SI units."""
-    complaint = _bad_in_link(control)
-    with st.sidebar:
-        if complaint:
-            st.warning(complaint)
+    if complaint := _bad_in_link(control):
+        st.warning(complaint)
     value = st.slider(
         f"{control.meaning}, {control.symbol}" + (f" [{control.unit}]" if control.unit else ""),
         control.least,
@@ -208,10 +208,9 @@ def page_slider(control: Control) -> float:
 def _bad_in_link(control: Control) -> str | None:
     """Return a sentence on what the link says of a quantity, if that cannot be meant."""
     texts = st.query_params.get_all(control.key)
-    number = read_number(texts[0]) if len(texts) == 1 else None
     if len(texts) > 1:
         return f"The link gives {control.key} more than once; it is ignored."
-    if texts and (number is None or not control.least <= number <= control.most):
+    if texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
         return f"The link's {control.key} is no number {control.range}; it is ignored."
     return None
 
@@ -227,18 +226,12 @@ def _bad_link() -> list[str]:
     return complaints
 
 
-def _restore_good_values() -> list[str]:
-    """Put the last good value in the place of one that is out of its range, however it came there."""
-    good = st.session_state.setdefault(_LAST_GOOD, {key: control.default for key, control in CONTROLS.items()})
-    complaints = []
-    for key, control in CONTROLS.items():
-        value = st.session_state.get(key, control.default)
-        if isinstance(value, int | float) and control.least <= value <= control.most:
-            good[key] = value
-        else:
-            st.session_state[key] = good[key]
-            complaints.append(f"{key} goes {control.range}; it stays as it was.")
-    return complaints
+def _as_streamlit_reads(text: str) -> float:
+    """Return the number that a bound slider takes from a link, NaN where it takes none; fractions are for the boxes."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
 
 
 def _value(key: str) -> float:
