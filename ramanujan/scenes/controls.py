@@ -38,7 +38,7 @@ class Control:
     @property
     def range(self) -> str:
         """The range in words."""
-        return f"from {self.least:g} to {self.most:g} {self.unit}"
+        return f"from {self.least:g} to {self.most:g} {self.unit}".rstrip()
 
 
 CONTROLS = {
@@ -55,6 +55,7 @@ WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} f
 """For the stage: which slider moves which parameter."""
 
 PAGE_KEYS: frozenset[str] = frozenset({"left", "right", "top", "p", "q", "digits"})
+PAGE_KEYS: frozenset[str] = frozenset({"glide", "spin", "mu", "view"})
 """Keys that single pages keep in the URL."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
@@ -188,18 +189,39 @@ def read_number(text: str) -> float | None:
         return None
 
 
+def page_slider(control: Control) -> float:
+    """Draw a slider that only the present page has, bound to the URL, and return its value in SI units."""
+    if complaint := _bad_in_link(control):
+        st.warning(complaint)
+    value = st.slider(
+        f"{control.meaning}, {control.symbol}" + (f" [{control.unit}]" if control.unit else ""),
+        control.least,
+        control.most,
+        control.default,
+        control.step,
+        format=control.format,
+        key=control.key,
+        bind="query-params",
+    )
+    return (value if control.least <= value <= control.most else control.default) * control.scale
+
+
+def _bad_in_link(control: Control) -> str | None:
+    """Return a sentence on what the link says of a quantity, if that cannot be meant."""
+    texts = st.query_params.get_all(control.key)
+    if len(texts) > 1:
+        return f"The link gives {control.key} more than once; it is ignored."
+    if texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
+        return f"The link's {control.key} is no number {control.range}; it is ignored."
+    return None
+
+
 def _bad_link() -> list[str]:
     """Return a sentence on each thing in the link that cannot be meant, once a session; Streamlit itself ignores it."""
     if st.session_state.setdefault(_LINK_READ, False):
         return []
     st.session_state[_LINK_READ] = True
-    complaints = []
-    for key, control in CONTROLS.items():
-        texts = st.query_params.get_all(key)
-        if len(texts) > 1:
-            complaints.append(f"The link gives {key} more than once; it is ignored.")
-        elif texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
-            complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
+    complaints = [*filter(None, map(_bad_in_link, CONTROLS.values()))]
     if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
