@@ -17,7 +17,7 @@ __all__ = ["ROUTES", "Route", "Step"]
 class _Routes(Mapping[str, Route]):
     """The routes by name, in the order in which a course would take them."""
 
-    _names = ("euler_lagrange",)
+    _names = ("euler_lagrange", "hamilton", "newton", "energy", "matrix")
 
     def __getitem__(self, name: str) -> Route:
         if name not in self._names:

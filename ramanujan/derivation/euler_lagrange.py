@@ -6,6 +6,7 @@ Both halves of the paper are one computation, run with roller mass m and with ro
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -52,6 +53,7 @@ class Elimination:
     natural_frequency_squared: sp.Expr
 
 
+@cache
 def eliminate(bodies: Machine) -> Elimination:
     """Return the paper's elimination for the machine: the Φ equation into the X equation, both into that of φ."""
     lagrangian = bodies.lagrangian

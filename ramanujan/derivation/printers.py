@@ -10,10 +10,18 @@ from typing import Any
 
 import sympy as sp
 from sympy.physics.vector.printing import VectorLatexPrinter
+from sympy.printing.latex import translate
 
-from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Omega_squared, m_prime
+from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Omega_clamped_squared, Omega_squared, m_prime
 
-_NAMES = {m_prime: "m'", Omega_squared: r"\Omega^{2}", sp.Symbol("L"): r"\mathcal{L}"}
+_NAMES = {
+    m_prime: "m'",
+    Omega_squared: r"\Omega^{2}",
+    Omega_clamped_squared: r"\Omega_{\mathrm{clamped}}^{2}",
+    sp.Symbol("L"): r"\mathcal{L}",
+    sp.Symbol("H"): r"\mathcal{H}",
+    sp.Symbol("H_0"): r"\mathcal{H}_{0}",
+}
 _LONG_DENOMINATOR = 10**7
 _PLAIN = {
     **dict(zip(VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
@@ -26,11 +34,12 @@ _PLAIN = {
 class _LatexPrinter(VectorLatexPrinter):
     """SymPy's printer for mechanics, with words as subscripts set upright."""
 
-    def _print_Symbol(self, expr: sp.Symbol) -> str:
+    def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
         letter, _, word = expr.name.partition("_")
-        if len(word) > 2 and expr not in self._settings["symbol_names"]:
-            return rf"{letter}_{{\mathrm{{{word}}}}}"
-        return super()._print_Symbol(expr)
+        is_word = len(word) > 2 and translate(word) == word
+        if is_word and expr not in self._settings["symbol_names"]:
+            return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\mathrm{{{word}}}}}"
+        return super()._print_Symbol(expr, style)
 
 
 def latex(expression: sp.Basic) -> str:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ramanujan.derivation.symbols import COORDINATES
+from ramanujan.derivation.substitution import put_in
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Step:
 
     def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
         """Return the same step for given exact values of m, m′, k: each side is substituted, then simplified."""
-        return replace(self, equations=tuple(_substitute(equation, values) for equation in self.equations))
+        return replace(self, equations=tuple(put_in(equation, values) for equation in self.equations))
 
 
 @dataclass(frozen=True)
@@ -47,22 +47,12 @@ class Route:
     def __getitem__(self, key: str) -> Step:
         return next(step for step in self.steps if step.key == key)
 
+    def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Route:
+        """Return the same route for given exact values of m, m′, k, Ω² included."""
+        steps = tuple(step.with_numbers(values) for step in self.steps)
+        return replace(self, steps=steps, natural_frequency_squared=put_in(self.natural_frequency_squared, values))
+
 
 def equation(left: sp.Expr | str, right: sp.Expr) -> sp.Eq:
     """Return left = right unevaluated, so that a true statement is not collapsed to True; text becomes a symbol."""
     return sp.Eq(sp.Symbol(left) if isinstance(left, str) else left, right, evaluate=False)
-
-
-def _substitute(relation: sp.Eq, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Eq:
-    return sp.Eq(*(_tidy(side.subs(values)) for side in relation.args), evaluate=False)
-
-
-def _tidy(expression: sp.Expr) -> sp.Expr:
-    """Return a sum with each number as one fraction, no root in a denominator."""
-    still, moving = sp.sympify(expression).as_independent(*COORDINATES, as_Add=True)
-    terms = (term.as_independent(*COORDINATES, as_Add=False) for term in sp.Add.make_args(moving))
-    return sp.Add(_one_fraction(still), *(_one_fraction(number) * rest for number, rest in terms))
-
-
-def _one_fraction(number: sp.Expr) -> sp.Expr:
-    return sp.factor(sp.radsimp(number))

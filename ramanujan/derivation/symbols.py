@@ -17,13 +17,19 @@ import sympy as sp
 
 m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
 epsilon = sp.Symbol("varepsilon", positive=True)
-Omega_squared = sp.Symbol("Omega_squared", positive=True)
+Omega_squared, Omega_clamped_squared = sp.symbols("Omega_squared Omega_clamped_squared", positive=True)
+"""Ω² of the machine, and of the machine whose block and top cylinder are held."""
 
 t = sp.Symbol("t")
 X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
 COORDINATES = (X, phi, Phi)
 VELOCITIES = tuple(q.diff(t) for q in COORDINATES)
 ACCELERATIONS = tuple(q.diff(t, 2) for q in COORDINATES)
+MOMENTA = tuple(sp.Function(name)(t) for name in ("p_X", "p_varphi", "p_Phi"))
+"""Canonical momenta, in the order of the coordinates."""
+
+M_e, M_x = sp.symbols("M_e M_x", positive=True)
+"""Effective mass for the rollers' path Rφ, and for the spring's deformation x = 2Rφ."""
 
 HOOP, SOLID_CYLINDER = sp.Integer(1), sp.Rational(1, 2)
 """Shape factors β = I/(mass·R²)."""
@@ -127,10 +133,9 @@ def machine(
     return Machine((block, hoop_body, cylinder_body, slab, top_body))
 
 
-def gather(expression: sp.Expr) -> sp.Expr:
-    """Return a form quadratic in the motion with one term for each product of coordinates, its coefficient factored."""
-    unknowns = [*ACCELERATIONS, *VELOCITIES, *COORDINATES]
-    polynomial = sp.Poly(sp.expand(expression), *unknowns)
+def gather(expression: sp.Expr, unknowns: tuple[sp.Expr, ...] = ACCELERATIONS + VELOCITIES + COORDINATES) -> sp.Expr:
+    """Return a form quadratic in the motion with one term for each product of unknowns, its coefficient factored."""
+    polynomial = sp.Poly(expression, *unknowns, field=True)
     return sp.Add(
         *(sp.factor(coefficient) * sp.prod(u**n for u, n in zip(unknowns, powers, strict=True))
           for powers, coefficient in polynomial.terms())

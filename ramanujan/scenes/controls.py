@@ -43,11 +43,11 @@ class Control:
 CONTROLS = {
     control.key: control
     for control in (
-        Control("m", "m", "block, slab, top cylinder", "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", "m"),
+        Control("m", "m", "block, slab, top", "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", "m"),
         Control("m_prime", "m′", "each lower roller", "kg", 0.05, 10.0, 1.0, 0.01, "%.2f", "m_prime"),
-        Control("k", "k", "stiffness of the spring", "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", "k"),
-        Control("compression", "x₀", "compression at release", "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", "compression", 0.01),
-        Control("radius", "R", "radius of the rollers", "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", "radius", 0.01),
+        Control("k", "k", "stiffness", "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", "k"),
+        Control("compression", "x₀", "compression", "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", "compression", 0.01),
+        Control("radius", "R", "roller radius", "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", "radius", 0.01),
     )
 }
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}

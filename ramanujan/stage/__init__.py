@@ -1,8 +1,8 @@
 """The animated scene: a Components v2 component that draws the machine and listens to the sliders.
 
 Lives here: what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is stage.html
-(what there is), stage.css (how it looks) and stage.js (how it moves). No physics is written in JavaScript: its formulas
-are printed by SymPy from the derivation.
+(what there is), stage.css (how it looks), picture.js (how a body is drawn) and stage.js (how it moves). No physics is
+written in JavaScript: its formulas are printed by SymPy from the derivation.
 
 What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
 Streamlit sends it once a session, and a second component without any content, the feed, carries the numbers.
@@ -13,12 +13,17 @@ The contract, version 1. To the page, once:
     limits       compression: the least and the greatest that the slab can be dragged to [m]
     watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
+    layers       which of energy, arrows, traces, forces are shown at first
+    compact      only the picture and its label, without controls
+    label        what stands under the picture
 
 and by the feed, at every change:
 
     version      1
-    parameters   m, m_prime [kg], k [N/m], radius, compression [m]
+    parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
+    samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
+    slipping     the contact that is marked, such as hoop_slab; left out: none
 
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
@@ -35,15 +40,19 @@ from typing import Any
 import streamlit as st
 import sympy as sp
 
-from ramanujan.derivation import ROUTES
+from ramanujan.derivation.euler_lagrange import eliminate
+from ramanujan.derivation.newton import contact_forces
 from ramanujan.derivation.numbers import unit
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import epsilon, k, m, machine
+from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, epsilon, k, m, machine, phi, t
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator
 
 VERSION = 1
+SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
+"""β of the paper's rollers."""
+
 _HERE = Path(__file__).parent
 _FEED = """
 export default ({ data }) => {
@@ -56,13 +65,24 @@ _WORDS = {
     "together": "The slab swings over the block once every {period} s, in step with the plain mass for ever.",
     "paused": "Paused.",
     "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
+    "in_step": "In step",
+    "ahead": "Machine ahead by {turns} turn",
+    "behind": "Machine behind by {turns} turn",
+    "lead": "{lead} after {periods} periods of the plain mass",
+    "edge": "The top roller reached the edge of the block; released again.",
+    "struck": "The slab ran into the block; released again.",
+    "ended": "The computed stretch is over; released again.",
 }
 
 
 def formulas() -> dict[str, Any]:
-    """Return every expression that the stage evaluates, by name; `javascript` prints them."""
-    bodies = machine()
-    frequency_squared = ROUTES["euler_lagrange"].natural_frequency_squared
+    """Return every expression that the stage evaluates, by name, for rollers of any shape; `javascript` prints them."""
+    shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
+    bodies = machine(**shape_factors)
+    frequency_squared = eliminate(bodies).natural_frequency_squared
+    Omega = sp.Symbol("Omega", positive=True)
+    # φ has no drift, so that φ̈ = −Ω²φ at every moment.
+    forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
     return {
         "natural_frequency": sp.sqrt(frequency_squared),
         "plain_frequency": sp.sqrt(k / m),
@@ -70,7 +90,7 @@ def formulas() -> dict[str, Any]:
         "normalized_limit": sp.limit(unit().normalized_frequency_squared, epsilon, 0),
         "motion": {
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
-            for q, parts in coefficients().items()
+            for q, parts in coefficients(bodies).items()
         },
         "deformation": bodies.deformation,
         "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
@@ -80,21 +100,37 @@ def formulas() -> dict[str, Any]:
         "velocity": {body.name: body.velocity for body in bodies.bodies},
         "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
         "potential_energy": bodies.potential_energy,
+        "contact_force": forces,
     }
 
 
-def payload(oscillator: Oscillator, compression: float, initial: InitialState | None = None) -> dict[str, Any]:
-    """Return what the feed carries: the machine, and the state from which it was released, as plain numbers.
+def payload(
+    oscillator: Oscillator,
+    compression: float,
+    *,
+    initial: InitialState | None = None,
+    shape_factors: Mapping[str, float] = SHAPE_FACTORS,
+    samples: Mapping[str, Any] | None = None,
+    slipping: str | None = None,
+) -> dict[str, Any]:
+    """Return what the feed carries: the machine, and how it moves, as plain numbers.
 
     Parameters
     ----------
     oscillator : the machine; m, m′ [kg], k [N/m], R [m]
     compression : x₀ [m]
     initial : the state at release; without it, at rest with the spring compressed by x₀
+    shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
+    samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
+    slipping : the contact to mark, such as hoop_slab
     """
-    parameters = {**asdict(oscillator), "compression": compression}
-    start = {} if initial is None else {"initial": asdict(initial)}
-    return {"version": VERSION, "parameters": parameters, **start}
+    shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
+    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping}
+    return {
+        "version": VERSION,
+        "parameters": {**asdict(oscillator), "compression": compression, **shapes},
+        **{name: value for name, value in optional.items() if value is not None},
+    }
 
 
 def mount(
@@ -104,6 +140,9 @@ def mount(
     watch: Mapping[str, Mapping[str, Any]],
     key: str = "stage",
     clock: str = "main",
+    layers: tuple[str, ...] = ("energy",),
+    compact: bool = False,
+    label: str | None = None,
     on_released: Callable[[], None] | None = None,
 ) -> Any:
     """Put a stage on the page and return its result; `result.released` is the compression at which it was let go.
@@ -115,10 +154,21 @@ def mount(
     watch : slider key → parameter and scale, for following a drag without the server
     key : of the stage among the page's elements
     clock : name of the clock, shared by stages that are to run together
+    layers : shown at first, of energy, arrows, traces, forces
+    compact : only the picture and its label, without controls
+    label : a few words under the picture, also its name for screen readers
     on_released : called when the slab was let go
     """
     stage, feed = _components()
-    fixed = {"stage": key, "limits": {"compression": limits}, "watch": watch, "clock": clock}
+    fixed = {
+        "stage": key,
+        "limits": {"compression": limits},
+        "watch": watch,
+        "clock": clock,
+        "layers": layers,
+        "compact": compact,
+        "label": label,
+    }
     result = stage(key=key, data=fixed, on_released_change=on_released or _ignore)
     feed(key=f"{key}_feed", data={"stage": key, "payload": data})
     return result
@@ -135,9 +185,10 @@ def warm_up() -> None:
 
 @cache
 def _components() -> tuple[Callable[..., Any], Callable[..., Any]]:
-    html, css, script = ((_HERE / f"stage.{kind}").read_text(encoding="utf-8") for kind in ("html", "css", "js"))
+    names = ("stage.html", "stage.css", "picture.js", "stage.js")
+    html, css, *scripts = ((_HERE / name).read_text(encoding="utf-8") for name in names)
     words = {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
-    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
+    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js="\n".join([given, *scripts]))
     feed = st.components.v2.component("ramanujan_feed", js=_FEED)
     return stage, feed

@@ -1,0 +1,163 @@
+"""Energy: no equation of motion at all, only the ratio of the two energies (Rayleigh's quotient).
+
+While the rollers move by Rφ, block and top cylinder take the share of the motion that costs least kinetic energy:
+
+    M_e = least value of 2T/(Rφ̇)² over Ẋ and Φ̇,    Ω² = [2U/(Rφ)²]/M_e = 4k/M_e.
+
+Minimizing a quadratic form over some of its variables is a Schur complement of its matrix.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.symbols import (
+    M_e,
+    M_x,
+    Machine,
+    Omega_clamped_squared,
+    Omega_squared,
+    Phi,
+    R,
+    X,
+    gather,
+    machine,
+    phi,
+    t,
+)
+
+xi, eta = sp.symbols("xi eta", real=True)
+"""Shares of block and top cylinder in the motion: ξ = Ẋ/(Rφ̇), η = Φ̇/φ̇."""
+
+M_clamped = sp.Symbol("M_clamped", positive=True)
+"""Effective mass for the path Rφ while block and top cylinder are held."""
+
+
+@dataclass(frozen=True)
+class LeastInertia:
+    """The inertia 2T/(Rφ̇)² as a function of the shares, where it is least, and how large it is there and at rest."""
+
+    inertia: sp.Expr
+    shares: dict[sp.Symbol, sp.Expr]
+    least: sp.Expr
+    clamped: sp.Expr
+
+    @property
+    def curvature(self) -> sp.ImmutableMatrix:
+        """The second derivatives of the inertia by ξ and η; positive definite, so that the value is a minimum."""
+        return sp.ImmutableMatrix(sp.hessian(self.inertia, (xi, eta)))
+
+
+def least_inertia(bodies: Machine) -> LeastInertia:
+    """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0."""
+    phi_dot = phi.diff(t)
+    energy = bodies.kinetic_energy.subs({X.diff(t): xi * R * phi_dot, Phi.diff(t): eta * phi_dot})
+    inertia = gather(2 * energy / (R * phi_dot) ** 2, (xi, eta))
+    shares = sp.solve([inertia.diff(xi), inertia.diff(eta)], (xi, eta))
+    return LeastInertia(
+        inertia,
+        {share: sp.factor(value) for share, value in shares.items()},
+        sp.factor(inertia.subs(shares)),
+        inertia.subs({xi: 0, eta: 0}),
+    )
+
+
+def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
+    """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇."""
+    spin = bodies["hoop"].rotation + bodies["cylinder"].rotation
+    return sp.factor(2 * spin / bodies.deformation.diff(t) ** 2)
+
+
+def build() -> Route:
+    """Return the route: energies, Rayleigh's quotient, its least inertia, Ω², and the clamped block's bound."""
+    bodies = machine()
+    result = least_inertia(bodies)
+    stiffness = sp.cancel(2 * bodies.potential_energy / (R * phi) ** 2)
+    frequency = sp.factor(stiffness / result.least)
+    lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
+    spin = spin_of_lower_rollers(bodies)
+    return Route(
+        "energy",
+        "Energy",
+        (*_quotient_steps(bodies, result, stiffness), *_frequency_steps(result, stiffness, frequency, lever, spin)),
+        frequency,
+    )
+
+
+def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -> tuple[Step, ...]:
+    path, speed = R * phi, R * phi.diff(t)
+    return (
+        Step(
+            "energies",
+            "Add up the energies",
+            "All five bodies share in $T$; only the spring stores $U$.",
+            (
+                equation("T", gather(bodies.kinetic_energy)),
+                equation("U", bodies.potential_energy),
+            ),
+        ),
+        Step(
+            "quotient",
+            "Compare them",
+            "In an oscillation at $\\Omega$ the largest $T$ equals the largest $U$, so $\\Omega^2$ is the quotient of "
+            "these two (Rayleigh); it depends on how far block and top cylinder move along, "
+            "$\\xi=\\dot X/(R\\dot\\varphi)$ and $\\eta=\\dot\\Phi/\\dot\\varphi$.",
+            (
+                equation(2 * sp.Symbol("U") / path**2, stiffness),
+                equation(2 * sp.Symbol("T") / speed**2, result.inertia),
+            ),
+        ),
+        Step(
+            "least",
+            "Let block and top cylinder choose",
+            "$U$ does not depend on $X$ and $\\Phi$, so the quotient is stationary where the inertia is; the second "
+            "derivatives form a positive definite matrix, so that the inertia is least there (a Schur complement of "
+            "the mass matrix).",
+            (
+                *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
+                *(equation(share, result.shares[share]) for share in (xi, eta)),
+                equation(sp.Determinant(result.curvature), sp.factor(result.curvature.det())),
+            ),
+        ),
+    )
+
+
+def _frequency_steps(
+    result: LeastInertia, stiffness: sp.Expr, frequency: sp.Expr, lever: sp.Expr, spin: sp.Expr
+) -> tuple[Step, ...]:
+    spring_mass = sp.factor(result.least / lever)
+    return (
+        Step(
+            "frequency",
+            "Read off the frequency",
+            "The least inertia is the effective mass $M_e$ for the path $R\\varphi$.",
+            (
+                equation(M_e, result.least),
+                equation(Omega_squared, stiffness / M_e),
+                equation(Omega_squared, frequency),
+            ),
+        ),
+        Step(
+            "spring_mass",
+            "Ask what the spring feels",
+            "It is deformed by $2R\\varphi$, and from there the machine is one mass $M_x$; the term in $m'$ alone is "
+            "the spin of the lower rollers.",
+            (
+                equation(M_x, spin + sp.factor(spring_mass - spin)),
+                equation(Omega_squared, stiffness / lever / M_x),
+            ),
+        ),
+        Step(
+            "bound",
+            "Hold the block",
+            "With block and top cylinder held still, $\\xi=\\eta=0$, the inertia is not the least one, so the clamped "
+            "machine is slower and its frequency is a lower bound.",
+            (
+                equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
+                equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
+            ),
+        ),
+    )

@@ -1,0 +1,169 @@
+"""Hamilton: from the Lagrangian to momenta; two of them are conserved, and one degree of freedom is left.
+
+H contains neither X nor Φ. With their momenta fixed, the machine is a single mass M_e on the spring:
+
+    H = (p_φ + shift)²/(2M_eR²) + 2kR²φ² + H₀,    shift and H₀ constant,    Ω² = 4k/M_e.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.symbols import (
+    COORDINATES,
+    MOMENTA,
+    VELOCITIES,
+    M_e,
+    M_x,
+    Machine,
+    Omega_squared,
+    R,
+    gather,
+    machine,
+    phi,
+    t,
+)
+
+_, p_phi, _ = MOMENTA
+H_0 = sp.Symbol("H_0")
+"""The part of H that no motion changes."""
+
+
+@dataclass(frozen=True)
+class Legendre:
+    """The Legendre transform of ℒ: the momenta in the velocities, the velocities in the momenta, and H(q, p)."""
+
+    momenta: dict[sp.Expr, sp.Expr]
+    velocities: dict[sp.Expr, sp.Expr]
+    hamiltonian: sp.Expr
+
+
+def legendre_transform(bodies: Machine) -> Legendre:
+    """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ."""
+    lagrangian = bodies.lagrangian
+    momenta = {p: lagrangian.diff(v) for p, v in zip(MOMENTA, VELOCITIES, strict=True)}
+    solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
+    velocities = {v: _one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
+    # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U: nothing has to be multiplied out.
+    kinetic = sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2
+    return Legendre(momenta, velocities, _by_powers_of_p_phi(kinetic) + bodies.potential_energy)
+
+
+def rates_of_momenta(hamiltonian: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """Return ṗ = −∂H/∂q for each momentum; zero where H does not contain the coordinate."""
+    return {p.diff(t): -hamiltonian.diff(q) for p, q in zip(MOMENTA, COORDINATES, strict=True)}
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """H as one oscillator: M_e, the constant shift of p_φ, and the constant H₀."""
+
+    effective_mass: sp.Expr
+    shift: sp.Expr
+    constant: sp.Expr
+
+
+def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
+    """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ."""
+    constant, _ = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)
+    square, linear = (hamiltonian.diff(p_phi, n).subs(p_phi, 0) / n for n in (2, 1))
+    return Reduction(
+        sp.factor(1 / (2 * square * R**2)),
+        sp.factor(linear / (2 * square)),
+        _one_fraction(constant - linear**2 / (4 * square)),
+    )
+
+
+def build() -> Route:
+    """Return the route: Legendre transform, Hamilton's equations, one degree of freedom, Ω²."""
+    bodies = machine()
+    transform = legendre_transform(bodies)
+    rates = rates_of_momenta(transform.hamiltonian)
+    reduced = reduce_to_one_degree(transform.hamiltonian)
+    acceleration = transform.hamiltonian.diff(p_phi).diff(t).subs(rates)
+    frequency = sp.factor(-acceleration / phi)
+    return Route("hamilton", "Hamilton", _steps(bodies, transform, rates, reduced, frequency), frequency)
+
+
+def _steps(
+    bodies: Machine, transform: Legendre, rates: dict[sp.Expr, sp.Expr], reduced: Reduction, frequency: sp.Expr
+) -> tuple[Step, ...]:
+    stiffness = bodies.potential_energy.diff(phi, 2) / R**2
+    lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
+    one_degree = (p_phi + reduced.shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
+    return (
+        Step(
+            "lagrangian",
+            "Start from the Lagrangian",
+            "$\\mathcal{L}=T-U$ of the five bodies, with the rolling constraints worked in.",
+            (equation("L", bodies.lagrangian),),
+        ),
+        Step(
+            "momenta",
+            "Find the momenta",
+            "To each coordinate belongs the canonical momentum $p_q=\\partial\\mathcal{L}/\\partial\\dot q$.",
+            tuple(equation(p, value) for p, value in transform.momenta.items()),
+        ),
+        Step(
+            "velocities",
+            "Turn the relations round",
+            "They are linear in the velocities, so the velocities follow from the momenta.",
+            tuple(equation(velocity, value) for velocity, value in transform.velocities.items()),
+        ),
+        Step(
+            "hamiltonian",
+            "Write the Hamiltonian",
+            "The Legendre transform $\\mathcal{H}=\\sum p_q\\dot q-\\mathcal{L}$ with every velocity replaced is the "
+            "energy as a function of coordinates and momenta.",
+            (equation("H", transform.hamiltonian),),
+        ),
+        Step(
+            "motion",
+            "Write down Hamilton's equations",
+            "$\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ vanishes wherever $\\mathcal{H}$ does not contain the "
+            "coordinate, so those momenta are conserved; $\\dot\\varphi=\\partial\\mathcal{H}/\\partial p_\\varphi$.",
+            (
+                *(equation(rate, value) for rate, value in rates.items()),
+                equation(phi.diff(t), transform.velocities[phi.diff(t)]),
+            ),
+        ),
+        Step(
+            "reduction",
+            "Complete the square",
+            "Constant as they are, $p_X$ and $p_\\Phi$ only shift $p_\\varphi$ and add the constant $\\mathcal{H}_0$: "
+            "one degree of freedom is left, a mass $M_e$ that moves by $R\\varphi$.",
+            (
+                equation("H", one_degree),
+                equation(M_e, reduced.effective_mass),
+                equation(H_0, reduced.constant),
+            ),
+        ),
+        Step(
+            "frequency",
+            "Read off the frequency",
+            "The shift leaves the frequency as it is; seen from the spring, which is deformed by $2R\\varphi$, the "
+            "same motion is that of a mass $M_x$.",
+            (
+                equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
+                equation(Omega_squared, stiffness / M_e),
+                equation(M_x, sp.factor(reduced.effective_mass / lever)),
+                equation(Omega_squared, frequency),
+            ),
+        ),
+    )
+
+
+def _by_powers_of_p_phi(form: sp.Expr) -> sp.Expr:
+    """Return a form in the momenta with one term each for p_φ², p_φ and the rest."""
+    gathered = gather(form, MOMENTA)
+    square, linear, rest = (gathered.coeff(p_phi, power) for power in (2, 1, 0))
+    return square * p_phi**2 + sp.factor(linear) * p_phi + _one_fraction(rest)
+
+
+def _one_fraction(form: sp.Expr) -> sp.Expr:
+    """Return a form in the momenta over one denominator, the numerator gathered."""
+    numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA)))
+    return gather(numerator, MOMENTA) / denominator

@@ -1,0 +1,170 @@
+"""Matrix: mass and stiffness matrix from the energies, and the three modes from det(K − ΛM) = 0.
+
+    T = ½ q̇ᵀM q̇,    U = ½ qᵀK q,    q = (X, φ, Φ),    M q̈ + K q = 0
+
+K has rank one. So there are two zero-frequency modes, and the third needs no determinant: Ω² = 4kR²(M⁻¹)_φφ.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.symbols import (
+    ACCELERATIONS,
+    COORDINATES,
+    VELOCITIES,
+    Machine,
+    Omega_squared,
+    gather,
+    machine,
+    phi,
+)
+
+Lambda = sp.Symbol("Lambda", real=True)
+"""Λ, an eigenvalue of K relative to M: the square of a mode's angular frequency."""
+
+_PHI = COORDINATES.index(phi)
+_UNIT = sp.ImmutableMatrix([int(q == phi) for q in COORDINATES])
+_M, _K = sp.MatrixSymbol("M", 3, 3), sp.MatrixSymbol("K", 3, 3)
+
+
+@dataclass(frozen=True)
+class Modes:
+    """M and K, det(K − ΛM), its roots with their multiplicities, M⁻¹, and the modes in the order X, φ, Φ."""
+
+    mass_matrix: sp.ImmutableMatrix
+    stiffness_matrix: sp.ImmutableMatrix
+    determinant: sp.Expr
+    eigenvalues: dict[sp.Expr, int]
+    inverse_mass_matrix: sp.ImmutableMatrix
+    zero_modes: tuple[sp.ImmutableMatrix, ...]
+    mode_shape: sp.ImmutableMatrix
+
+    @property
+    def pencil(self) -> sp.ImmutableMatrix:
+        """K − ΛM."""
+        return self.stiffness_matrix - Lambda * self.mass_matrix
+
+    @property
+    def natural_frequency_squared(self) -> sp.Expr:
+        """Ω² = K_φφ (M⁻¹)_φφ, the shortcut that rank one allows."""
+        return sp.factor(self.stiffness_matrix[_PHI, _PHI] * self.inverse_mass_matrix[_PHI, _PHI])
+
+
+def modes(bodies: Machine) -> Modes:
+    """Return the matrices as second derivatives of the energies, and the modes that follow."""
+    mass = _second_derivatives(bodies.kinetic_energy, VELOCITIES)
+    stiffness = _second_derivatives(bodies.potential_energy, COORDINATES)
+    determinant = _factored((stiffness - Lambda * mass).det())
+    inverse = sp.ImmutableMatrix(mass.inv().applyfunc(sp.factor))
+    # For a rank-one K every oscillating mode is a multiple of M⁻¹e_φ; the rollers' share is set to one.
+    column = inverse[:, _PHI]
+    return Modes(
+        mass,
+        stiffness,
+        determinant,
+        {sp.factor(root): count for root, count in sorted(sp.roots(determinant, Lambda).items(), key=_zero_first)},
+        inverse,
+        tuple(sp.ImmutableMatrix(vector) for vector in stiffness.nullspace()),
+        sp.ImmutableMatrix((column / column[_PHI]).applyfunc(sp.factor)),
+    )
+
+
+def build() -> Route:
+    """Return the route: matrices, determinant, spectrum, rank-one shortcut, mode shapes."""
+    bodies = machine()
+    result = modes(bodies)
+    (oscillating,) = (root for root in result.eigenvalues if root != 0)
+    return Route("matrix", "Matrix", _steps(bodies, result, oscillating), oscillating)
+
+
+def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, ...]:
+    q_ddot = sp.ImmutableMatrix(ACCELERATIONS)
+    q = sp.ImmutableMatrix(COORDINATES)
+    eigenvalues = sp.Tuple(*(root for root, count in result.eigenvalues.items() for _ in range(count)))
+    stiffness = result.stiffness_matrix[_PHI, _PHI]
+    return (
+        Step(
+            "energies",
+            "Add up the energies",
+            "Both are quadratic forms, $T$ in the velocities and $U$ in the coordinates.",
+            (
+                equation("T", gather(bodies.kinetic_energy)),
+                equation("U", bodies.potential_energy),
+            ),
+        ),
+        Step(
+            "matrices",
+            "Take the second derivatives",
+            "In the order $X$, $\\varphi$, $\\Phi$ they are the mass matrix $M$ and the stiffness matrix $K$.",
+            (equation(_M, result.mass_matrix), equation(_K, result.stiffness_matrix)),
+        ),
+        Step(
+            "motion",
+            "Write the equations of motion",
+            "All three in one line: $M\\ddot q=-Kq$, inertia against the restoring force.",
+            (
+                equation(
+                    sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
+                    sp.MatMul(-result.stiffness_matrix, q, evaluate=False),
+                ),
+            ),
+        ),
+        Step(
+            "determinant",
+            "Ask for a mode",
+            "$q=v\\cos\\Omega t$ with $\\Lambda=\\Omega^2$ needs $(K-\\Lambda M)v=0$, so the determinant must vanish.",
+            (
+                equation(sp.Determinant(result.pencil), sp.S.Zero),
+                equation(result.determinant, sp.S.Zero),
+            ),
+        ),
+        Step(
+            "spectrum",
+            "Find the three roots",
+            "Each root $\\Lambda$ belongs to one mode; a root at zero is a mode without a restoring force.",
+            (equation(sp.Tuple(*sp.symbols("Lambda_1:4")), eigenvalues), equation(Omega_squared, oscillating)),
+        ),
+        Step(
+            "zero_modes",
+            "Look at the modes without frequency",
+            "They are the vectors $v$ with $Kv=0$: the whole machine glides, or the top cylinder rolls freely.",
+            tuple(
+                equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
+                for mode in result.zero_modes
+            ),
+        ),
+        Step(
+            "shortcut",
+            "Take the shortcut",
+            "$K$ has rank one, so up to a factor the oscillating mode is $v=M^{-1}e_\\varphi$, and no determinant is "
+            "needed: $\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$.",
+            (
+                equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
+                equation(_M.I, result.inverse_mass_matrix),
+                equation(Omega_squared, result.natural_frequency_squared),
+            ),
+        ),
+        Step(
+            "mode_shape",
+            "See how it moves",
+            "The rollers' share is set to one; block and top cylinder move along in proportion.",
+            (equation("v", result.mode_shape),),
+        ),
+    )
+
+
+def _factored(polynomial: sp.Expr) -> sp.Expr:
+    """Return a polynomial in Λ as a product, each factor with one term for each power of Λ."""
+    return sp.Mul(*(gather(factor, (Lambda,)) for factor in sp.Mul.make_args(sp.factor(polynomial))))
+
+
+def _zero_first(root: tuple[sp.Expr, int]) -> bool:
+    return root[0] != 0
+
+
+def _second_derivatives(energy: sp.Expr, variables: tuple[sp.Expr, ...]) -> sp.ImmutableMatrix:
+    return sp.ImmutableMatrix(sp.hessian(energy, variables)).applyfunc(sp.factor)

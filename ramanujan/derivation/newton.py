@@ -1,0 +1,180 @@
+"""Newton: cut the machine into its five bodies and write down every force between them.
+
+Thirteen equations for thirteen unknowns: five accelerations, three angular accelerations, five contact forces.
+
+    force     mass·a = Σ contact forces + spring        (right positive)            5
+    torque    I·α    = Σ ±R·contact force               (clockwise positive)        3
+    rolling   a_roller ± R·α = a_other                  (+ at its top, − at its bottom) 5
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.symbols import Body, Machine, Omega_squared, R, k, machine, phi, t
+
+TOP, BOTTOM = 1, -1
+
+
+def _in_time(name: str) -> sp.Expr:
+    return sp.Function(name)(t)
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Where a roller touches another body, and the friction there.
+
+    Parameters
+    ----------
+    roller, other : names of the two bodies
+    side : TOP or BOTTOM of the roller
+    force : ON the roller, to the right [N]; the other body gets the opposite force
+    """
+
+    roller: str
+    other: str
+    side: int
+    force: sp.Expr
+
+    @property
+    def name(self) -> str:
+        """The pair as one word, such as hoop_slab."""
+        return f"{self.roller}_{self.other}"
+
+
+CONTACTS = (
+    Contact("hoop", "slab", TOP, _in_time("S_hoop")),
+    Contact("cylinder", "slab", TOP, _in_time("S_cylinder")),
+    Contact("hoop", "block", BOTTOM, _in_time("F_hoop")),
+    Contact("cylinder", "block", BOTTOM, _in_time("F_cylinder")),
+    Contact("top", "block", BOTTOM, _in_time("F_top")),
+)
+
+
+@dataclass(frozen=True)
+class FreeBodies:
+    """The thirteen equations in three groups, and their solution: each unknown by the rollers' angle φ."""
+
+    forces: tuple[sp.Eq, ...]
+    torques: tuple[sp.Eq, ...]
+    rolling: tuple[sp.Eq, ...]
+    solution: dict[sp.Expr, sp.Expr]
+
+    @property
+    def equations(self) -> tuple[sp.Eq, ...]:
+        """All thirteen."""
+        return self.forces + self.torques + self.rolling
+
+
+def acceleration(name: str) -> sp.Expr:
+    """Return a body's acceleration over the ground, to the right [m/s²]."""
+    return _in_time(f"a_{name}")
+
+
+def angular_acceleration(name: str) -> sp.Expr:
+    """Return a roller's angular acceleration, clockwise [rad/s²]."""
+    return _in_time(f"alpha_{name}")
+
+
+def free_bodies(bodies: Machine) -> FreeBodies:
+    """Return the balances of the five bodies, the five rolling constraints, and their solution."""
+    rollers = [body for body in bodies.bodies if body.angle != 0]
+    forces = tuple(_force_balance(body, bodies) for body in bodies.bodies)
+    torques = tuple(_torque_balance(body) for body in rollers)
+    rolling = tuple(_rolling(contact) for contact in CONTACTS)
+    unknowns = [
+        *(acceleration(body.name) for body in bodies.bodies),
+        *(angular_acceleration(body.name) for body in rollers),
+        *(contact.force for contact in CONTACTS),
+    ]
+    solution = sp.solve(forces + torques + rolling, unknowns)
+    return FreeBodies(forces, torques, rolling, {unknown: sp.factor(solution[unknown]) for unknown in unknowns})
+
+
+def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
+    """Return the friction ON each roller, to the right, in terms of φ̈ [N].
+
+    Keys are hoop_slab, cylinder_slab, hoop_block, cylinder_block, top_block; on the slab and on the block the same
+    forces act to the left.
+    """
+    solution = free_bodies(bodies or machine()).solution
+    return {contact.name: _by_acceleration(contact, solution) for contact in CONTACTS}
+
+
+def build() -> Route:
+    """Return the route: balances, rolling, solution, contact forces, Ω²."""
+    cut = free_bodies(machine())
+    roller = angular_acceleration("hoop")
+    frequency = sp.factor(-cut.solution[roller] / phi)
+    motion = {u: value for u, value in cut.solution.items() if not any(u == contact.force for contact in CONTACTS)}
+    steps = (
+        Step(
+            "forces",
+            "Cut the bodies free and balance the forces",
+            "On each roller the slab acts with $S$ and the block with $F$, counted to the right; they get the opposite "
+            "forces back, and the spring pushes the slab and the block apart.",
+            cut.forces,
+        ),
+        Step(
+            "torques",
+            "Balance the torques",
+            "A force to the right turns a roller clockwise at its top and the other way at its bottom.",
+            cut.torques,
+        ),
+        Step(
+            "rolling",
+            "Let nothing slip",
+            "Where two bodies touch they move alike; at the top of a roller $R\\alpha$ is added to its centre's "
+            "acceleration, at the bottom it is taken away.",
+            cut.rolling,
+        ),
+        Step(
+            "solution",
+            "Solve thirteen equations for thirteen unknowns",
+            "They are linear, and every acceleration follows from the angle $\\varphi$; the two lower rollers turn "
+            "alike because one slab lies on both.",
+            tuple(equation(unknown, value) for unknown, value in motion.items()),
+        ),
+        Step(
+            "contact",
+            "Look at the friction",
+            "Each contact force goes with $\\ddot\\varphi$, so all five are largest at the turning points.",
+            tuple(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
+        ),
+        Step(
+            "frequency",
+            "Read off the frequency",
+            "The rollers' own equation is that of one oscillator: $\\ddot\\varphi+\\Omega^2\\varphi=0$.",
+            (equation(phi.diff(t, 2), cut.solution[roller]), equation(Omega_squared, frequency)),
+        ),
+    )
+    return Route("newton", "Newton", steps, frequency)
+
+
+def _force_balance(body: Body, bodies: Machine) -> sp.Eq:
+    on_rollers = (contact.force for contact in CONTACTS if contact.roller == body.name)
+    reactions = (-contact.force for contact in CONTACTS if contact.other == body.name)
+    return equation(body.mass * acceleration(body.name), sp.Add(*on_rollers, *reactions, _spring_on(body, bodies)))
+
+
+def _spring_on(body: Body, bodies: Machine) -> sp.Expr:
+    """Return the spring's force −∂U/∂x_body: against the deformation on the slab, along with it on the block."""
+    sign = {"slab": -1, "block": 1}.get(body.name, 0)
+    return sign * k * bodies.deformation
+
+
+def _torque_balance(body: Body) -> sp.Eq:
+    torque = sp.Add(*(contact.side * R * contact.force for contact in CONTACTS if contact.roller == body.name))
+    return equation(body.moment_of_inertia * angular_acceleration(body.name), torque)
+
+
+def _rolling(contact: Contact) -> sp.Eq:
+    at_contact = acceleration(contact.roller) + contact.side * R * angular_acceleration(contact.roller)
+    return equation(at_contact, acceleration(contact.other))
+
+
+def _by_acceleration(contact: Contact, solution: dict[sp.Expr, sp.Expr]) -> sp.Expr:
+    return sp.factor(solution[contact.force] / solution[angular_acceleration("hoop")]) * phi.diff(t, 2)

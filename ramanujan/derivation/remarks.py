@@ -1,0 +1,183 @@
+"""Marginal notes to the paper: what its last section means, and the few places where a line of it slips.
+
+Its main result is right. Each remark carries a check, worked out from the bodies by SymPy: it is true when the printed
+line is off and the corrected one holds. Lives here too: the momenta that the two zero-frequency modes conserve.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cache
+from itertools import combinations_with_replacement
+
+import sympy as sp
+
+from ramanujan.derivation.euler_lagrange import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
+from ramanujan.derivation.matrix import Modes, modes
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import equation
+from ramanujan.derivation.symbols import COORDINATES, Machine, Omega_squared, X, k, m, machine, phi, t
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A line of the paper and what it should say.
+
+    Parameters
+    ----------
+    where : the place in the paper
+    printed, correct : the line as it stands and as it should stand, Markdown with $…$
+    note : why, in one or two sentences
+    check : computes whether the printed line is off and the corrected one holds
+    """
+
+    where: str
+    printed: str
+    correct: str
+    note: str
+    check: Callable[[], bool] = field(repr=False, compare=False)
+
+    def holds(self) -> bool:
+        """Tell whether the remark is right."""
+        return bool(self.check())
+
+
+def conserved_momenta(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
+    """Return p_q = ∂ℒ/∂q̇ for each coordinate q that ℒ does not contain.
+
+    Shifting such a coordinate costs no energy: it is the direction of a zero-frequency mode, and by Noether's theorem
+    its momentum stays as it is. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
+    """
+    lagrangian = (bodies or machine()).lagrangian
+    return {q: lagrangian.diff(q.diff(t)) for q in COORDINATES if lagrangian.diff(q) == 0}
+
+
+@cache
+def remarks() -> tuple[Remark, ...]:
+    """Return the remarks in the order of the paper."""
+    general, spectrum = eliminate(machine()), modes(machine())
+    return (
+        _taxicab(),
+        _rounding(eliminate(machine(roller_mass=m))),
+        _coefficients(general),
+        _proportionality(general, spectrum),
+        _sign(spectrum),
+        _one_mode(general, spectrum),
+    )
+
+
+def _taxicab() -> Remark:
+    taxicab, counterexample = _smallest_in_two_ways(signed=False), _smallest_in_two_ways(signed=True)
+    n, ways = counterexample
+    shown = "=".join([str(n), *("+".join(_cube(a) for a in sorted(way, reverse=True)) for way in ways)])
+    return Remark(
+        "Introduction",
+        "“the smallest number representable in two ways as a sum of two cubes”",
+        "the smallest number that is a sum of two *positive* cubes in two ways",
+        f"Were negative cubes allowed, a smaller number would do: ${shown}$.",
+        lambda: taxicab[0] == 1729 and n < taxicab[0] and all(sum(a**3 for a in way) == n for way in ways),
+    )
+
+
+def _rounding(equal_masses: Elimination) -> Remark:
+    ratio = equal_masses.natural_frequency_squared * m / k
+    printed, digits = sp.Rational("1.0506"), 4
+    rounded = sp.floor(ratio * 10**digits + sp.Rational(1, 2)) / sp.Integer(10**digits)
+    return Remark(
+        "Section 1, last equation",
+        f"${latex(ratio)}\\approx{float(printed):.{digits}f}$",
+        f"${latex(ratio)}\\approx{float(rounded):.{digits}f}$",
+        "The last printed digit is one too high; nothing depends on it.",
+        lambda: abs(ratio - rounded) < abs(ratio - printed),
+    )
+
+
+def _coefficients(result: Elimination) -> Remark:
+    c_1, c_2 = _coupling_constants(result)
+    printed = result.Phi_from_phi / phi_ddot
+    left = sp.Symbol("c_1") / sp.Symbol("c_2")
+    return Remark(
+        "Section 3, the constants $c_1$ and $c_2$",
+        "$c_2$ is identified from the relation between $\\ddot\\Phi$ and $\\ddot\\varphi$",
+        f"${latex(equation('c_2', c_2))}$, and that relation has ${latex(equation(left, printed))}$",
+        "With $\\ddot X=c_2\\ddot\\Phi$ the constant comes from the equation of motion of the top cylinder.",
+        lambda: sp.simplify(printed - c_1 / c_2) == 0 and sp.simplify(printed - c_2) != 0,
+    )
+
+
+def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
+    c_1, c_2 = _coupling_constants(result)
+    X_0, V, Phi_0, W = sp.symbols("X_0 V Phi_0 W")
+    oscillation = _oscillation(spectrum)
+    drifting = (X_0 + V * t + c_1 * oscillation, oscillation, Phi_0 + W * t + c_1 / c_2 * oscillation)
+    general = sp.Symbol("X_0") + sp.Symbol("V") * t + sp.Symbol("c_1") * phi
+    return Remark(
+        "Section 3, replacing $\\varphi$",
+        "$\\varphi=X/c_1$",
+        f"${latex(equation(X, general))}$",
+        "The accelerations are proportional, the coordinates only up to a steady drift; released at rest, the machine "
+        "has none, but $X$ then swings about a shifted middle.",
+        lambda: _solves(spectrum, drifting) and sp.expand(drifting[0] - c_1 * drifting[1]) != 0,
+    )
+
+
+def _sign(spectrum: Modes) -> Remark:
+    Omega2 = spectrum.natural_frequency_squared
+    mode = tuple(share * _oscillation(spectrum) for share in spectrum.mode_shape)
+    return Remark(
+        "Section 3, the four equations",
+        f"${latex(equation(X_ddot, Omega_squared * X))}$, and likewise for $\\Phi$",
+        f"${latex(equation(X_ddot, -Omega_squared * X))}$, and likewise for $\\Phi$",
+        "A minus sign is missing in each; without it the motion would grow instead of swinging.",
+        lambda: (
+            _solves(spectrum, mode)
+            and all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 != sp.expand(q.diff(t, 2) - Omega2 * q) for q in mode)
+        ),
+    )
+
+
+def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
+    eigenvalues = sp.Tuple(*(root for root, count in spectrum.eigenvalues.items() for _ in range(count)))
+    names = sp.Tuple(*sp.symbols("Lambda_1:4"))
+    shown = eigenvalues.xreplace({result.natural_frequency_squared: Omega_squared})
+    return Remark(
+        "Section 3, last sentence",
+        "“all three modes have the same natural frequency”",
+        "all three *coordinates* share the frequency of the one oscillating mode; the squared frequencies of the three "
+        f"modes are ${latex(equation(names, shown))}$",
+        "The other two modes have frequency zero: the whole machine glides, or the top cylinder rolls freely.",
+        lambda: spectrum.eigenvalues == {sp.S.Zero: 2, result.natural_frequency_squared: 1},
+    )
+
+
+def _coupling_constants(result: Elimination) -> tuple[sp.Expr, sp.Expr]:
+    """Return the paper's c₁ = Ẍ/φ̈ and c₂ = Ẍ/Φ̈."""
+    return result.X_from_phi / phi_ddot, sp.solve(Phi_ddot - result.Phi_from_X, X_ddot)[0] / Phi_ddot
+
+
+def _oscillation(spectrum: Modes) -> sp.Expr:
+    return sp.cos(sp.sqrt(spectrum.natural_frequency_squared) * t)
+
+
+def _solves(spectrum: Modes, motion: tuple[sp.Expr, ...]) -> bool:
+    """Tell whether M q̈ + K q = 0 for q = (X, φ, Φ) as functions of time."""
+    q = sp.Matrix(motion)
+    return (spectrum.mass_matrix * q.diff(t, 2) + spectrum.stiffness_matrix * q).applyfunc(sp.simplify).is_zero_matrix
+
+
+def _smallest_in_two_ways(*, signed: bool) -> tuple[int, list[tuple[int, int]]]:
+    """Return the smallest positive number with two representations a³ + b³, and these.
+
+    Up to 1729 the search is complete: (c+1)³ − c³ exceeds it for c > 23, and so does 13³.
+    """
+    cubes = [a for a in range(-24 if signed else 1, 26) if a != 0]
+    ways: dict[int, list[tuple[int, int]]] = {}
+    for a, b in combinations_with_replacement(cubes, 2):
+        ways.setdefault(a**3 + b**3, []).append((a, b))
+    smallest = min(n for n, pairs in ways.items() if n > 0 and len(pairs) > 1)
+    return smallest, ways[smallest]
+
+
+def _cube(a: int) -> str:
+    return f"{a}^3" if a > 0 else f"({a})^3"

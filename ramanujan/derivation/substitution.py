@@ -1,0 +1,103 @@
+"""Numbers into formulas, exactly: masses may be fractions or carry a root such as √1729.
+
+SymPy's own `subs` and simplification take hundreds of milliseconds for a derivation; a page may spend fifty. Here every
+part that has become a number is evaluated as an element of its number field, ℚ or ℚ(√…), and printed back once.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Mapping
+from functools import lru_cache, reduce
+from typing import Any
+
+import sympy as sp
+from sympy.polys.domains import Domain
+from sympy.utilities.iterables import sift
+
+_Values = tuple[tuple[sp.Symbol, sp.Expr], ...]
+
+
+def put_in(expression: sp.Basic, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Basic:
+    """Return the expression, relation or matrix with the values put in, each number one fraction, no root below it.
+
+    What keeps a symbol keeps its shape: only the numbers that are added or multiplied side by side are drawn together.
+
+    Parameters
+    ----------
+    expression : the values' symbols may stand in it as rational functions
+    values : symbol → exact value, an integer, a fraction or a number with roots
+    """
+    exact = tuple((symbol, sp.sympify(value)) for symbol, value in values.items())
+    return _put_in(expression, exact, frozenset(values))
+
+
+def _put_in(expression: sp.Basic, values: _Values, given: frozenset[sp.Symbol]) -> sp.Basic:
+    if given.isdisjoint(expression.free_symbols):
+        return expression
+    if _is_number(expression, given):
+        return _number(expression, values)
+    if isinstance(expression, sp.Eq):
+        return sp.Eq(*(_put_in(side, values, given) for side in expression.args), evaluate=False)
+    if not isinstance(expression, sp.Add | sp.Mul):
+        return expression.func(*(_put_in(argument, values, given) for argument in expression.args))
+    numbers, rest = sift(expression.args, lambda argument: _is_number(argument, given), binary=True)
+    if numbers and expression.is_Mul and (sums := [argument for argument in rest if argument.is_Add]):
+        # A number before a sum goes into it, where it meets the numbers of the terms, and takes a denominator along.
+        rest.remove(sums[0])
+        below, before = sift(rest, lambda argument: argument.is_Pow and argument.exp.is_negative, binary=True)
+        distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in sums[0].args))
+        return _put_in(sp.Mul(distributed, *before), values, given)
+    number = (_number(expression.func(*numbers), values),) if numbers else ()
+    return expression.func(*number, *(_put_in(argument, values, given) for argument in rest))
+
+
+def _is_number(expression: sp.Basic, given: frozenset[sp.Symbol]) -> bool:
+    """Tell whether the expression is a rational function of the given symbols alone."""
+    if expression.is_Symbol:
+        return expression in given
+    return expression.is_Rational or (
+        type(expression) in (sp.Add, sp.Mul, sp.Pow) and all(_is_number(part, given) for part in expression.args)
+    )
+
+
+@lru_cache(maxsize=1024)
+def _number(expression: sp.Expr, values: _Values) -> sp.Expr:
+    field, elements = _number_field(values)
+    number = field.to_sympy(_evaluate(expression, field, elements))
+    content, primitive = number.primitive()
+    if number.is_Rational or content == 1:
+        return number
+    if sp.N(primitive, 3) < 0:
+        content, primitive = -content, -primitive
+    return sp.Mul(content, primitive, evaluate=False)
+
+
+@lru_cache(maxsize=64)
+def _number_field(values: _Values) -> tuple[Domain, dict[sp.Symbol, Any]]:
+    """Return the field in which the values lie, ℚ or ℚ(their roots), and the values as its elements."""
+    roots = {power for _, value in values for power in value.atoms(sp.Pow) if not power.exp.is_Integer}
+    field = _field_with(frozenset(roots))
+    return field, {symbol: _evaluate(value, field, {}) for symbol, value in values}
+
+
+@lru_cache(maxsize=8)
+def _field_with(roots: frozenset[sp.Expr]) -> Domain:
+    return sp.QQ.algebraic_field(*sorted(roots, key=sp.default_sort_key)) if roots else sp.QQ
+
+
+@lru_cache(maxsize=64)
+def _element(number: sp.Expr, field: Domain) -> Any:
+    return field.from_sympy(number)
+
+
+def _evaluate(expression: sp.Expr, field: Domain, elements: Mapping[sp.Symbol, Any]) -> Any:
+    """Return the value of a rational function as an element of the field: exact, and far faster than simplifying."""
+    if expression.is_Symbol:
+        return elements[expression]
+    if expression.is_Pow and expression.exp.is_Integer:
+        return _evaluate(expression.base, field, elements) ** int(expression.exp)
+    if expression.is_Add or expression.is_Mul:
+        combine = operator.add if expression.is_Add else operator.mul
+        return reduce(combine, (_evaluate(argument, field, elements) for argument in expression.args))
+    return _element(expression, field)

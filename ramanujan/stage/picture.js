@@ -1,0 +1,164 @@
+// The picture: how long, how high, where, and how a body is drawn and moved. No time, no listening, no state.
+// All lengths here are centimetres of the picture, x to the right and y UP from the floor.
+
+const CM = 100; // per metre
+const TURN = 2 * Math.PI;
+const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
+const ROLLERS = ["hoop", "cylinder", "top"];
+const RING = 0.78; // inner radius of a hoop over its outer one
+
+const mapValues = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value)]));
+const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
+
+const set = (node, attributes) => {
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+};
+const element = (name, attributes = {}, parent) => {
+  const node = document.createElementNS("http://www.w3.org/2000/svg", name);
+  set(node, attributes);
+  parent?.append(node);
+  return node;
+};
+
+/** Where things stand at φ = 0, to scale: room for the largest travel, nothing more. */
+function layout({ radius }, [, largest]) {
+  const R = radius * CM;
+  const travel = largest * CM; // of the slab over the block, to either side
+  const roll = travel / 2;
+  const deck = 8, thick = 4.5, step = 3, gap = 2.5;
+  const hoop = roll + R + gap;
+  const cylinder = hoop + 2.4 * R + 5;
+  const slab = { left: hoop - roll - 4, right: cylinder + roll + 4, bottom: deck + 2 * R };
+  const riser = slab.right + travel + 8;
+  const upper = slab.bottom + thick + step;
+  const top = riser + R + roll + gap;
+  const right = top + R + gap + 2;
+  const view = { left: -7, right: right + travel + 3, bottom: -8.5, top: upper + 2 * R + 3 };
+  const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
+  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf: upper + R * 0.45 };
+}
+
+/** Centres of mass at φ = 0, along the floor. */
+function centresOfMass(g) {
+  const low = g.riser * g.deck, high = (g.right - g.riser) * g.upper; // areas of the block's two steps
+  const block = (low * (g.riser / 2) + high * ((g.riser + g.right) / 2)) / (low + high);
+  return { block, slab: (g.slab.left + g.slab.right) / 2, ...mapValues(g.centre, ([x]) => x) };
+}
+
+/** Where a velocity arrow begins, at φ = 0. */
+function anchors(g) {
+  return {
+    block: [(g.riser + g.right) / 2, g.upper * 0.35],
+    slab: [(g.slab.left + g.slab.right) / 2, g.slab.bottom + g.thick + 2.5],
+    ...g.centre,
+  };
+}
+
+/** Where a contact lies over its roller's centre, in radii. */
+const CONTACTS = {
+  hoop_slab: ["hoop", 1],
+  cylinder_slab: ["cylinder", 1],
+  hoop_block: ["hoop", -1],
+  cylinder_block: ["cylinder", -1],
+  top_block: ["top", -1],
+};
+
+/** A spring between two points at one height: a zigzag whose ends are straight. */
+function coil(from, to, y, height) {
+  const turns = 10, lead = clamp((to - from) / 8, 0, 3);
+  const pitch = (to - from - 2 * lead) / turns;
+  const wave = `l${pitch / 4} ${-height}l${pitch / 2} ${2 * height}l${pitch / 4} ${-height}`;
+  return `M${from} ${-y}H${from + lead}${wave.repeat(turns)}H${to}`;
+}
+
+/** Heavier looks heavier: nearly empty for the lightest body that the sliders allow, nearly full for the heaviest. */
+const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
+
+/** What a roller of shape factor β = I/(mass·R²) is. */
+const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
+
+/** A roller's outline, and the marks that show how it turns. */
+function rollerPaths(shape, R) {
+  const circle = (r, sweep = 1) => `M0 ${-r}A${r} ${r} 0 1 ${sweep} 0 ${r}A${r} ${r} 0 1 ${sweep} 0 ${-r}z`;
+  const meridian = `M0 ${-R}A${0.4 * R} ${R} 0 1 1 0 ${R}A${0.4 * R} ${R} 0 1 1 0 ${-R}z`;
+  return {
+    hoop: { form: circle(R) + circle(RING * R, 0), mark: `M0 ${-RING * R}V${-R}` },
+    shell: { form: circle(R), mark: circle(0.9 * R) + meridian },
+    cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}` },
+    sphere: { form: circle(R), mark: meridian },
+  }[shape];
+}
+
+/** What the bodies are called, the two lower rollers by their sides where their shapes do not tell them apart. */
+function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
+  const [left, right] = [shapeOf(beta_hoop), shapeOf(beta_cylinder)];
+  const [hoop, cylinder] = left === right ? [`left ${left}`, `right ${right}`] : [left, right];
+  return { block: "block", hoop, cylinder, slab: "slab", top: `top ${shapeOf(beta_top)}` };
+}
+
+function drawBodies(root, g, parameters) {
+  const body = (name, selector) => root.querySelector(`.body.${name} ${selector}`);
+  set(body("block", "path"), { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` });
+  set(body("block", "text"), { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 });
+  for (const name of ROLLERS) {
+    const { form, mark } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
+    set(body(name, ".form"), { d: form });
+    set(body(name, ".mark"), { d: mark });
+  }
+  const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
+  set(body("slab", "rect:not(.grip)"), slab);
+  // A finger needs more than the slab's own height.
+  set(body("slab", ".grip"), { ...slab, y: slab.y - 3, height: slab.height + 6 });
+  set(body("slab", "text"), { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 });
+}
+
+/** The nodes that move, looked up once. */
+function movingParts(root) {
+  const found = { spring: root.querySelector(".spring") };
+  for (const name of BODIES) {
+    const group = root.querySelector(`.body.${name}`);
+    found[name] = { group, spin: group.querySelector(".spin") };
+  }
+  return found;
+}
+
+/** Put every body where the coordinates, by name, have it; `shift` is how far the view has moved over the floor. */
+function moveBodies(moving, known, g, shift = 0) {
+  const x = mapValues(FORMULAS.displacement, (displacement) => displacement(known) * CM - shift);
+  const home = { block: [0, 0], slab: [0, 0], ...g.centre };
+  for (const name of BODIES) {
+    const [x0, y0] = home[name];
+    set(moving[name].group, { transform: `translate(${x0 + x[name]} ${-y0})` });
+    if (moving[name].spin) set(moving[name].spin, { transform: `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})` });
+  }
+  set(moving.spring, { d: coil(g.slab.right + x.slab, g.riser + x.block, g.slab.bottom + g.thick / 2, 2) });
+}
+
+/** The floor and its ruler, as wide as the view and one labelled stretch more, so that it can slide. */
+const STRETCH = 50;
+function drawFloor(root, g) {
+  const { left, right } = g.view;
+  set(root.querySelector(".earth"), { d: `M${left} 0H${right}V2.2H${left}z` });
+  set(root.querySelector(".ground"), { d: `M${left} 0H${right}` });
+  set(root.querySelector(".unit"), { x: right - 1, y: 5.6 });
+  const ruler = root.querySelector(".ruler");
+  ruler.replaceChildren();
+  let ticks = "";
+  for (let x = -STRETCH; x <= right + STRETCH; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
+  element("path", { d: ticks }, ruler);
+  for (let x = -STRETCH; x <= right + STRETCH; x += STRETCH) element("text", { x, y: 5.6 }, ruler);
+}
+
+/** Slide the ruler under a view that has moved; the labels say where on the floor one looks. */
+function slideFloor(root, g, shift) {
+  const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH);
+  set(ruler, { transform: `translate(${stretches * STRETCH - shift})` });
+  if (ruler.dataset.at === String(stretches) && ruler.dataset.end === String(g.view.right)) return;
+  ruler.dataset.at = stretches;
+  ruler.dataset.end = g.view.right;
+  for (const label of ruler.querySelectorAll("text")) {
+    const x = Number(label.getAttribute("x"));
+    // The last label would run into the words at the end of the ruler.
+    label.textContent = x > g.view.right - 30 && x <= g.view.right ? "" : x + stretches * STRETCH;
+  }
+}

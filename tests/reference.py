@@ -1,0 +1,100 @@
+"""The machine a second time, by SymPy's mechanics package: what the derivations are tested against.
+
+It shares with them the symbols only; velocities are put together here from frames and points.
+"""
+
+from __future__ import annotations
+
+import random
+from functools import cache
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, inertia
+
+from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, R, k, m, m_prime, phi, t
+
+
+@cache
+def mass_and_stiffness() -> tuple[sp.Matrix, sp.Matrix]:
+    """Return M and K of M q̈ + K q = 0 by Kane's method, for q = (X, φ, Φ)."""
+    ground = ReferenceFrame("N")
+    origin = Point("O")
+    origin.set_vel(ground, 0)
+    u = [speed(t) for speed in sp.symbols("u1:4", cls=sp.Function)]
+
+    def body(name: str, mass: sp.Expr, velocity: sp.Expr, moment: sp.Expr, spin: sp.Expr) -> RigidBody:
+        frame, centre = ReferenceFrame(name), Point(name)
+        frame.orient_axis(ground, ground.z, 0)
+        # y points up, so a clockwise turn is negative about z.
+        frame.set_ang_vel(ground, -spin * ground.z)
+        centre.set_vel(ground, velocity * ground.x)
+        return RigidBody(name, centre, frame, mass, (inertia(frame, 0, 0, moment), centre))
+
+    disc = sp.Rational(1, 2)
+    bodies = [
+        body("A", m, -u[0], sp.S.Zero, sp.S.Zero),
+        body("B", m_prime, -u[0] + R * u[1], m_prime * R**2, u[1]),
+        body("C", m_prime, -u[0] + R * u[1], disc * m_prime * R**2, u[1]),
+        body("D", m, -u[0] + 2 * R * u[1], sp.S.Zero, sp.S.Zero),
+        body("E", m, -u[0] + R * u[2], disc * m * R**2, u[2]),
+    ]
+    push = 2 * k * R * phi * ground.x
+    forces = [(bodies[0].masscenter, push), (bodies[3].masscenter, -push)]
+    kane = KanesMethod(
+        ground,
+        q_ind=list(COORDINATES),
+        u_ind=u,
+        kd_eqs=[v - w for v, w in zip(VELOCITIES, u, strict=True)],
+    )
+    kane.kanes_equations(bodies, forces)
+    return sp.expand(kane.mass_matrix), sp.expand(-kane.forcing.jacobian(list(COORDINATES)))
+
+
+@cache
+def accelerations() -> dict[sp.Expr, sp.Expr]:
+    """Return q̈ as a function of q along the motion."""
+    mass, stiffness = mass_and_stiffness()
+    solved = -(mass.inv() * stiffness * sp.Matrix(COORDINATES))
+    return {a: sp.factor(value) for a, value in zip(ACCELERATIONS, solved, strict=True)}
+
+
+@cache
+def natural_frequency_squared() -> sp.Expr:
+    """Return Ω² as the trace of M⁻¹K: the other two eigenvalues are zero."""
+    mass, stiffness = mass_and_stiffness()
+    return sp.factor((mass.inv() * stiffness).trace())
+
+
+@cache
+def lagrangian() -> sp.Expr:
+    """Return ½ q̇ᵀMq̇ − ½ qᵀKq."""
+    mass, stiffness = mass_and_stiffness()
+    q, v = sp.Matrix(COORDINATES), sp.Matrix(VELOCITIES)
+    return (v.T * mass * v / 2 - q.T * stiffness * q / 2)[0]
+
+
+def number(expression: sp.Expr, seed: int = 0) -> sp.Expr:
+    """Return the expression with a random positive fraction for every symbol, function and derivative in it.
+
+    The same unknown gets the same fraction in every expression, so equal expressions give equal numbers.
+    """
+    unknowns = expression.atoms(sp.Derivative) | expression.atoms(AppliedUndef)
+    inner = expression.xreplace({u: _fraction(u, seed) for u in unknowns})
+    return inner.xreplace({s: _fraction(s, seed) for s in inner.free_symbols})
+
+
+def equal(left: sp.Expr, right: sp.Expr) -> bool:
+    """Tell whether two rational expressions agree: at three random points each, exactly."""
+    return all(sp.radsimp(number(left, seed) - number(right, seed)) == 0 for seed in range(3))
+
+
+def holds(relation: sp.Eq, definitions: dict[sp.Expr, sp.Expr] | None = None) -> bool:
+    """Tell whether an equation is true along every motion, with the given symbols replaced by what they mean."""
+    left, right = (side.subs(definitions or {}).subs(accelerations()) for side in relation.args)
+    return equal(left, right)
+
+
+def _fraction(unknown: sp.Basic, seed: int) -> sp.Rational:
+    source = random.Random(f"{unknown}/{seed}")
+    return sp.Rational(source.randint(1, 97), source.randint(1, 97))

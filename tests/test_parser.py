@@ -1,0 +1,244 @@
+"""The grammar of a typed formula: what it reads, what it refuses, and that nothing makes it stumble."""
+
+from __future__ import annotations
+
+import time
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from ramanujan.derivation.expressions import values
+from ramanujan.derivation.parser import (
+    MAX_DEPTH,
+    MAX_DIGITS,
+    MAX_EXPONENT,
+    MAX_LENGTH,
+    MAX_WEIGHT,
+    NAMES,
+    Expression,
+    UnreadableError,
+    parse,
+    weight,
+)
+
+POINT = {name: Fraction(prime) for name, prime in zip(NAMES, (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31), strict=True)}
+m, mp, k, R, X, Xd, phi, phid, Phi, Phid, eps = POINT.values()
+
+
+def _outcome(text: str) -> tuple[Expression | None, str]:
+    try:
+        return parse(text), ""
+    except UnreadableError as refusal:
+        return None, str(refusal)
+
+
+def value(text: str) -> Fraction:
+    return values(parse(text), exact=True, points=(POINT,))[0]
+
+
+def decimal_value(text: str) -> float:
+    return float(values(parse(text), exact=False, points=(POINT,))[0])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("2k", 2 * k),
+        ("7m'", 7 * mp),
+        ("k(7m+6m')", k * (7 * m + 6 * mp)),
+        ("(m)(m')", m * mp),
+        ("mm'", m * mp),
+        ("m_prime*X_dot*phi_dot*Phi_dot", mp * Xd * phid * Phid),
+        ("m m'", m * mp),
+        ("kR", k * R),
+        ("Rphi'", R * phid),
+        ("Phi' phi'", Phid * phid),
+        ("phi", phi),
+        ("X+X'", X + Xd),
+        ("eps*epsilon*ε*ϵ", eps**4),
+        ("m’+m′", 2 * mp),
+        ("φ′·Φ’×φ", phid * Phid * phi),
+        ("Ẋ φ̇ Φ̇", Xd * phid * Phid),
+        ("k÷m−R–X", k / m - R - X),
+        ("½m", m / 2),
+        ("¼ m + ¾ m", m),
+        ("m²+m³", m**2 + m**3),
+        ("m⁻¹", 1 / m),
+        ("m**2", m**2),
+        ("m'^2", mp**2),
+        ("X'²", Xd**2),
+        ("1/2 m X'^2", m * Xd**2 / 2),
+        ("m/2*k", m * k / 2),
+        ("m/k/R", m / k / R),
+        ("m-k-R", m - k - R),
+        ("-m^2", -(m**2)),
+        ("(-m)^2", m**2),
+        ("2^-1", Fraction(1, 2)),
+        ("2^3^2", 2**9),
+        ("m*-k", -m * k),
+        ("m - -k", m + k),
+        ("--m", m),
+        ("0.5m", m / 2),
+        (".25", Fraction(1, 4)),
+        ("3.", Fraction(3)),
+        ("\t m\u00a0+\u2009k\n", m + k),
+        ("m^(1+1)", m**2),
+        ("(((m)))", m),
+    ],
+)
+def test_reads(text: str, expected: Fraction) -> None:
+    assert value(text) == expected
+
+
+@pytest.mark.parametrize("text", ["sqrt(1729)", "√1729", "√(1729)", "1729^(1/2)", "1729^½", "1729^.5", "sqrt 1729"])
+def test_reads_roots(text: str) -> None:
+    # 1729 has no rational root; a double has 16 digits of it.
+    assert decimal_value(text) == pytest.approx(1729**0.5, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "first"),
+        (" \n ", "first"),
+        ("m = 2", "equals"),
+        ("0,5 m", "point"),
+        ("m + $", "dollar sign"),
+        ("m\u200bk", "zero width space"),
+        ("m\u202ek", "right-to-left override"),
+        ("２k", "fullwidth digit two"),
+        ("m\x00", "character"),
+        ("m\u0301", "acute"),
+        ("\ud800", "character"),
+        ("foo", "foo"),
+        ("k'", "k'"),
+        ("m''", "m''"),
+        ("m_primed", "mprimed"),
+        ("__import__('os')", "import"),
+        ("m.real", "character"),
+        ("x", "x"),
+        ("2 3", "side by side"),
+        ("3½", "side by side"),
+        ("m2", "behind a name"),
+        ("(m)2", "behind a bracket"),
+        ("k/2m", "denominator"),
+        ("m/2(k)", "denominator"),
+        ("k/(m)(R)", "denominator"),
+        ("√2m", "root reach"),
+        ("m+", "too early"),
+        ("m*/k", "missing"),
+        ("()", "missing"),
+        ("*m", "missing"),
+        ("(m", "not closed"),
+        ("m)", "never opened"),
+        ("m^k", "exponent"),
+        ("m^13", "exponent"),
+        ("m^(1/3)", "exponent"),
+        ("9^9^9", "exponent"),
+        ("9**9**9", "exponent"),
+        ("m^(1/0)", "exponent"),
+        ("((((m^12)^12)^12)^12)", "large"),
+        ("1e999999", "name"),
+        ("9" * 200, "digits"),
+        ("9" * 10**6, "long"),
+        ("(" * 10**6, "long"),
+        ("(" * 100 + "m" + ")" * 100, "nested"),
+        ("√" * 60 + "m", "nested"),
+    ],
+)
+def test_refuses_with_a_sentence(text: str, said: str) -> None:
+    with pytest.raises(UnreadableError, match=r"[.?]") as refusal:
+        parse(text)
+    sentence = str(refusal.value)
+    assert said.lower() in sentence.lower()
+    assert sentence.endswith((".", "?"))
+
+
+@pytest.mark.parametrize("thing", [None, 3, b"m", ["m"], object()])
+def test_what_is_no_text_is_refused(thing: object) -> None:
+    with pytest.raises(UnreadableError, match="text"):
+        parse(thing)
+
+
+def test_limits_are_reached_and_not_passed() -> None:
+    """Just inside every limit a formula is read, one step beyond it is refused."""
+    inside = [
+        "m" * MAX_WEIGHT,
+        "(" * MAX_DEPTH + "m" + ")" * MAX_DEPTH,
+        "9" * MAX_DIGITS,
+        f"m^{MAX_EXPONENT}",
+        "m" + " " * (MAX_LENGTH - 1),
+    ]
+    beyond = [
+        "m" * (MAX_WEIGHT + 1),
+        "(" * (MAX_DEPTH + 1) + "m" + ")" * (MAX_DEPTH + 1),
+        "9" * (MAX_DIGITS + 1),
+        f"m^{MAX_EXPONENT + 1}",
+        "m" + " " * MAX_LENGTH,
+    ]
+    for text in inside:
+        parse(text)
+    for text in beyond:
+        with pytest.raises(UnreadableError):
+            parse(text)
+
+
+def test_many_signs_are_no_depth() -> None:
+    assert value("-" * 299 + "m") == -m
+
+
+def _combined(pairs: st.SearchStrategy) -> st.SearchStrategy:
+    """Formulas with their values, computed by Python while the text grows."""
+    sums = st.tuples(pairs, st.sampled_from("+-"), pairs).map(
+        lambda t: (f"({t[0][0]}{t[1]}{t[2][0]})", t[0][1] + t[2][1] if t[1] == "+" else t[0][1] - t[2][1])
+    )
+    products = st.tuples(pairs, st.sampled_from(["*", "·", " * "]), pairs).map(
+        lambda t: (f"{t[0][0]}{t[1]}{t[2][0]}", t[0][1] * t[2][1])
+    )
+    quotients = st.tuples(pairs, pairs.filter(lambda pair: pair[1] != 0)).map(
+        lambda t: (f"(({t[0][0]})/({t[1][0]}))", t[0][1] / t[1][1])
+    )
+    powers = st.tuples(pairs, st.integers(0, 3)).map(lambda t: (f"({t[0][0]})^{t[1]}", t[0][1] ** t[1]))
+    negatives = pairs.map(lambda pair: (f"(-({pair[0]}))", -pair[1]))
+    return sums | products | quotients | powers | negatives
+
+
+_LEAVES = st.sampled_from(list(POINT.items())) | st.integers(0, 99).map(lambda n: (str(n), Fraction(n)))
+
+
+@settings(deadline=None, max_examples=500)
+@given(st.recursive(_LEAVES, _combined, max_leaves=12).filter(lambda pair: len(pair[0]) < MAX_LENGTH))
+def test_value_is_the_one_python_computes(pair: tuple[str, Fraction]) -> None:
+    text, expected = pair
+    parsed, refusal = _outcome(text)
+    if parsed is None:
+        # The only refusals a well-formed text can meet.
+        assert any(word in refusal for word in ("large", "nested"))
+        return
+    assert weight(parsed) <= MAX_WEIGHT
+    assert values(parsed, exact=True, points=(POINT,))[0] == expected
+
+
+_PIECES = [*NAMES, *"+-*/^()²½√.0123456789 ", "sqrt", "**", "9**9", "(m", "1/", "\u200b", "\x00", "ε", "Φ'", "_", "e9"]
+
+
+def _read_or_refused(text: str) -> None:
+    started = time.process_time()
+    parsed, refusal = _outcome(text)
+    assert parsed is not None or 0 < len(refusal) < 200
+    # One second of CPU is the promise; a typical text takes a ten-thousandth of it.
+    assert time.process_time() - started < 1
+
+
+@settings(deadline=None, max_examples=2500)
+@given(st.text(max_size=60))
+def test_any_text_is_read_or_refused(text: str) -> None:
+    _read_or_refused(text)
+
+
+@settings(deadline=None, max_examples=2500)
+@given(st.lists(st.sampled_from(_PIECES), max_size=40).map("".join))
+def test_any_heap_of_pieces_is_read_or_refused(text: str) -> None:
+    _read_or_refused(text)

@@ -1,0 +1,134 @@
+"""One expression in LaTeX, NumPy and JavaScript says the same."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from ramanujan.derivation import ROUTES
+from ramanujan.derivation.printers import javascript, latex, numpy_function
+from ramanujan.derivation.remarks import conserved_momenta
+from ramanujan.derivation.symbols import (
+    ACCELERATIONS,
+    COORDINATES,
+    MOMENTA,
+    VELOCITIES,
+    Omega_clamped_squared,
+    Omega_squared,
+    R,
+    X,
+    epsilon,
+    k,
+    m,
+    m_prime,
+    t,
+)
+
+FREQUENCY = ROUTES["matrix"].natural_frequency_squared
+UNIT_MASSES = {m: sp.Integer(3), m_prime: (sp.sqrt(1729) - 1) / 12, k: sp.Rational(5, 7)}
+ALL_STEPS = [step for name in ROUTES for step in ROUTES[name].steps]
+
+# LaTeX
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        (m_prime, "m'"),
+        (m_prime**2, "m'^{2}"),
+        (epsilon, r"\varepsilon"),
+        (Omega_squared, r"\Omega^{2}"),
+        (Omega_clamped_squared, r"\Omega_{\mathrm{clamped}}^{2}"),
+        (VELOCITIES[0], r"\dot{X}"),
+        (VELOCITIES[1], r"\dot{\varphi}"),
+        (ACCELERATIONS[2], r"\ddot{\Phi}"),
+        (MOMENTA[0], "p_{X}"),
+        (MOMENTA[1], r"p_{\varphi}"),
+        (MOMENTA[2].diff(t), r"\dot{p}_{\Phi}"),
+        (sp.Symbol("T_block"), r"T_{\mathrm{block}}"),
+        (sp.Function("alpha_hoop")(t), r"\alpha_{\mathrm{hoop}}"),
+        (sp.Symbol("L"), r"\mathcal{L}"),
+        (m * X, r"m\,X"),
+        (sp.MatrixSymbol("M", 3, 3).I, "M^{-1}"),
+    ],
+)
+def test_symbols_look_as_physicists_write_them(expression, expected):
+    assert latex(expression) == expected
+
+
+@pytest.mark.parametrize("step", [*ALL_STEPS, *(step.with_numbers(UNIT_MASSES) for step in ALL_STEPS)])
+def test_latex_of_every_equation_is_well_formed(step):
+    for relation in step.equations:
+        source = latex(relation)
+        assert source.isascii()
+        assert source.count("=") == 1
+        assert source.count("{") == source.count("}")
+        assert source.count(r"\left") == source.count(r"\right")
+        assert source.count(r"\begin") == source.count(r"\end")
+        # No name of the program shows: not an underscore inside a word, not a Greek letter spelled out.
+        assert not re.search(r"[a-z]_[a-z]|(?<!\\)\b(Phi|phi|varphi|alpha|prime|ddot|squared)\b", source)
+
+
+# NumPy
+
+
+def test_numpy_function_evaluates_elementwise_and_exactly_enough():
+    function = numpy_function([m, m_prime, k], FREQUENCY)
+    masses = np.array([0.5, 1.0, 8.0])
+    values = function(masses, 1.5, 2.0)
+    exact = [FREQUENCY.subs({m: sp.Rational(mass), m_prime: sp.Rational(3, 2), k: 2}) for mass in masses]
+    # Ten operations, each rounded once.
+    np.testing.assert_allclose(values, [float(value) for value in exact], rtol=1e-15)
+
+
+def test_numpy_function_of_velocities_and_radius():
+    momentum = conserved_momenta()[X]
+    arguments = [m, m_prime, R, *VELOCITIES]
+    numbers = [2, 3, sp.Rational(1, 4), 5, 7, 11]
+    exact = momentum.xreplace(dict(zip(arguments, numbers, strict=True)))
+    assert numpy_function(arguments, momentum)(*map(float, numbers)) == float(exact)
+
+
+def test_numpy_function_of_coordinates():
+    potential = ROUTES["euler_lagrange"]["energies"].equations[-1].rhs
+    assert numpy_function([k, R, *COORDINATES], potential)(3.0, 0.5, 9.0, 2.0, 9.0) == 6.0
+
+
+# JavaScript
+
+
+def test_javascript_is_an_object_of_arrow_functions_by_name():
+    text = javascript({"frequency": k / m, "momenta": {"X": m_prime * VELOCITIES[0]}})
+    assert text == "{frequency: ({k, m}) => k/m, momenta: {X: ({X_dot, m_prime}) => X_dot*m_prime}}"
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
+def test_javascript_and_numpy_agree():
+    momentum = conserved_momenta()[X]
+    energies = {r.lhs.name: r.rhs for r in ROUTES["euler_lagrange"]["energies"].equations}
+    formulas = {"frequency": FREQUENCY, "energies": energies, "momentum": momentum}
+    state = {"m": 1.3, "m_prime": 0.7, "k": 11.0, "radius": 0.2}
+    state |= {"X": 0.1, "phi": -0.4, "Phi": 2.0, "X_dot": 0.3, "phi_dot": -1.7, "Phi_dot": 0.9}
+    script = f"""
+    const formulas = {javascript(formulas)}, state = {json.dumps(state)};
+    const each = (f) => Object.fromEntries(Object.entries(f).map(([name, value]) => [name, call(value)]));
+    const call = (f) => (typeof f === "function" ? f(state) : each(f));
+    console.log(JSON.stringify(call(formulas)));
+    """
+    run = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
+    found = json.loads(run.stdout)
+
+    def by_numpy(expression: sp.Expr) -> float:
+        arguments = [m, m_prime, k, R, *COORDINATES, *VELOCITIES]
+        return numpy_function(arguments, expression)(*state.values())
+
+    # Both round each operation once, in nearly the same order.
+    assert found["frequency"] == pytest.approx(by_numpy(FREQUENCY), rel=1e-15)
+    assert found["momentum"] == pytest.approx(by_numpy(momentum), rel=1e-14)
+    assert found["energies"] == pytest.approx({name: by_numpy(e) for name, e in energies.items()}, rel=1e-14)
