@@ -7,7 +7,10 @@ from ramanujan.scenes import cached, controls, look
 st.set_page_config("Ramanujan’s oscillator", "🚕", layout="wide", initial_sidebar_state=340)
 
 page = st.navigation(
-    [st.Page("ramanujan/scenes/oscillator.py", title="Oscillator", icon=":material/waves:", default=True)],
+    [
+        st.Page("ramanujan/scenes/oscillator.py", title="Oscillator", icon=":material/waves:", default=True),
+        st.Page("ramanujan/scenes/speed.py", title="Speed and accuracy", icon=":material/speed:"),
+    ],
     position="top",
 )
 cached.warm_up()

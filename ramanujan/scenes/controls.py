@@ -53,7 +53,7 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
-PAGE_KEYS: frozenset[str] = frozenset()
+PAGE_KEYS: frozenset[str] = frozenset({"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"})
 """Keys that single pages keep in the URL."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")

@@ -92,9 +92,9 @@ def job(key: str, record: Record[T], pieces: Callable[[], Iterator[Piece[T]]], t
     return jobs[key]
 
 
-def begun(key: str) -> bool:
-    """Return whether the session has a job of that key under way."""
-    return key in st.session_state.get("experiments", {})
+def current(key: str) -> Job | None:
+    """Return the session's job of that key, if one is under way."""
+    return st.session_state.get("experiments", {}).get(key)
 
 
 def drop(key: str) -> None:

@@ -16,7 +16,7 @@ from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, 
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import Choice
 from ramanujan.integrators import METHODS, Method
-from ramanujan.scenes.cached.speed import Run
+from ramanujan.scenes.thinned import Run
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
@@ -32,11 +32,13 @@ def number(value: float, digits: int = 2) -> str:
         return "not a number" if math.isnan(value) else ("∞" if value > 0 else "−∞")
     if value == 0:
         return "0"
+    if isinstance(value, int | np.integer) and abs(value) < 10**6:
+        return f"{value:,}".replace(",", "\u202f").replace("-", "−")
     mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     power = int(exponent)
     if -4 < power < 6:
         places = max(digits - 1 - power, 0)
-        text = f"{round(value, digits - 1 - power):,.{places}f}".replace(",", " ")
+        text = f"{round(value, digits - 1 - power):,.{places}f}".replace(",", "\u202f")
     else:
         mantissa = f"{float(mantissa):g}"
         power_text = f"10{str(power).translate(_SUPERSCRIPTS)}"
@@ -52,7 +54,7 @@ def seconds(value: float) -> str:
 
 def share(value: float) -> str:
     """Return a share of the whole, in percent where that is readable."""
-    return f"{number(100 * value)} %" if 1e-4 <= value < 10 else f"{number(value)} of it"
+    return f"{number(100 * value)} %" if value >= 1e-4 else f"{number(value)} of it"
 
 
 def table(rows: Table) -> str:
@@ -70,9 +72,7 @@ def method_facts(method: Method, steps: int) -> str:
     elif method.stability_limit == 0:
         stable = "its energy grows at every step, however small"
     elif turn > method.stability_limit:
-        stable = (
-            f"**unstable here**: hΩ = {number(turn, 3)} is beyond its limit of {number(method.stability_limit, 3)}"
-        )
+        stable = f"**unstable here**: hΩ = {number(turn, 3)} is beyond its limit of {number(method.stability_limit, 3)}"
     else:
         stable = f"stable up to hΩ = {number(method.stability_limit, 3)}; here hΩ = {number(turn, 3)}"
     return f"Order {method.order}, {evaluations}, {stable}."
@@ -85,12 +85,16 @@ def errors_of(run: Run) -> str:
     evaluations = number(run.steps * run.periods * method.evaluations, 3)
     if not math.isfinite(run.energy_at_end) or worst > 1e6:
         return f"After {run.periods} periods and {evaluations} evaluations the energy has grown beyond all measure."
+    if worst > 1:
+        energy = f"its energy grew to **{number(1 + worst)} times** what it was"
+    else:
+        energy = f"its energy was off by up to **{share(worst)}**"
     side = "ahead" if run.phase_at_end > 0 else "behind"
     seen = abs(run.phase_at_end) > _SEEN or worst > _SEEN
     verdict = "You see it." if seen else "No eye sees it."
     return (
         f"After {run.periods} periods and {evaluations} evaluations it is **{number(abs(run.phase_at_end))} rad "
-        f"{side}**, its energy was off by up to **{share(worst)}**. {verdict}"
+        f"{side}**, {energy}. {verdict}"
     )
 
 
@@ -145,11 +149,13 @@ def _form(sweep: Sweep) -> str:
 def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
     low, high = float(sweep.x[0]), float(sweep.x[-1])
     if stretch.first == low:
-        where = f"up to {symbol} = {number(stretch.last)}"
+        where = f"up to {symbol} = {number(stretch.last)}"
     elif stretch.last == high:
-        where = f"from {symbol} = {number(stretch.first)} on"
+        where = f"from {symbol} = {number(stretch.first)} on"
+    elif stretch.first == stretch.last:
+        where = f"at {symbol} = {number(stretch.first)}"
     else:
-        where = f"from {number(stretch.first)} to {number(stretch.last)}"
+        where = f"from {symbol} = {number(stretch.first)} to {number(stretch.last)}"
     inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == ZERO:
         zero = "−0" if np.signbit(inside).all() else "0"
@@ -220,12 +226,13 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> Table
     form = [s for s in sweeps if s.form == list(FORMS)[-1] and s.dtype == "float64"]
     fraction, double, many = kinds["fraction"], kinds["float64"], _many(kinds)
     digits = [kind for name, kind in kinds.items() if name.startswith("mpmath")]
+    rounding = float(np.finfo(np.float32).eps) / 2
     rows: Table = [
         ("where", "what", "why, as measured here"),
         (
             "motion, the stage, every figure",
             "the closed form",
-            f"from {number(states[0].periods)} to {number(states[-1].periods)} periods its phase is off by at most "
+            f"from {states[0].periods} to {number(states[-1].periods)} periods its phase is off by at most "
             f"{number(max(s.phase_error for s in states))} rad, and a state takes "
             f"{seconds(float(np.median([s.seconds.median for s in states])))} however late it is",
         ),
@@ -247,13 +254,11 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> Table
         (
             "numbers sent to the browser",
             "float32",
-            f"half the bytes, with an error of {number(kinds['float32'].relative_error)}: "
-            f"{number(0.5 / (1080 * kinds['float32'].relative_error))} times finer than half a pixel of 1080",
+            f"half the bytes of float64; rounding moves a number by one part in {number(1 / rounding)} at most, "
+            f"{number(0.5 / 1080 / rounding)} times finer than half a pixel of 1080",
         ),
     ]
-    rows += [
-        (f"{c.fast}", "kept, or asked at once", f"{number(c.ratio)} times faster than {c.slow}") for c in again
-    ]
+    rows += [(f"{c.fast}", "kept, or asked at once", f"{number(c.ratio)} times faster than {c.slow}") for c in again]
     return rows
 
 

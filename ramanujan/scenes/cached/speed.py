@@ -5,11 +5,11 @@ A record is made empty and filled in pieces while somebody looks at the page (`s
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-import numpy as np
+import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import Oscillator
@@ -20,46 +20,37 @@ from ramanujan.accuracy import (
     closed_form,
     curve_sampling,
     eigen_solvers,
-    error_history,
     extremes,
     phase_errors,
     work_precision,
 )
+from ramanujan.accuracy.extremes import Sweep
 from ramanujan.accuracy.phase import PhaseErrors
-from ramanujan.accuracy.work_precision import History
+from ramanujan.figures import speed as figures
+from ramanujan.scenes import thinned
 from ramanujan.scenes.experiments import Record
-
-SAMPLES_PER_PERIOD = 32
-"""A run with more steps than that is thinned: straight pieces between so many points of a swing look round."""
-BINS = 96
-"""Points of an error curve: about as many as it has pixels to rise in."""
+from ramanujan.scenes.thinned import Run
 
 
-@dataclass(frozen=True, eq=False)
-class Run:
-    """One integration, thinned to what the screen shows.
+@dataclass(frozen=True)
+class Along:
+    """One of the sweeps: what is varied, in which precision, its symbol, and what the axis says."""
 
-    Parameters
-    ----------
-    method, dtype, steps, periods : how it was made
-    per_period : samples in a period
-    q : φ over its amplitude at the samples, the start included, shape (periods·per_period + 1,)
-    reach : where each error curve has its points [periods], shape (bins,)
-    phase, energy : the largest |phase error| [rad] and |energy error| since the point before, shape (bins,)
-    phase_at_end, energy_at_end : the errors at the end, with their signs
-    """
-
-    method: str
+    along: str
     dtype: str
-    steps: int
-    periods: int
-    per_period: int
-    q: np.ndarray
-    reach: np.ndarray
-    phase: np.ndarray
-    energy: np.ndarray
-    phase_at_end: float
-    energy_at_end: float
+    symbol: str
+    quantity: str
+
+
+SWEEPS = {
+    f"{name}, {dtype}": Along(name, dtype, symbol, quantity)
+    for name, symbol, quantity in (
+        ("mass ratio", "ε", "ε = m′/m, with m = 1 kg and k = 1 N/m"),
+        ("scale", "s", "s = m/kg = m′/kg = k/(N/m)"),
+    )
+    for dtype in ("float64", "float32")
+}
+"""The sweeps by the words of their chip."""
 
 
 @st.cache_resource(show_spinner=False, max_entries=256)
@@ -92,10 +83,23 @@ def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
     return [piece.result for piece in phase_errors(Oscillator(m=m, m_prime=m_prime, k=k))]
 
 
-def run_pieces(oscillator: Oscillator, method: str, steps: int, periods: int, dtype: str) -> Iterator[Piece[Run]]:
-    """Yield one integration in pieces, the last with its `Run`."""
-    for piece in error_history(oscillator, method, steps, periods, dtype):
-        yield Piece(piece.done, None if piece.result is None else _thinned(piece.result, steps, periods))
+@st.cache_resource(show_spinner=False, max_entries=2 * len(SWEEPS))
+def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> go.Figure:
+    """Return the figure of one of the SWEEPS in the given colours."""
+    exponents, truth, curves = thinned.sweep(_shown)
+    return figures.forms(exponents, truth, curves, quantity=SWEEPS[name].quantity, colors=colors)
+
+
+@st.cache_resource(show_spinner=False, max_entries=64)
+def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) -> go.Figure:
+    """Return the figure of the phase errors in the given colours."""
+    found = phases(m, m_prime, k)
+    curves = {
+        "Ω·t in float32": [p.float32 for p in found],
+        "Ω·t in float64": [p.float64 for p in found],
+        "reduced in turns": [p.reduced for p in found],
+    }
+    return figures.phase_errors([p.periods for p in found], curves, colors)
 
 
 def diagram_pieces(oscillator: Oscillator, periods: int) -> Iterator[Piece]:
@@ -112,32 +116,12 @@ def sweep_pieces() -> Iterator[Piece]:
 def choice_pieces() -> Iterator[Piece]:
     """Yield the app's own choices in pieces, for the machine with m = m′ = 1 kg and k = 1 N/m."""
     machine = Oscillator()
-    return _one_after_another([closed_form(machine), curve_sampling(), arithmetics(), caching(machine)])
+    return _one_after_another(
+        [closed_form(machine), curve_sampling(), arithmetics(machine.mass_ratio), caching(machine)]
+    )
 
 
 def _one_after_another(experiments: list[Iterator[Piece]]) -> Iterator[Piece]:
     for number, experiment in enumerate(experiments):
         for piece in experiment:
             yield Piece((number + piece.done) / len(experiments), piece.result)
-
-
-def _thinned(history: History, steps: int, periods: int) -> Run:
-    every = next(n for n in range(-(-steps // SAMPLES_PER_PERIOD), steps + 1) if steps % n == 0)
-    # Each bin ends at a step; equal ratios of their ends show how an error grows.
-    ends = np.unique(np.rint(np.geomspace(1, steps * periods, BINS)).astype(int))
-    starts = np.r_[1, ends[:-1] + 1]
-    with np.errstate(over="ignore"):
-        q = history.q[::every].astype(np.float32)
-    return Run(
-        method=history.method,
-        dtype=history.dtype,
-        steps=steps,
-        periods=periods,
-        per_period=steps // every,
-        q=q,
-        reach=(ends / steps).astype(np.float32),
-        phase=np.maximum.reduceat(np.abs(history.phase_error), starts),
-        energy=np.maximum.reduceat(np.abs(history.energy_error), starts),
-        phase_at_end=float(history.phase_error[-1]),
-        energy_at_end=float(history.energy_error[-1]),
-    )
