@@ -12,7 +12,8 @@ from ramanujan import stage
 from ramanujan.accuracy import FORMS, cheapest
 from ramanujan.accuracy.choices import ClosedForm
 from ramanujan.accuracy.extremes import EigenSweep, Sweep
-from ramanujan.accuracy.work_precision import WorkPrecision
+from ramanujan.accuracy.progress import REFERENCE
+from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.scenes import controls, experiments, look, thinned, verdicts
@@ -75,10 +76,17 @@ def choose() -> tuple[str, int, int, str]:
     return method, steps, periods, precision
 
 
+def show_table(rows: verdicts.Table, key: str) -> None:
+    """Draw a table that scrolls by itself where the page is narrow."""
+    with st.container(key=f"table_{key}"):
+        st.markdown(verdicts.table(rows))
+
+
 machine, compression, colors = controls.oscillator(), controls.compression(), look.colors()
 parameters = (machine.m, machine.m_prime, machine.k)
 
 st.title("Speed and accuracy", anchor=False)
+st.html("<style>[class*=st-key-table_]{overflow-x:auto}</style>")
 st.markdown(
     "**How exact does this scene have to be, and what does it cost?** Most simulations take small steps in time. This "
     "machine can also be solved exactly, so every error can be seen, and measured."
@@ -155,8 +163,8 @@ st.plotly_chart(
     ),
 )
 st.caption(
-    "Each curve shows the largest error so far; all methods take the same steps. A symplectic method keeps its "
-    "energy error within bounds while its phase runs away steadily. The closed form has no step and no growing error."
+    "Each curve shows the largest error so far; all methods take the same steps. Below its "
+    "stability limit a symplectic method keeps its energy error within bounds, while its phase runs away steadily."
 )
 
 # ---- work and precision, measured here
@@ -183,11 +191,10 @@ if record.results is not None and not experiments.current("diagram"):
 asked = st.session_state.get("speed_diagram")
 found: tuple[Any, ...] = cached.diagram(*asked).results or () if asked else ()
 with st.container(horizontal=True, vertical_alignment="bottom"):
-    if experiments.current("diagram"):
-        st.button("Stop", key="stop", on_click=experiments.drop, args=("diagram",), icon=":material/stop:")
-    else:
-        label = "Measure again" if found else "Measure on this server"
-        st.button(label, key="measure", on_click=measure, icon=":material/timer:", type="primary")
+    busy = experiments.current("diagram") is not None
+    label = "Measure again" if found else "Measure on this server"
+    st.button(label, key="measure", on_click=measure, icon=":material/timer:", type="primary", disabled=busy)
+    st.button("Stop", key="stop", on_click=experiments.drop, args=("diagram",), disabled=not busy)
     by = chip("Cost", list(COSTS), "cost")
     digits = st.select_slider(
         "Error that you allow",
@@ -234,10 +241,13 @@ if curves:
         + ("" if asked == (*parameters, periods) else " The sliders have moved on since: measure again to follow them.")
     )
     with st.expander("The cheapest run of each method"):
-        st.markdown(verdicts.table(verdicts.choice_table(ranked)) if ranked else "None is within this error.")
+        if ranked:
+            show_table(verdicts.choice_table(ranked), "cheapest")
+        else:
+            st.markdown("None is within this error.")
 else:
     st.markdown(
-        f"Seven methods, two precisions, twelve step sizes, {periods} periods each: press the button, and this server "
+        f"{len(METHODS)} methods, {len(DTYPES)} precisions, {len(STEPS_PER_PERIOD)} step sizes, {periods} periods each: press the button, and this server "
         "runs them while you watch. Then choose the error that you allow."
         if not job
         else "The first curve comes in a moment."
@@ -245,7 +255,7 @@ else:
 
 # ---- the extremes
 
-st.subheader("The extremes: five ways to write Ω²", anchor=False)
+st.subheader(f"The extremes: {len(FORMS)} ways to write Ω²", anchor=False)
 st.markdown(
     f"On paper all of them are equal. Numbers in a computer end, at {number(float(np.finfo(np.float64).max))} in "
     f"float64 and at {number(float(np.finfo(np.float32).max))} in float32: squares of large masses overflow, squares "
@@ -267,14 +277,14 @@ if all_sweeps:
         key="forms",
         theme=None,
         config=QUIET,
-        alt=f"Ω² and its error for five forms. {sentence.replace('**', '')}",
+        alt=f"Ω² and its error for {len(FORMS)} forms. {sentence.replace('**', '')}",
     )
     st.markdown(sentence)
     st.caption(
         "A gap: no number, or zero, where a logarithm ends. A level stretch off the gray band: a wrong value. Errors "
-        "are counted in ulp, units in the last place, against 50 digits."
+        f"are counted in ulp, units in the last place, against {REFERENCE.dps} digits."
     )
-    with st.expander("The five forms"):
+    with st.expander("The forms"):
         st.markdown("\n".join(f"- **{form.title}**: Ω² = {form.formula}" for form in FORMS.values()))
 
 st.subheader("The extremes: after very many periods", anchor=False)
@@ -298,7 +308,7 @@ if solvers:
         "machine has two zero modes beside: it glides, and the top cylinder rolls freely. "
         f"{verdicts.zero_modes(solvers)}"
     )
-    st.markdown(verdicts.table(verdicts.zero_mode_table(solvers)))
+    show_table(verdicts.zero_mode_table(solvers), "zero_modes")
 
 st.subheader("What this app uses where, and why", anchor=False)
 place = st.empty()
@@ -308,6 +318,6 @@ if record.results is None:
     tasks.append(("choices", task, place))
 elif all_sweeps:
     forms_found = [s for s in all_sweeps if isinstance(s, Sweep)]
-    st.markdown(verdicts.table(verdicts.what_the_app_uses(record.results, forms_found)))
+    st.markdown(verdicts.what_the_app_uses(record.results, forms_found))
 
 experiments.work(tasks)

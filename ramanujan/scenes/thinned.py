@@ -22,6 +22,8 @@ from ramanujan.motion import released
 
 SAMPLES_PER_PERIOD = 32
 """A run with more steps than that is thinned: straight pieces between so many points of a swing look round."""
+FIGURE_HEIGHT, SCREEN_HEIGHT = 400, 1080
+"""Pixels that errors on screen are held against."""
 SHOWN_PERIODS = 8
 """Periods that the stage plays before it begins again."""
 ROOM = 1.5

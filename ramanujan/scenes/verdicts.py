@@ -16,7 +16,7 @@ from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, 
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import Choice
 from ramanujan.integrators import METHODS, Method
-from ramanujan.scenes.thinned import Run
+from ramanujan.scenes.thinned import FIGURE_HEIGHT, SCREEN_HEIGHT, Run
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _UNITS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
@@ -103,12 +103,12 @@ def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: Cl
     if choices:
         best = choices[0]
         sentence = (
-            f"For an error up to {number(tolerance)} of the amplitude, by {by}: take **{METHODS[best.method].title}** "
+            f"For an error up to {number(tolerance, 1)} of the amplitude, by {by}: take **{METHODS[best.method].title}** "
             f"in {best.dtype} with **{best.steps_per_period} steps a period**. It reaches {number(best.state_error)} "
             f"with {number(best.evaluations, 3)} evaluations in {seconds(best.seconds)} on this server."
         )
     else:
-        sentence = f"No method reaches {number(tolerance)} with the steps that were tried."
+        sentence = f"No method reaches {number(tolerance, 1)} with the steps that were tried."
     if exact is None:
         return sentence
     periods = "1 period" if exact.periods == 1 else f"{exact.periods} periods"
@@ -217,7 +217,7 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
     return rows
 
 
-def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> Table:
+def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
     """List what the app uses where, why, and the measurement behind it."""
     states = [f for f in found if isinstance(f, ClosedForm)]
     curves = [f for f in found if isinstance(f, CurveSampling)]
@@ -227,8 +227,7 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> Table
     fraction, double, many = kinds["fraction"], kinds["float64"], _many(kinds)
     digits = [kind for name, kind in kinds.items() if name.startswith("mpmath")]
     rounding = float(np.finfo(np.float32).eps) / 2
-    rows: Table = [
-        ("where", "what", "why, as measured here"),
+    rows = [
         (
             "motion, the stage, every figure",
             "the closed form",
@@ -255,11 +254,11 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> Table
             "numbers sent to the browser",
             "float32",
             f"half the bytes of float64; rounding moves a number by one part in {number(1 / rounding)} at most, "
-            f"{number(0.5 / 1080 / rounding)} times finer than half a pixel of 1080",
+            f"{number(0.5 / SCREEN_HEIGHT / rounding)} times finer than half a pixel of a screen {SCREEN_HEIGHT} pixels high",
         ),
     ]
-    rows += [(f"{c.fast}", "kept, or asked at once", f"{number(c.ratio)} times faster than {c.slow}") for c in again]
-    return rows
+    rows += [(c.fast, "kept, or asked at once", f"{number(c.ratio)} times faster than {c.slow}") for c in again]
+    return "\n".join(f"- **{where[0].upper()}{where[1:]}**: {what}; {why}." for where, what, why in rows)
 
 
 def _many(kinds: dict[str, Arithmetic]) -> Arithmetic:
@@ -274,4 +273,4 @@ def _points(curves: Sequence[CurveSampling]) -> str:
         enough = next((c for c in curves if c.curve == curve and c.pixels < 0.5), None)
         if enough:
             needs.append(f"{enough.points} points draw {word} to {number(enough.pixels)} pixel")
-    return "; ".join(needs) + ", in a figure 400 pixels high"
+    return "; ".join(needs) + f", in a figure {FIGURE_HEIGHT} pixels high"

@@ -117,7 +117,12 @@ def choice_pieces() -> Iterator[Piece]:
     """Yield the app's own choices in pieces, for the machine with m = m′ = 1 kg and k = 1 N/m."""
     machine = Oscillator()
     return _one_after_another(
-        [closed_form(machine), curve_sampling(), arithmetics(machine.mass_ratio), caching(machine)]
+        [
+            closed_form(machine),
+            curve_sampling(height=thinned.FIGURE_HEIGHT),
+            arithmetics(machine.mass_ratio),
+            caching(machine),
+        ]
     )
 
 
