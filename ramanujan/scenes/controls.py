@@ -62,6 +62,8 @@ _PRESET = "preset"
 _COMPLAINT = "complaint"
 _LAST_GOOD = "last_good"
 _LINK_READ = "link_read"
+_SAID = "said"
+_RUN_AGAIN = "run_again"
 
 
 def sidebar() -> None:
@@ -76,8 +78,24 @@ def sidebar() -> None:
             _slider(CONTROLS["radius"])
         link()
         complaints += filter(None, [st.session_state.pop(_COMPLAINT, None)])
+        if st.session_state.pop(_RUN_AGAIN, False):
+            complaints = st.session_state.get(_SAID, []) + complaints
+        st.session_state[_SAID] = complaints
         if complaints:
             st.warning(" ".join(complaints))
+
+
+def complain(sentences: list[str]) -> None:
+    """Answer what a page cannot use, beside the sidebar's own complaints: until the person does something."""
+    if sentences:
+        st.session_state[_SAID] = st.session_state.get(_SAID, []) + sentences
+        st.sidebar.warning(" ".join(sentences))
+
+
+def run_again() -> None:
+    """Run the page again by itself, to show what has come in; what has been said to the person stays."""
+    st.session_state[_RUN_AGAIN] = True
+    st.rerun()
 
 
 def oscillator() -> Oscillator:

@@ -20,6 +20,7 @@ from typing import Any, Generic, TypeVar
 import streamlit as st
 
 from ramanujan.accuracy import Piece
+from ramanujan.scenes import controls
 
 T = TypeVar("T")
 
@@ -119,12 +120,12 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
                 _take(task, _REPORT)
                 place.progress(task.done, task.title)
                 if len(task.results) > shown and time.monotonic() - start > _SHOW and not task.complete:
-                    st.rerun()
+                    controls.run_again()
         drop(key)
         if time.monotonic() - start > _SHOW:
-            st.rerun()
+            controls.run_again()
     if worked:
-        st.rerun()
+        controls.run_again()
 
 
 def _take(task: Job, seconds: float) -> None:

@@ -91,8 +91,7 @@ st.markdown(
     "**How exact does this scene have to be, and what does it cost?** Most simulations take small steps in time. This "
     "machine can also be solved exactly, so every error can be seen, and measured."
 )
-for complaint in bad_link():
-    st.warning(complaint)
+controls.complain(bad_link())
 method, steps, periods, precision = choose()
 tasks: list[tuple[str, experiments.Job, Any]] = []
 
@@ -247,8 +246,8 @@ if curves:
             st.markdown("None is within this error.")
 else:
     st.markdown(
-        f"{len(METHODS)} methods, {len(DTYPES)} precisions, {len(STEPS_PER_PERIOD)} step sizes, {periods} periods each: press the button, and this server "
-        "runs them while you watch. Then choose the error that you allow."
+        f"{len(METHODS)} methods, {len(DTYPES)} precisions, {len(STEPS_PER_PERIOD)} step sizes, {periods} periods "
+        "each: press the button, and this server runs them while you watch. Then choose the error that you allow."
         if not job
         else "The first curve comes in a moment."
     )

@@ -103,9 +103,10 @@ def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: Cl
     if choices:
         best = choices[0]
         sentence = (
-            f"For an error up to {number(tolerance, 1)} of the amplitude, by {by}: take **{METHODS[best.method].title}** "
-            f"in {best.dtype} with **{best.steps_per_period} steps a period**. It reaches {number(best.state_error)} "
-            f"with {number(best.evaluations, 3)} evaluations in {seconds(best.seconds)} on this server."
+            f"For an error up to {number(tolerance, 1)} of the amplitude, by {by}: take "
+            f"**{METHODS[best.method].title}** in {best.dtype} with **{best.steps_per_period} steps a period**. It "
+            f"reaches {number(best.state_error)} with {number(best.evaluations, 3)} evaluations in "
+            f"{seconds(best.seconds)} on this server."
         )
     else:
         sentence = f"No method reaches {number(tolerance, 1)} with the steps that were tried."
@@ -254,7 +255,8 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
             "numbers sent to the browser",
             "float32",
             f"half the bytes of float64; rounding moves a number by one part in {number(1 / rounding)} at most, "
-            f"{number(0.5 / SCREEN_HEIGHT / rounding)} times finer than half a pixel of a screen {SCREEN_HEIGHT} pixels high",
+            f"{number(0.5 / SCREEN_HEIGHT / rounding)} times finer than half a pixel of a screen "
+            f"{SCREEN_HEIGHT} pixels high",
         ),
     ]
     rows += [(c.fast, "kept, or asked at once", f"{number(c.ratio)} times faster than {c.slow}") for c in again]
