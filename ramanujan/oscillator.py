@@ -173,8 +173,8 @@ class Oscillator:
             np.array(
                 [
                     [3 * m + 2 * mp, -2 * (m + mp) * R, -m * R],
-                    [-2 * (m + mp) * R, (4 * m + 3.5 * mp) * R**2, 0.0],
-                    [-m * R, 0.0, 1.5 * m * R**2],
+                    [-2 * (m + mp) * R, (4 * m + 3.5 * mp) * R * R, 0.0],
+                    [-m * R, 0.0, 1.5 * m * R * R],
                 ]
             ),
         )
@@ -183,7 +183,7 @@ class Oscillator:
     def stiffness_matrix(self) -> np.ndarray:
         """K, shape (3, 3): U = ½ qᵀKq; its one entry 4kR² [N·m] belongs to φ."""
         stiffness = np.zeros((3, 3))
-        stiffness[1, 1] = self._representable("stiffness_matrix", 4 * self.k * self.radius**2)
+        stiffness[1, 1] = self._representable("stiffness_matrix", 4 * self.k * self.radius * self.radius)
         return stiffness
 
     @property
@@ -224,9 +224,8 @@ def _as_floats(name: str, values: Any) -> Any:
     """Return values as a NumPy scalar or array of floats, keeping float32; ValueError names what is no number."""
     try:
         array = np.asarray(values)
-        floats = array if array.dtype in (np.float32, np.float64) else array.astype(np.float64)
+        if array.dtype.kind in "fiuO":
+            return (array if array.dtype in (np.float32, np.float64) else array.astype(np.float64))[()]
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"{name} must be a number or an array of numbers") from None
-    if array.dtype.kind not in "fiuO":
-        raise ValueError(f"{name} must be a number or an array of real numbers")
-    return floats[()]
+        pass
+    raise ValueError(f"{name} must be a real number or an array of real numbers")

@@ -7,6 +7,7 @@ and the last good value stays.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -56,11 +57,10 @@ WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} f
 PAGE_KEYS: frozenset[str] = frozenset({"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"})
 """Keys that single pages keep in the URL."""
 
-_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?")
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
 _PRESET = "preset"
 _COMPLAINT = "complaint"
-_LAST_GOOD = "last_good"
 _LINK_READ = "link_read"
 _SAID = "said"
 _RUN_AGAIN = "run_again"
@@ -68,7 +68,14 @@ _RUN_AGAIN = "run_again"
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
-    complaints = [*_bad_link(), *_restore_good_values()]
+    nothing: tuple[list[str], str | None] = ([], None)
+    # A page that runs itself again has not been answered yet: what was said stays.
+    again = st.session_state.pop(_RUN_AGAIN, False)
+    said, said_in_sidebar = st.session_state.get(_SAID, nothing) if again else nothing
+    # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
+    complaints = [*said, *_bad_link()]
+    if complaints:
+        st.warning(" ".join(complaints))
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
         for key in ("m", "m_prime", "k", "compression"):
@@ -77,19 +84,18 @@ def sidebar() -> None:
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
             _slider(CONTROLS["radius"])
         link()
-        complaints += filter(None, [st.session_state.pop(_COMPLAINT, None)])
-        if st.session_state.pop(_RUN_AGAIN, False):
-            complaints = st.session_state.get(_SAID, []) + complaints
-        st.session_state[_SAID] = complaints
-        if complaints:
-            st.warning(" ".join(complaints))
+        complaint = st.session_state.pop(_COMPLAINT, None) or said_in_sidebar
+        if complaint:
+            st.warning(complaint)
+    st.session_state[_SAID] = (complaints, complaint)
 
 
 def complain(sentences: list[str]) -> None:
-    """Answer what a page cannot use, beside the sidebar's own complaints: until the person does something."""
+    """Say on the page what of its link it cannot use."""
     if sentences:
-        st.session_state[_SAID] = st.session_state.get(_SAID, []) + sentences
-        st.sidebar.warning(" ".join(sentences))
+        st.warning(" ".join(sentences))
+        complaints, complaint = st.session_state[_SAID]
+        st.session_state[_SAID] = ([*complaints, *sentences], complaint)
 
 
 def run_again() -> None:
@@ -147,7 +153,8 @@ PRESETS: dict[str, Callable[[], None]] = {
 
 def _take_preset() -> None:
     """Do what was asked for, and leave no choice standing: the next slider would belie it."""
-    PRESETS[st.session_state[_PRESET]]()
+    if preset := st.session_state[_PRESET]:
+        PRESETS[preset]()
     st.session_state[_PRESET] = None
 
 
@@ -184,10 +191,10 @@ def _take_exact(control: Control) -> None:
     number = read_number(text)
     if number is None:
         st.session_state[_COMPLAINT] = (
-            f"{control.key} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
+            f"{control.symbol} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
         )
     elif not control.least <= number <= control.most:
-        st.session_state[_COMPLAINT] = f"{control.key} goes {control.range}; it stays as it was."
+        st.session_state[_COMPLAINT] = f"{control.symbol} goes {control.range}; it stays as it was."
     else:
         st.session_state[control.key] = number
 
@@ -212,28 +219,21 @@ def _bad_link() -> list[str]:
     complaints = []
     for key, control in CONTROLS.items():
         texts = st.query_params.get_all(key)
-        number = read_number(texts[0]) if len(texts) == 1 else None
         if len(texts) > 1:
             complaints.append(f"The link gives {key} more than once; it is ignored.")
-        elif texts and (number is None or not control.least <= number <= control.most):
+        elif texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
             complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
     if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
 
 
-def _restore_good_values() -> list[str]:
-    """Put the last good value in the place of one that is out of its range, however it came there."""
-    good = st.session_state.setdefault(_LAST_GOOD, {key: control.default for key, control in CONTROLS.items()})
-    complaints = []
-    for key, control in CONTROLS.items():
-        value = st.session_state.get(key, control.default)
-        if isinstance(value, int | float) and control.least <= value <= control.most:
-            good[key] = value
-        else:
-            st.session_state[key] = good[key]
-            complaints.append(f"{key} goes {control.range}; it stays as it was.")
-    return complaints
+def _as_streamlit_reads(text: str) -> float:
+    """Return the number that a bound slider takes from a link, NaN where it takes none; fractions are for the boxes."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
 
 
 def _value(key: str) -> float:

@@ -1,0 +1,419 @@
+"""The stage in a real browser: what it shows, what it costs, what a hand can do with it."""
+
+from __future__ import annotations
+
+import json
+import math
+from itertools import pairwise
+
+import pytest
+import sympy as sp
+
+from ramanujan import Oscillator, stage
+from ramanujan.derivation.printers import javascript, numpy_function
+from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
+from ramanujan.scenes.controls import CONTROLS
+from tests.conftest import settle
+
+ROOT_OF_STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
+
+
+@pytest.fixture
+def visit(visit):
+    """As everywhere, and wait until the stage has drawn."""
+
+    def open_page(*arguments, **options):
+        page = visit(*arguments, **options)
+        page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)")
+        page.wait_for_timeout(100)
+        return page
+
+    return open_page
+
+
+def inside(page, expression: str):
+    """Evaluate a JavaScript expression with `root` as the stage's own document."""
+    return page.evaluate(f"(() => {{ const root = {ROOT_OF_STAGE}; return {expression}; }})()")
+
+
+def text(page, selector: str) -> str:
+    return inside(page, f"root.querySelector({json.dumps(selector)}).textContent")
+
+
+def slab(page) -> dict[str, float]:
+    return page.locator(".st-key-stage .body.slab rect:not(.grip)").first.bounding_box()
+
+
+def pause(page) -> None:
+    page.get_by_role("button", name="Pause", exact=True).click()
+
+
+def thumb(page, key: str) -> tuple[float, float]:
+    box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def over_the_floor(page) -> tuple[float, float]:
+    """Where slab and block are, in centimetres of the picture."""
+    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
+    return inside(page, f"['.slab', '.block'].map({place})")
+
+
+def test_the_machine_moves_at_once_and_play_stops_it(visit):
+    page = visit()
+    places = set()
+    for _ in range(5):
+        places.add(slab(page)["x"])
+        page.wait_for_timeout(100)
+    assert len(places) == 5
+    pause(page)
+    page.wait_for_timeout(300)
+    still = slab(page)["x"]
+    page.wait_for_timeout(300)
+    assert slab(page)["x"] == still
+
+
+def test_the_readouts_are_the_core_s_numbers(visit):
+    for m, m_prime, k in [(1.0, 1.0, 10.0), (0.5, 10.0, 1.0), (5.0, 0.05, 200.0), (0.77, 1.3, 33.5)]:
+        page = visit(f"?m={m}&m_prime={m_prime}&k={k}")
+        machine = Oscillator(m, m_prime, k)
+        assert float(text(page, "[data-read=normalized]")) == pytest.approx(
+            machine.normalized_frequency_squared, rel=1e-6
+        )
+        assert float(text(page, "[data-read=omega]").split()[0]) == pytest.approx(machine.natural_frequency, rel=1e-4)
+        assert float(text(page, "[data-read=period]").split()[0]) == pytest.approx(machine.period, rel=1e-3)
+
+
+def flat(formulas: dict, prefix: str = "") -> dict[str, sp.Expr]:
+    """The stage's formulas without their nesting, by joined names."""
+    found = {}
+    for name, value in formulas.items():
+        found |= flat(value, f"{prefix}{name}_") if isinstance(value, dict) else {prefix + name: sp.sympify(value)}
+    return found
+
+
+def test_the_javascript_of_every_formula_agrees_with_numpy(visit):
+    """One expression, three printers: the browser and NumPy get the same numbers from the same names."""
+    formulas = flat(stage.formulas())
+    names = dict(zip((*COORDINATES, *VELOCITIES), ("X", "phi", "Phi", "X_dot", "phi_dot", "Phi_dot"), strict=True))
+    names[R] = "radius"
+    plain = set().union(*(formula.free_symbols for formula in formulas.values())) - {t, R}
+    names |= {symbol: symbol.name for symbol in sorted(plain, key=str) if symbol.name not in names.values()}
+    values = {name: 0.2 + 0.07 * i for i, name in enumerate(names.values())}
+
+    call_all = "Object.fromEntries(Object.entries(formulas).map(([name, formula]) => [name, formula(values)]))"
+    script = f"(values) => {{ const formulas = {javascript(formulas)}; return {call_all}; }}"
+    from_browser = visit().evaluate(script, values)
+    assert len(formulas) > 30
+    for name, formula in formulas.items():
+        expected = float(numpy_function(list(names), formula)(*values.values()))
+        assert from_browser[name] == pytest.approx(expected, rel=1e-13, abs=1e-15), name
+
+
+def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(visit):
+    page = visit()
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.wait_for_timeout(100)
+    before = len(page.frames_sent)
+    # Counts animation frames from the slider's own change to the readout's.
+    page.evaluate(
+        f"""() => {{
+          const input = document.querySelector('.st-key-m_prime input[type=range]');
+          const readout = {ROOT_OF_STAGE}.querySelector('[data-read=normalized]');
+          let value = input.value, shown = readout.textContent, since = null;
+          window.lags = [];
+          const watch = () => {{
+            if (input.value !== value) {{ value = input.value; since ??= 0; }}
+            if (readout.textContent !== shown) {{
+              shown = readout.textContent;
+              if (since !== null) window.lags.push(since);
+              since = null;
+            }} else if (since !== null) since += 1;
+            requestAnimationFrame(watch);
+          }};
+          requestAnimationFrame(watch);
+        }}"""
+    )
+    for i in range(1, 25):
+        page.mouse.move(x + 4 * i, y)
+        page.wait_for_timeout(40)
+    lags = page.evaluate("window.lags")
+    assert len(lags) >= 15
+    assert max(lags) <= 2
+    assert len(page.frames_sent) == before
+    live = float(text(page, "[data-read=normalized]"))
+    page.mouse.up()
+    settle(page)
+    # Negative control: letting go does send, and the server agrees with what the stage showed.
+    assert len(page.frames_sent) > before
+    assert float(text(page, "[data-read=normalized]")) == live
+
+
+@pytest.mark.parametrize("key", [key for key in CONTROLS if key != "radius"])
+def test_every_slider_is_followed_live_by_keyboard_too(visit, key):
+    page = visit()
+    pause(page)
+    page.locator(f".st-key-{key} input[type=range]").focus()
+    shown = "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent"
+    before = inside(page, shown)
+    page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(150)
+    assert (
+        inside(page, "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent") != before
+    )
+    settle(page)
+
+
+def test_an_off_step_value_is_not_rounded_by_its_slider(visit):
+    page = visit()
+    page.get_by_text("Unit frequency (1729)").click()
+    settle(page)
+    assert text(page, "[data-read=normalized]") == "1.000000"
+    assert page.locator(".st-key-m_prime input[type=range]").input_value() == "1.13"
+    page.locator(".st-key-k input[type=range]").focus()
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert text(page, "[data-read=normalized]") == "1.000000"
+    assert "m_prime=1.1272568270162107" in page.url
+
+
+def test_nothing_jumps_when_a_parameter_changes(visit):
+    """The slab's place, frame by frame across a preset, never moves further than twice its greatest speed allows."""
+    page = visit()
+    page.evaluate(
+        f"""() => {{
+          const rect = {ROOT_OF_STAGE}.querySelector('.body.slab rect:not(.grip)');
+          window.places = [];
+          const watch = (now) => {{
+            window.places.push([now, rect.getBoundingClientRect().x]);
+            requestAnimationFrame(watch);
+          }};
+          requestAnimationFrame(watch);
+        }}"""
+    )
+    page.wait_for_timeout(700)
+    page.get_by_text("Light rollers").click()
+    settle(page)
+    page.get_by_text("Heavy rollers").click()
+    settle(page)
+    places = page.evaluate("window.places")
+    scale = inside(page, "root.querySelector('.machine').getScreenCTM().a") * 100  # pixels per metre
+    fastest = 0.08 * Oscillator(1, 0.1, 10).natural_frequency * scale  # x₀Ω of the fastest of the three
+    steps = [(t1 - t0, abs(x1 - x0)) for (t0, x0), (t1, x1) in pairwise(places)]
+    # A change of shape by Δ fades with 70 ms: Δ is at most the difference of the two couplings times x₀, 3 cm.
+    fading = 0.03 / 0.07 * scale
+    assert max(moved - 2 * (fastest + fading) * ms / 1000 for ms, moved in steps) < 2
+    assert sum(moved for _, moved in steps) > 20
+
+
+def test_step_scrub_and_speed(visit):
+    page = visit()
+    pause(page)
+    scrub = page.locator(".st-key-stage .scrub input")
+    page.get_by_role("button", name="Release again").click()
+    page.wait_for_timeout(100)
+    assert float(scrub.input_value()) == 0
+    for name, expected in [("Step forward", 1 / 24), ("Step forward", 2 / 24), ("Step back", 1 / 24)]:
+        page.get_by_role("button", name=name).click()
+        page.wait_for_timeout(60)
+        assert float(scrub.input_value()) == pytest.approx(expected, abs=1e-9)
+    scrub.focus()
+    scrub.fill("0.5")
+    page.wait_for_timeout(60)
+    # Half a period after release the spring is stretched by what it was compressed: 2·8 cm apart, over the block.
+    half = inside(
+        page, "[...root.querySelectorAll('.body.slab, .body.block')].map((n) => n.transform.baseVal[0].matrix.e)"
+    )
+    scrub.fill("0")
+    page.wait_for_timeout(60)
+    start = inside(
+        page, "[...root.querySelectorAll('.body.slab, .body.block')].map((n) => n.transform.baseVal[0].matrix.e)"
+    )
+    assert (start[1] - start[0]) - (half[1] - half[0]) == pytest.approx(16, abs=1e-6)
+    page.get_by_role("radio", name="½×").click()
+    assert page.get_by_role("radio", name="½×").get_attribute("aria-checked") == "true"
+
+
+def test_fast_motion_is_slowed_and_says_so(visit):
+    page = visit("?m=0.5&m_prime=0.05&k=200")
+    assert "of its real speed" in text(page, ".note")
+    assert "of its real speed" not in text(visit(), ".note")
+
+
+def test_the_slab_can_be_dragged_and_let_go(visit):
+    page = visit()
+    pause(page)
+    page.get_by_role("button", name="Release again").click()
+    page.wait_for_timeout(400)
+    box = slab(page)
+    centre = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    scale = inside(page, "root.querySelector('.machine').getScreenCTM().a")
+    page.mouse.move(*centre)
+    page.mouse.down()
+    page.mouse.move(centre[0] - 3 * scale, centre[1], steps=4)
+    page.wait_for_timeout(400)
+    assert "x₀ = 5.0" in text(page, ".note")
+    assert slab(page)["x"] == pytest.approx(box["x"] - 3 * scale, abs=2)
+    page.mouse.up()
+    settle(page)
+    assert float(page.locator(".st-key-compression_exact input").input_value()) == pytest.approx(5, abs=0.1)
+
+
+def test_the_keyboard_does_everything(visit):
+    page = visit()
+    page.locator(".st-key-stage .stage").evaluate("node => node.focus()")
+    page.keyboard.press(" ")
+    assert page.get_by_role("button", name="Play", exact=True).count() == 1
+    page.keyboard.press("Home")
+    page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(60)
+    assert float(page.locator(".st-key-stage .scrub input").input_value()) == pytest.approx(1 / 24)
+    page.locator(".st-key-stage .body.slab").focus()
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_timeout(700)
+    settle(page)
+    assert "compression=7.5" in page.url
+
+
+def test_layers(visit):
+    page = visit()
+    for layer, selector in [("Velocities", ".arrows"), ("Forces", ".forces"), ("Traces", ".traces")]:
+        assert inside(page, f"root.querySelector('{selector}').style.display") == "none"
+        page.get_by_role("button", name=layer).click()
+        page.wait_for_timeout(150)
+        assert inside(page, f"root.querySelector('{selector}').style.display") == ""
+        assert inside(
+            page, f"[...root.querySelectorAll('{selector} path')].some((p) => p.getAttribute('d').length > 3)"
+        )
+    page.get_by_role("button", name="Energy").click()
+    assert inside(page, "root.querySelector('.energy').hidden")
+
+
+def test_energies_add_up(visit):
+    page = visit("?m_prime=3")
+    for _ in range(4):
+        widths = inside(page, "[...root.querySelectorAll('.bar i')].map((bar) => parseFloat(bar.style.width))")
+        assert sum(widths) == pytest.approx(100, abs=1e-6)
+        page.wait_for_timeout(130)
+
+
+def test_reduced_motion_starts_with_a_still(visit):
+    page = visit(reduced_motion="reduce")
+    assert page.get_by_role("button", name="Play", exact=True).count() == 1
+    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 5
+    place = slab(page)["x"]
+    page.wait_for_timeout(300)
+    assert slab(page)["x"] == place
+    page.get_by_role("button", name="Play", exact=True).click()
+    page.wait_for_timeout(200)
+    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 0
+    assert slab(page)["x"] != place
+
+
+def test_the_scene_is_described_in_words(visit):
+    page = visit()
+    page.wait_for_timeout(700)
+    spoken = text(page, ".live")
+    period = f"{Oscillator(1, 1, 10).period:.2f}"
+    turns = 1 / (math.sqrt(Oscillator().normalized_frequency_squared) - 1)
+    assert period in spoken
+    assert f"{turns:.1f}" in spoken
+    page.get_by_text("Unit frequency (1729)").click()
+    page.wait_for_timeout(900)
+    settle(page)
+    assert "in step" in text(page, ".live")
+
+
+def test_a_click_on_the_curve_takes_its_ratio(visit):
+    page = visit(height=1200)
+    curve = page.locator(".st-key-curve .scatterlayer")
+    curve.wait_for()
+    points = page.locator(".st-key-curve .scatterlayer .trace").nth(2).locator(".point")
+    box = points.nth(40).bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    settle(page)
+    first = float(page.locator(".st-key-m_prime_exact input").input_value())
+    assert first < 1
+    star = page.locator(".st-key-curve .scatterlayer .trace").nth(5).locator(".point").bounding_box()
+    page.mouse.click(star["x"] + star["width"] / 2, star["y"] + star["height"] / 2)
+    settle(page)
+    assert page.locator(".st-key-m_prime_exact input").input_value() == "1.1272568270162107"
+    assert text(page, "[data-read=normalized]") == "1.000000"
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 720), (1920, 1080), (390, 844)])
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_no_page_is_wider_than_its_screen(visit, width, height, theme):
+    page = visit("?m_prime=1.234567890123&k=33.3", width=width, height=height, theme=theme)
+    assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= width
+    if width >= 1280:
+        controls = page.locator(".st-key-stage .controls").bounding_box()
+        assert controls["y"] + controls["height"] <= height, "the stage and its controls fit on the first screen"
+
+
+def test_labels_of_the_curve_never_overlap(visit):
+    for width in (390, 1280):
+        page = visit(width=width, height=1400)
+        page.locator(".st-key-curve .annotation-text").first.wait_for()
+        boxes = [label.bounding_box() for label in page.locator(".st-key-curve .annotation-text").all()]
+        assert len(boxes) == 4
+        for i, a in enumerate(boxes):
+            assert a["x"] >= 0
+            assert a["x"] + a["width"] <= width
+            for b in boxes[i + 1 :]:
+                apart = (
+                    a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
+                    or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
+                )  # fmt: skip
+                assert apart
+
+
+def test_copy_link_gives_the_address(visit):
+    page = visit("?m=2")
+    page.locator(".st-key-link button").click()
+    page.wait_for_timeout(200)
+    said = page.locator(".st-key-link output").inner_text()
+    assert said in ("Copied.", "Copy it from here:")
+    if said != "Copied.":
+        assert page.locator(".st-key-link input").input_value() == page.url
+
+
+def test_two_hundred_changes_leave_nothing_behind(visit):
+    page = visit()
+    client = page.context.new_cdp_session(page)
+    client.send("Performance.enable")
+
+    def counted() -> dict[str, float]:
+        client.send("HeapProfiler.collectGarbage")
+        metrics = {metric["name"]: metric["value"] for metric in client.send("Performance.getMetrics")["metrics"]}
+        return {name: metrics[name] for name in ("JSHeapUsedSize", "JSEventListeners", "Nodes")}
+
+    handle = page.locator(".st-key-k input[type=range]")
+    handle.focus()
+
+    def change(times: int) -> None:
+        for i in range(times):
+            page.keyboard.press("ArrowRight" if i % 40 < 20 else "ArrowLeft")
+            page.wait_for_timeout(15)
+        settle(page)
+
+    change(80)
+    before = counted()
+    change(200)
+    after = counted()
+    # Streamlit and Plotly keep a little of their own; a listener or a node for each change would be 200 and more.
+    assert after["JSEventListeners"] - before["JSEventListeners"] < 50
+    assert after["Nodes"] - before["Nodes"] < 150
+    assert after["JSHeapUsedSize"] - before["JSHeapUsedSize"] < 4e6
+
+
+def test_a_change_sends_at_most_twenty_kilobytes(visit):
+    page = visit()
+    page.get_by_text("Unit frequency (1729)").click()
+    settle(page)
+    start = len(page.frames_received)
+    page.get_by_text("Light rollers").click()
+    settle(page)
+    assert 1000 < sum(page.frames_received[start:]) <= 20_000

@@ -1,0 +1,161 @@
+"""The numbers of the machine against mpmath, and its matrices against each other."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator, mass_ratio_for, normalized_frequency_squared
+
+mpmath.mp.dps = 60
+SMALLEST, LARGEST = 2.2250738585072014e-308, 1.7976931348623157e308
+anything = st.floats(1e-300, 1e300)
+near = st.floats(-3, 3).map(lambda exponent: 10**exponent)
+
+
+def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
+    """Ω² from the determinant of K − ΛM, entry by entry: no formula of the package takes part."""
+    m, m_prime, k = map(mpmath.mpf, (m, m_prime, k))
+    mass = mpmath.matrix(
+        [
+            [3 * m + 2 * m_prime, -2 * (m + m_prime), -m],
+            [-2 * (m + m_prime), 4 * m + 7 * m_prime / 2, 0],
+            [-m, 0, 3 * m / 2],
+        ]
+    )
+    cofactor = mass[0, 0] * mass[2, 2] - mass[0, 2] * mass[2, 0]
+    determinant = mass[1, 1] * cofactor - mass[0, 1] * mass[1, 0] * mass[2, 2]
+    return 4 * k * cofactor / determinant
+
+
+def ulps(value: float, exact: mpmath.mpf) -> float:
+    return float(abs(mpmath.mpf(float(value)) - exact) / mpmath.mpf(math.ulp(float(value))))
+
+
+@settings(deadline=None, max_examples=600)
+@given(anything, anything, anything)
+@example(1e-300, 1e300, 1.0)
+@example(1e300, 1e-300, 1.0)
+@example(1e300, 1e300, 1e300)
+def test_frequency_is_right_or_refused_over_the_whole_range(m, m_prime, k):
+    exact = exact_frequency_squared(m, m_prime, k)
+    try:
+        value = Oscillator(m, m_prime, k).natural_frequency_squared
+    except ValueError:
+        assert not SMALLEST * (1 + 1e-15) < exact < LARGEST * (1 - 1e-15)
+    else:
+        # Four roundings of at most one ulp each separate k/M_x from the truth.
+        assert ulps(value, exact) <= 4
+
+
+@settings(deadline=None, max_examples=400)
+@given(near, near, near)
+def test_frequency_of_ordinary_machines(m, m_prime, k):
+    oscillator = Oscillator(m, m_prime, k)
+    exact = exact_frequency_squared(m, m_prime, k)
+    assert ulps(oscillator.natural_frequency_squared, exact) <= 4
+    assert oscillator.natural_frequency == pytest.approx(float(mpmath.sqrt(exact)), rel=1e-15)
+    assert oscillator.period == pytest.approx(float(2 * mpmath.pi / mpmath.sqrt(exact)), rel=1e-15)
+    assert oscillator.effective_mass == pytest.approx(float(k / exact), rel=1e-15)
+    normalized = exact * mpmath.mpf(m) / mpmath.mpf(k)
+    # One ulp more in, for the rounding of m′/m.
+    assert ulps(oscillator.normalized_frequency_squared, normalized) <= 5
+
+
+@pytest.mark.parametrize(("ratio", "expected"), [(0, 7 / 4), (1, 104 / 99), (5 / 6, 9 / 8), (UNIT_MASS_RATIO, 1.0)])
+def test_known_ratios(ratio, expected):
+    assert normalized_frequency_squared(ratio) == pytest.approx(expected, rel=4e-16)
+
+
+def test_the_unit_ratio_is_the_nearest_double():
+    exact = (mpmath.sqrt(1729) - 1) / 36
+    assert float(exact) == UNIT_MASS_RATIO
+    assert (math.sqrt(1729) - 1) / 36 != UNIT_MASS_RATIO  # the textbook form loses a digit
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_arrays_keep_their_precision_and_shape(dtype):
+    ratios = np.geomspace(1e-6, 1e6, 301, dtype=dtype).reshape(7, 43)
+    values = normalized_frequency_squared(ratios)
+    assert values.dtype == dtype
+    assert values.shape == ratios.shape
+    exact = [exact_frequency_squared(1, float(ratio), 1) for ratio in ratios.flat]
+    errors = [float(abs(mpmath.mpf(float(v)) - e)) / np.spacing(v) for v, e in zip(values.flat, exact, strict=True)]
+    assert max(errors) <= 4
+    back = mass_ratio_for(values)
+    assert back.dtype == dtype
+    # f falls by |εf′/f| ≤ 1 of a relative step, but is flat where ε is small: there the inverse can know less.
+    conditioning = 1 + 1 / ratios
+    assert np.all(np.abs(back / ratios - 1) <= 20 * np.finfo(dtype).eps * conditioning)
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.floats(1e-300, 7 / 4, exclude_max=True))
+@example(np.nextafter(7 / 4, 0))
+@example(48 / 49)
+def test_the_inverse_against_mpmath(w):
+    exact_w = mpmath.mpf(w)
+    a, b, c = 18 * exact_w, 49 * exact_w - 48, 32 * exact_w - 56
+    exact = -2 * c / (b + mpmath.sqrt(b * b - 4 * a * c)) if b >= 0 else (mpmath.sqrt(b * b - 4 * a * c) - b) / (2 * a)
+    assert float(abs(mpmath.mpf(float(mass_ratio_for(w))) / exact - 1)) < 2e-15
+
+
+@pytest.mark.parametrize("w", [0, -1, 7 / 4, 2, math.nan, math.inf, "1", None, 5e-324])
+def test_the_inverse_refuses_what_no_machine_has(w):
+    with pytest.raises(ValueError, match="normalized_frequency_squared"):
+        mass_ratio_for(w)
+
+
+@pytest.mark.parametrize("ratio", [-1, -1e-300, math.nan, math.inf, "x", None, 1j, [1, -1], [1, math.nan]])
+def test_a_bad_mass_ratio_is_refused_by_name(ratio):
+    with pytest.raises(ValueError, match="mass_ratio"):
+        normalized_frequency_squared(ratio)
+
+
+@pytest.mark.parametrize("name", ["m", "m_prime", "k", "radius"])
+@pytest.mark.parametrize("bad", [0, -1, math.nan, math.inf, -math.inf, "1", b"1", None, [1], 1j, 10**400])
+def test_a_bad_parameter_is_refused_by_name(name, bad):
+    with pytest.raises(ValueError, match=rf"^{name} must be a finite positive number"):
+        Oscillator(**{name: bad})
+
+
+def test_an_oscillator_is_a_value():
+    assert Oscillator(1, 2, 3) == Oscillator(1.0, 2.0, 3.0)
+    assert hash(Oscillator()) == hash(Oscillator(np.float64(1)))
+    with pytest.raises(AttributeError):
+        Oscillator().m = 2
+
+
+@settings(deadline=None, max_examples=200)
+@given(near, near, near, near)
+def test_matrices_give_the_mode_and_its_frequency(m, m_prime, k, radius):
+    oscillator = Oscillator(m, m_prime, k, radius)
+    M, K, shape = oscillator.mass_matrix, oscillator.stiffness_matrix, oscillator.mode_shape
+    assert np.array_equal(M, M.T)
+    assert np.all(np.linalg.eigvalsh(M) > 0)
+    residual = K @ shape - oscillator.natural_frequency_squared * (M @ shape)
+    # Each row adds up terms of this size and must vanish: a few roundings of the largest.
+    scale = oscillator.natural_frequency_squared * (np.abs(M) @ np.abs(shape))
+    assert np.all(np.abs(residual) <= 8 * np.finfo(float).eps * scale)
+    # Negative control: a mode with the block gliding the other way is none.
+    wrong = shape * [-1, 1, 1]
+    assert np.any(np.abs(K @ wrong - oscillator.natural_frequency_squared * (M @ wrong)) > 1e-3 * scale)
+
+
+@pytest.mark.parametrize("zero_mode", [[1, 0, 0], [0, 0, 1]])
+def test_zero_modes_meet_no_spring(zero_mode):
+    assert not np.any(Oscillator(2, 3, 5, 0.7).stiffness_matrix @ zero_mode)
+
+
+def test_matrices_out_of_range_are_refused_not_wrong():
+    for radius in (1e200, 1e-200):
+        with pytest.raises(ValueError, match="mass_matrix"):
+            _ = Oscillator(radius=radius).mass_matrix
+        with pytest.raises(ValueError, match="stiffness_matrix"):
+            _ = Oscillator(radius=radius).stiffness_matrix
+    assert Oscillator(radius=1e200).natural_frequency_squared == Oscillator().natural_frequency_squared

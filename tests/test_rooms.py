@@ -1,0 +1,80 @@
+"""Which room may import which, and what the first page may load: the table of the README, held."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import grimp
+import pytest
+
+from tests.conftest import ROOT
+
+CORE = {"oscillator", "motion"}
+ROOMS = {
+    "oscillator": (set(), {"numpy"}),
+    "motion": ({"oscillator"}, {"numpy"}),
+    "energy": (CORE, {"numpy"}),
+    "sampling": ({"oscillator"}, {"numpy"}),
+    "contact": (CORE, {"numpy"}),
+    "integrators": (set(), {"numpy"}),
+    "number_theory": (set(), {"sympy"}),
+    "accuracy": (CORE | {"integrators"}, {"numpy", "mpmath"}),
+    "derivation": (set(), {"sympy"}),
+    "figures": (set(), {"numpy", "plotly"}),
+    "stage": (CORE | {"derivation"}, {"streamlit", "sympy"}),
+}
+"""Room → rooms it may import from, third-party packages it may import. `scenes` may import all."""
+
+OTHER_PAGES = (
+    "accuracy",
+    "integrators",
+    "contact",
+    "energy",
+    "number_theory",
+    "derivation.answers",
+    "derivation.export",
+)
+
+EVERYONE = {"typing_extensions"} | set(sys.stdlib_module_names)
+
+
+@pytest.fixture(scope="module")
+def graph() -> grimp.ImportGraph:
+    return grimp.build_graph("ramanujan", include_external_packages=True)
+
+
+def room_of(module: str) -> str:
+    return module.split(".")[1] if "." in module else ""
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_only_what_its_row_allows(graph, room):
+    rooms, packages = ROOMS[room]
+    modules = {module for module in graph.modules if room_of(module) == room}
+    assert modules
+    imported = {target for module in modules for target in graph.find_modules_directly_imported_by(module)}
+    inside = {room_of(target) for target in imported if target.startswith("ramanujan.")}
+    outside = {target for target in imported if not target.startswith("ramanujan")}
+    assert inside - {room} <= rooms
+    assert outside - EVERYONE <= packages
+
+
+def test_every_room_has_its_row(graph):
+    rooms = {room_of(module) for module in graph.modules if module.startswith("ramanujan.")}
+    assert rooms - {"scenes"} == set(ROOMS)
+
+
+def test_the_first_page_loads_nothing_that_only_other_pages_need():
+    script = f"""
+import sys
+from streamlit.testing.v1 import AppTest
+app = AppTest.from_file({str(ROOT / "app.py")!r}, default_timeout=60).run()
+assert not app.exception and app.title
+for room in {OTHER_PAGES!r}:
+    assert f"ramanujan.{{room}}" not in sys.modules, room
+# Negative control: what the page does show is there.
+assert "ramanujan.stage" in sys.modules and "plotly" in sys.modules
+"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr[-2000:]

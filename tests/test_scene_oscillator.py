@@ -1,0 +1,180 @@
+"""Page 1 and the sidebar under AppTest: every control at its ends, presets, exact entries, good and bad links."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan.scenes.controls import CONTROLS, PRESETS, read_number
+
+KEYS = list(CONTROLS)
+
+
+def sound(app):
+    """The page is whole: no exception, no error box, and its title stands."""
+    assert not app.exception
+    assert not app.error
+    assert app.title[0].value
+    return app
+
+
+def values(app) -> dict[str, float]:
+    return {key: app.slider(key=key).value for key in KEYS}
+
+
+DEFAULTS = {key: control.default for key, control in CONTROLS.items()}
+
+
+def test_the_first_run_shows_the_defaults(app):
+    assert values(sound(app.run())) == DEFAULTS
+    assert not app.warning
+    assert len(app.latex) >= 6
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_every_slider_at_its_ends_and_between_its_steps(app, key):
+    app.run()
+    control = CONTROLS[key]
+    between = (control.least + control.most) / 2 + control.step / math.pi
+    for value in (control.least, control.most, between):
+        sound(app.slider(key=key).set_value(value).run())
+        assert app.slider(key=key).value == value
+        assert float(app.text_input(key=f"{key}_exact").value) == value
+        assert not app.warning
+
+
+def test_all_corners_together(app):
+    app.run()
+    for light, stiff in [(True, True), (True, False), (False, True), (False, False)]:
+        app.slider(key="m").set_value(CONTROLS["m"].most if light else CONTROLS["m"].least)
+        app.slider(key="m_prime").set_value(CONTROLS["m_prime"].least if light else CONTROLS["m_prime"].most)
+        app.slider(key="k").set_value(CONTROLS["k"].most if stiff else CONTROLS["k"].least)
+        sound(app.run())
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+@pytest.mark.parametrize("m", [0.5, 1.0, 5.0])
+def test_presets_keep_every_value_in_range(app, preset, m):
+    app.run()
+    app.slider(key="m").set_value(m).run()
+    sound(app.pills(key="preset").set_value(preset).run())
+    for key, value in values(app).items():
+        assert CONTROLS[key].least <= value <= CONTROLS[key].most
+    assert app.pills(key="preset").value is None
+
+
+@pytest.mark.parametrize("m", [0.5, 1.0, 3.7, 5.0])
+def test_the_1729_preset_gives_exactly_one(app, m):
+    app.run()
+    app.slider(key="m").set_value(m).run()
+    app.pills(key="preset").set_value("Unit frequency (1729)").run()
+    now = values(sound(app))
+    assert now["m"] == m
+    assert now["m_prime"] == UNIT_MASS_RATIO * m
+    machine = Oscillator(now["m"], now["m_prime"], now["k"])
+    assert machine.normalized_frequency_squared == pytest.approx(1, rel=4e-16)
+    shown = " ".join(element.value for element in app.latex)
+    # The derivation knows the ratio exactly: it shows roots and 1729, no digits of a float.
+    assert r"\sqrt{1729}" in shown
+    assert "1.127" not in shown
+
+
+def test_heavy_rollers_let_m_give_way_where_m_prime_cannot_grow(app):
+    app.run()
+    app.slider(key="m").set_value(5.0).run()
+    app.pills(key="preset").set_value("Heavy rollers").run()
+    now = values(sound(app))
+    assert now["m_prime"] == CONTROLS["m_prime"].most
+    assert now["m_prime"] / now["m"] == pytest.approx(5)
+
+
+def test_reset_brings_everything_back(app):
+    app.run()
+    for key, control in CONTROLS.items():
+        app.slider(key=key).set_value(control.most)
+    app.run()
+    app.pills(key="preset").set_value("Reset").run()
+    assert values(sound(app)) == DEFAULTS
+
+
+@pytest.mark.parametrize(("text", "number"), [("9/8", 1.125), (" 2 ", 2.0), ("1,5", 1.5), ("1e0", 1.0), ("4.5/3", 1.5)])
+def test_an_exact_entry_takes_numbers_and_fractions(app, text, number):
+    app.run()
+    sound(app.text_input(key="m_exact").set_value(text).run())
+    assert app.slider(key="m").value == number
+    assert not app.warning
+
+
+HOSTILE = [
+    "abc",
+    "",
+    "-1",
+    "0",
+    "nan",
+    "inf",
+    "1e999",
+    "1/0",
+    "9" * 60,
+    "__import__('os')",
+    "<b>1</b>",
+    "$x$",
+    "1e9999999",
+]
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_a_bad_entry_gets_one_sentence_and_changes_nothing(app, text):
+    app.run()
+    app.slider(key="m").set_value(2.5).run()
+    sound(app.text_input(key="m_exact").set_value(text).run())
+    assert app.slider(key="m").value == 2.5
+    assert app.text_input(key="m_exact").value == "2.5"
+    (warning,) = app.warning
+    assert warning.value.count(".") - warning.value.count("1.25") - warning.value.count("0.5") == 1
+    assert text == "" or text not in warning.value or text in "01"
+    sound(app.run())
+    assert not app.warning
+
+
+@pytest.mark.parametrize(
+    "bad", ["abc", "-1", "1e999", "nan", "", "<script>alert(1)</script>", "0x10", "9/8", "1" * 5000]
+)
+@pytest.mark.parametrize("key", ["m", "compression"])
+def test_a_bad_link_gets_one_sentence_and_the_default(app, key, bad):
+    app.query_params[key] = bad
+    app.query_params["k"] = "20"
+    sound(app.run())
+    assert values(app) == {**DEFAULTS, "k": 20.0}
+    (warning,) = app.warning
+    assert f"The link's {key} " in warning.value
+    assert not bad or bad not in warning.value
+    assert not sound(app.run()).warning
+
+
+def test_a_link_that_says_a_thing_twice_is_told_so(app):
+    app.query_params["m"] = ["1", "2"]
+    (warning,) = sound(app.run()).warning
+    assert warning.value == "The link gives m more than once; it is ignored."
+    assert values(app) == DEFAULTS
+
+
+def test_an_unknown_key_is_told_once(app):
+    app.query_params["colour"] = "blue"
+    (warning,) = sound(app.run()).warning
+    assert "colour" not in warning.value
+    assert not sound(app.run()).warning
+
+
+def test_a_good_link_is_taken_to_the_last_digit(app):
+    wanted = {"m": 1.75, "m_prime": UNIT_MASS_RATIO, "k": 12.3456789, "compression": math.pi, "radius": 7.25}
+    for key, value in wanted.items():
+        app.query_params[key] = repr(value)
+    assert values(sound(app.run())) == wanted
+    assert not app.warning
+
+
+@pytest.mark.parametrize("text", [*HOSTILE[:2], "1/2/3", "--1", "1_000", "１", "½", "1 2", "\x00", "0b1", "1e1000"])
+def test_what_is_no_number_is_none(text):
+    assert read_number(text) is None
