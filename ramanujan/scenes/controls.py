@@ -57,6 +57,7 @@ WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} f
 PAGE_KEYS: frozenset[str] = frozenset({"left", "right", "top", "p", "q", "digits"})
 PAGE_KEYS: frozenset[str] = frozenset({"glide", "spin", "mu", "view"})
 PAGE_KEYS: frozenset[str] = frozenset({"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"})
+PAGE_KEYS: frozenset[str] = frozenset({"route", "view", "values", "step", "body", "question"})
 """Keys that single pages keep in the URL."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
