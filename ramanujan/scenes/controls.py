@@ -54,11 +54,13 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
-PAGE_KEYS: frozenset[str] = frozenset({"left", "right", "top", "p", "q", "digits"})
-PAGE_KEYS: frozenset[str] = frozenset({"glide", "spin", "mu", "view"})
-PAGE_KEYS: frozenset[str] = frozenset({"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"})
-PAGE_KEYS: frozenset[str] = frozenset({"route", "view", "values", "step", "body", "question"})
-"""Keys that single pages keep in the URL."""
+PAGE_KEYS = {
+    "derivation": {"route", "view", "values", "step", "body", "question"},
+    "motion": {"glide", "spin", "mu", "figure"},
+    "1729": {"left", "right", "top", "p", "q", "digits"},
+    "speed": {"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"},
+}
+"""Page → the keys that it keeps in the URL, beside those of the controls; no two pages share one."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
@@ -247,7 +249,8 @@ def _bad_link() -> list[str]:
         return []
     st.session_state[_LINK_READ] = True
     complaints = [*filter(None, map(_bad_in_link, CONTROLS.values()))]
-    if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
+    known = set(CONTROLS).union(*PAGE_KEYS.values())
+    if not known.issuperset(st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
 
