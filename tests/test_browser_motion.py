@@ -113,7 +113,7 @@ def test_the_cursor_follows_to_another_view_and_another_machine(visit):
     (time,) = cursor_times(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
     assert time == pytest.approx(0.5 * cached.PERIODS * period, rel=0.02)
-    assert "view=Momentum" in page.url
+    assert "figure=Momentum" in page.url
 
 
 def test_the_csv_is_the_motion_shown(visit, tmp_path):
