@@ -18,6 +18,19 @@ from tests.conftest import settle
 ROOT_OF_STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
 
 
+@pytest.fixture
+def visit(visit):
+    """As everywhere, and wait until the stage has drawn."""
+
+    def open_page(*arguments, **options):
+        page = visit(*arguments, **options)
+        page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)")
+        page.wait_for_timeout(100)
+        return page
+
+    return open_page
+
+
 def inside(page, expression: str):
     """Evaluate a JavaScript expression with `root` as the stage's own document."""
     return page.evaluate(f"(() => {{ const root = {ROOT_OF_STAGE}; return {expression}; }})()")

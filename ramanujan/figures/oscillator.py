@@ -60,13 +60,13 @@ def frequency_curve(
         hoverinfo="skip",
         name="limit",
     )
-    # Only markers can be clicked; these are there for the pointer, not for the eye.
+    # Only markers can be clicked; these are there for the pointer, not for the eye, and small beside the marks.
     figure.add_scatter(
         x=ratios,
         y=values,
         mode="lines+markers",
         line={"color": colors["primary"], "width": 3},
-        marker={"size": 14, "opacity": 0},
+        marker={"size": 6, "opacity": 0},
         selected={"marker": {"opacity": 0}},
         unselected={"marker": {"opacity": 0}},
         name="any machine",

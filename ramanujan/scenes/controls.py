@@ -7,6 +7,7 @@ and the last good value stays.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -65,7 +66,9 @@ _LINK_READ = "link_read"
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
-    complaints = _bad_link()
+    # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
+    if complaints := _bad_link():
+        st.warning(" ".join(complaints))
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
         for key in ("m", "m_prime", "k", "compression"):
@@ -74,9 +77,8 @@ def sidebar() -> None:
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
             _slider(CONTROLS["radius"])
         link()
-        complaints += filter(None, [st.session_state.pop(_COMPLAINT, None)])
-        if complaints:
-            st.warning(" ".join(complaints))
+        if complaint := st.session_state.pop(_COMPLAINT, None):
+            st.warning(complaint)
 
 
 def oscillator() -> Oscillator:
@@ -128,7 +130,8 @@ PRESETS: dict[str, Callable[[], None]] = {
 
 def _take_preset() -> None:
     """Do what was asked for, and leave no choice standing: the next slider would belie it."""
-    PRESETS[st.session_state[_PRESET]]()
+    if preset := st.session_state[_PRESET]:
+        PRESETS[preset]()
     st.session_state[_PRESET] = None
 
 
@@ -165,10 +168,10 @@ def _take_exact(control: Control) -> None:
     number = read_number(text)
     if number is None:
         st.session_state[_COMPLAINT] = (
-            f"{control.key} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
+            f"{control.symbol} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
         )
     elif not control.least <= number <= control.most:
-        st.session_state[_COMPLAINT] = f"{control.key} goes {control.range}; it stays as it was."
+        st.session_state[_COMPLAINT] = f"{control.symbol} goes {control.range}; it stays as it was."
     else:
         st.session_state[control.key] = number
 
@@ -193,14 +196,21 @@ def _bad_link() -> list[str]:
     complaints = []
     for key, control in CONTROLS.items():
         texts = st.query_params.get_all(key)
-        number = read_number(texts[0]) if len(texts) == 1 else None
         if len(texts) > 1:
             complaints.append(f"The link gives {key} more than once; it is ignored.")
-        elif texts and (number is None or not control.least <= number <= control.most):
+        elif texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
             complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
     if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
+
+
+def _as_streamlit_reads(text: str) -> float:
+    """Return the number that a bound slider takes from a link, NaN where it takes none; fractions are for the boxes."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
 
 
 def _value(key: str) -> float:
