@@ -38,15 +38,11 @@ def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(vi
     assert max(page.frames_received) < 200_000
 
 
-def test_every_figure_has_a_text_alternative_with_numbers(visit: object) -> None:
+def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
     page = ready(visit("1729"))
     labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
     assert len(labels) == 6
     assert all(label and any(map(str.isdigit, label)) for label in labels)
-
-
-def test_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
-    page = ready(visit("1729"))
     eye = "document.querySelector('.st-key-cubes_12 .js-plotly-plot').layout.scene.camera.eye.x"
     before = page.evaluate(eye)
     page.locator(".st-key-turn [role=slider], .st-key-turn input[type=range]").first.focus()
@@ -58,9 +54,8 @@ def test_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
     page.wait_for_function(f"({points}.length ?? {points}._inputArray.length) > {length}")
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_the_phone_does_not_scroll_sideways(visit: object, theme: str) -> None:
-    page = ready(visit("1729?p=1000&q=999&digits=1000&left=sphere", width=390, height=844, theme=theme))
+def test_the_phone_does_not_scroll_sideways(visit: object) -> None:
+    page = ready(visit("1729?p=1000&q=999&digits=1000&left=sphere", width=390, height=844))
     main = "document.querySelector('[data-testid=stMain]')"
     assert page.evaluate(f"{main}.scrollWidth <= {main}.clientWidth")
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
