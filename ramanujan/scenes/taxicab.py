@@ -69,7 +69,7 @@ def link_complaints() -> list[str]:
     if st.session_state.setdefault("taxicab_link_read", False):
         return []
     st.session_state["taxicab_link_read"] = True
-    given = {key: st.query_params.get_all(key) for key in controls.PAGE_KEYS}
+    given = {key: st.query_params.get_all(key) for key in controls.PAGE_KEYS["1729"]}
     bodies = [key for key in PLACES if given[key] and (len(given[key]) > 1 or given[key][0] not in BODIES)]
     numbers = [
         key
