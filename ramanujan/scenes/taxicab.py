@@ -208,7 +208,12 @@ def other_bodies() -> None:
     story = cached.story(*chosen)
     left, right, top = (float(BODIES[body]) for body in chosen)
     stage.mount(
-        stage.payload(oscillator, controls.compression(), shape_factors={"hoop": left, "cylinder": right, "top": top}),
+        stage.payload(
+            oscillator,
+            controls.compression(),
+            shape_factors={"hoop": left, "cylinder": right, "top": top},
+            unity=f"1 ↔ √{story.machine.discriminant}",
+        ),
         limits=controls.limits("compression"),
         watch=controls.WATCH,
         key="stage_bodies",

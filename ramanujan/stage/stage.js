@@ -407,7 +407,7 @@ class Stage {
     const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
     set(this.find(".scale"), { d: "M10 26H190" });
     set(this.find(".unity"), { x: at(1) });
-    this.find(".unity").textContent = WORDS.unity;
+    this.find(".unity").textContent = this.data.unity ?? WORDS.unity;
     set(this.find(".pointer"), { transform: `translate(${at(Math.min(normalized, limit))} 26)` });
     const ticks = this.find(".gauge .ticks");
     ticks.replaceChildren();
