@@ -68,6 +68,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
                 f"yaxis{axis[1:]}": {
                     "domain": domain,
                     "title": {"text": f"{panel.title} [{panel.unit}]"},
+                    "automargin": True,
                     "range": panel.range,
                     "zeroline": True,
                     "zerolinecolor": colors["ink"],
