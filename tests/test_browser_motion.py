@@ -57,7 +57,7 @@ def test_a_change_of_a_slider_sends_at_most_60_kB(visit):
 
 
 def test_the_cursor_moves_all_figures_without_the_server(visit):
-    page = open_motion(visit, "?view=Displacements")
+    page = open_motion(visit, "?figure=Displacements")
     slider = page.get_by_label("Time cursor")
     before = len(page.frames_sent)
     slider.fill("0.3")
@@ -75,7 +75,7 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
 
 
 def test_the_pointer_takes_the_cursor_along_and_all_panels_answer(visit):
-    page = open_motion(visit, "?view=Displacements", width=1280, height=1500)
+    page = open_motion(visit, "?figure=Displacements", width=1280, height=1500)
     panel = page.locator(PLOT).first.bounding_box()
     page.mouse.move(panel["x"] + 0.5 * panel["width"], panel["y"] + 0.5 * panel["height"])
     page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
@@ -86,7 +86,7 @@ def test_the_pointer_takes_the_cursor_along_and_all_panels_answer(visit):
 
 
 def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
-    page = open_motion(visit, "?view=Displacements")
+    page = open_motion(visit, "?figure=Displacements")
     page.get_by_label("Time cursor").fill("0")
     page.wait_for_timeout(150)
     places = page.evaluate(
@@ -106,14 +106,14 @@ def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
 
 
 def test_the_cursor_follows_to_another_view_and_another_machine(visit):
-    page = open_motion(visit, "?view=Energy")
+    page = open_motion(visit, "?figure=Energy")
     page.get_by_label("Time cursor").fill("0.5")
     choose(page, "Momentum")
     nudge(page, "m", "End")
     (time,) = cursor_times(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
     assert time == pytest.approx(0.5 * cached.PERIODS * period, rel=0.02)
-    assert "view=Momentum" in page.url
+    assert "figure=Momentum" in page.url
 
 
 def test_the_csv_is_the_motion_shown(visit, tmp_path):
@@ -132,7 +132,7 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
 
 
 def test_plotly_keeps_its_legend_zoom_and_png(visit):
-    page = open_motion(visit, "?view=Energy")
+    page = open_motion(visit, "?figure=Energy")
     graph = page.locator(".js-plotly-plot")
     graph.hover()
     titles = [button.get_attribute("data-title") or "" for button in page.locator(".modebar-btn").all()]
@@ -155,7 +155,7 @@ def test_the_spacing_is_that_of_the_picture(visit, radius):
 
 
 def test_nothing_jumps_when_the_model_stops_to_hold(visit):
-    page = open_motion(visit, "?mu=0.07&view=Contact+forces")
+    page = open_motion(visit, "?mu=0.07&figure=Contact+forces")
     top = page.get_by_role("tab", name="Energy").bounding_box()["y"]
     nudge(page, "mu", "Home")
     assert page.get_by_text("The model no longer holds").is_visible()

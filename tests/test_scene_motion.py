@@ -46,7 +46,7 @@ def figures(view, *setting):
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_each_view_shows_its_figures_with_a_text_alternative(app, view):
-    shown = charts(open_page(app, view=view))
+    shown = charts(open_page(app, figure=view))
     assert len(shown) == {"Displacements": 2, "Energy": 1, "Momentum": 1, "Contact forces": 2}[view]
     assert all(len(alt) > 40 and any(letter.isdigit() for letter in alt) for alt in shown)
 
@@ -57,7 +57,7 @@ def test_a_view_that_is_not_open_costs_no_bytes(app):
 
 @pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (0.2, 8.0), (1.5, 12.0), (0.01, 0.5), (0.07, 8.0)])
 def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression):
-    open_page(app, mu=mu, compression=compression, view="Contact forces")
+    open_page(app, mu=mu, compression=compression, figure="Contact forces")
     machine, spacing = Oscillator(1.0, 1.0, 10.0, 0.1), cached.drawn_spacing(0.1)
     needed = required_friction(machine, compression / 100, spacing=spacing)
     largest = largest_compression(machine, mu, spacing=spacing)
@@ -86,7 +86,7 @@ def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch,
 
 @pytest.mark.parametrize("light", [True, False])
 def test_the_bars_are_the_friction_needed(app, light):
-    open_page(app, m_prime=0.05 if light else 3.0, mu=0.05, view="Contact forces")
+    open_page(app, m_prime=0.05 if light else 3.0, mu=0.05, figure="Contact forces")
     (bars,) = (figure for alt, figure in charts(app).items() if alt.startswith("Friction needed"))
     machine = Oscillator(1.0, 0.05 if light else 3.0, 10.0, 0.1)
     needed = required_friction(machine, 0.08, spacing=cached.drawn_spacing(0.1))
@@ -120,7 +120,7 @@ def test_a_bad_link_gets_one_sentence_and_the_default_stays(app, query):
 
 def test_a_view_that_does_not_exist_is_the_first_one(app):
     app.switch_page(PAGE)
-    app.query_params["view"] = "nonsense"
+    app.query_params["figure"] = "nonsense"
     app.run()
     assert not app.exception
     assert len(charts(app)) == 2

@@ -47,12 +47,14 @@ class Question:
     Parameters
     ----------
     name : the name in `QUESTIONS`
+    quantity : what is asked for, in a few words of plain text
     prompt : one or two sentences, Markdown with $…$
     names : what the answer may contain, as one types it
     example : a formula that shows how one types; it is not the answer
     """
 
     name: str
+    quantity: str
     prompt: str
     names: tuple[str, ...]
     example: str
@@ -78,7 +80,8 @@ def question(name: str) -> Question:
     """
     if not isinstance(name, str) or name not in _ASKED:
         raise ValueError(f"name must be one of {', '.join(QUESTIONS)}")
-    return Question(name, _ASKED[name].prompt(), _names(name), _ASKED[name].example)
+    asked = _ASKED[name]
+    return Question(name, asked.quantity, asked.prompt(), _names(name), asked.example)
 
 
 def judge(question: str, text: str) -> Verdict:

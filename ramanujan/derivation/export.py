@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
@@ -103,16 +103,27 @@ def _latex_section(step: Step) -> str:
     return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{rows}\n\\end{{align*}}\n"
 
 
+def lines(expression: sp.Expr, write: Callable[[sp.Expr], str] = latex) -> list[str]:
+    """Return the LaTeX of an expression, a long sum broken into lines of which each but the first begins with a sign.
+
+    Parameters
+    ----------
+    expression : what is written
+    write : expression → LaTeX
+    """
+    groups: list[list[sp.Expr]] = [[]]
+    for term in expression.as_ordered_terms() if expression.is_Add else [expression]:
+        if groups[-1] and _width(latex(sp.Add(*groups[-1], term))) > _LINE_WIDTH:
+            groups.append([])
+        groups[-1].append(term)
+    first, *others = (write(group[0] if len(group) == 1 else sp.Add(*group)) for group in groups)
+    return [first, *(other if other.startswith("-") else f"+ {other}" for other in others)]
+
+
 def _row(equation: sp.Eq) -> str:
     """Return left &= right, a long sum broken into lines."""
-    lines: list[list[sp.Expr]] = [[]]
-    for term in equation.rhs.as_ordered_terms() if equation.rhs.is_Add else [equation.rhs]:
-        if lines[-1] and _width(latex(sp.Add(*lines[-1], term))) > _LINE_WIDTH:
-            lines.append([])
-        lines[-1].append(term)
-    first, *others = (latex(line[0] if len(line) == 1 else sp.Add(*line)) for line in lines)
-    continued = (f" \\\\\n  &\\quad {'' if other.startswith('-') else '+ '}{other}" for other in others)
-    return f"{latex(equation.lhs)} &= {first}{''.join(continued)}"
+    first, *others = lines(equation.rhs)
+    return f"{latex(equation.lhs)} &= {first}" + "".join(f" \\\\\n  &\\quad {other}" for other in others)
 
 
 def _width(formula: str) -> int:

@@ -268,3 +268,31 @@ def _unit_factor(name: str, exponent: Fraction) -> str:
     if exponent == 1:
         return name
     return f"{name}^{exponent}" if exponent.denominator == 1 else f"{name}^({exponent})"
+
+
+def as_typed(expression: Expression) -> sp.Expr:
+    """Return an expression in SymPy's symbols as it was typed; only the numbers of a product are drawn together."""
+    match expression:
+        case Number(value):
+            return sp.Rational(value.numerator, value.denominator)
+        case Name(name):
+            return _SYMBOL[name]
+        case Sum(terms):
+            return sp.Add(*map(as_typed, terms), evaluate=False)
+        case Power(base, exponent):
+            power = sp.Rational(exponent.numerator, exponent.denominator)
+            return sp.Pow(as_typed(base), power, evaluate=exponent == -1 and _is_nonzero_number(base))
+    number, others = sp.S.One, []
+    for factor in (part for typed in map(as_typed, expression.factors) for part in sp.Mul.make_args(typed)):
+        if factor.is_Rational:
+            number *= factor
+        else:
+            others.append(factor)
+    return sp.Mul(*([number] if number != 1 or not others else []), *others, evaluate=False)
+
+
+_SYMBOL = {name: symbol for symbol, name in SPELLING.items()}
+
+
+def _is_nonzero_number(expression: Expression) -> bool:
+    return isinstance(expression, Number) and expression.value != 0

@@ -32,7 +32,15 @@ _PLAIN = {
 
 
 class _LatexPrinter(VectorLatexPrinter):
-    """SymPy's printer for mechanics, with words as subscripts set upright."""
+    """SymPy's printer for mechanics, with words as subscripts set upright, and chosen names in a colour."""
+
+    def __init__(self, settings: Mapping[str, Any], highlight: Mapping[sp.Basic, str]) -> None:
+        super().__init__(settings)
+        self._highlight = highlight
+
+    def _print(self, expr: sp.Basic, **kwargs: Any) -> str:
+        text = super()._print(expr, **kwargs)
+        return colored(text, self._highlight.get(expr)) if isinstance(expr, sp.Basic) else text
 
     def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
         letter, _, word = expr.name.partition("_")
@@ -42,14 +50,24 @@ class _LatexPrinter(VectorLatexPrinter):
         return super()._print_Symbol(expr, style)
 
 
-def latex(expression: sp.Basic) -> str:
+def latex(expression: sp.Basic, highlight: Mapping[sp.Basic, str] | None = None) -> str:
     """Return the LaTeX of an expression or relation: primes and dots as physicists write them.
 
     A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal of eight digits.
+
+    Parameters
+    ----------
+    expression : what is written
+    highlight : symbol, or function of time, in the expression → its colour, #rrggbb
     """
     long = {number: number.evalf(8) for number in expression.atoms(sp.Rational) if number.q >= _LONG_DENOMINATOR}
     expression = expression.xreplace(long)
-    return _LatexPrinter({"symbol_names": _NAMES, "mul_symbol": r"\,"}).doprint(expression)
+    return _LatexPrinter({"symbol_names": _NAMES, "mul_symbol": r"\,"}, highlight or {}).doprint(expression)
+
+
+def colored(formula: str, color: str | None) -> str:
+    """Return LaTeX in a colour, #rrggbb; without a colour, as it is."""
+    return rf"\textcolor{{{color}}}{{{formula}}}" if color else formula
 
 
 def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., Any]:

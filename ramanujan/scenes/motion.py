@@ -183,7 +183,7 @@ download.download_button(
 )
 shows = (show_displacements, show_energy, show_momentum, show_forces)
 for tab, view, show in zip(
-    st.tabs(list(cached.VIEWS), key="view", bind="query-params"), cached.VIEWS, shows, strict=True
+    st.tabs(list(cached.VIEWS), key="figure", bind="query-params"), cached.VIEWS, shows, strict=True
 ):
     if tab.open:
         with tab:

@@ -66,3 +66,4 @@ for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine
         st.latex(step.symbols, width="content")
         if step.numbers != step.symbols:
             st.latex(step.numbers, width="content")
+st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")

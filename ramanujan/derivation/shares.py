@@ -1,0 +1,62 @@
+"""Whose term is whose: what each body, and the spring, brings into T and ℒ, and which names in a formula belong to it.
+
+Lives here: the telling apart. Not here: how it looks (`printers`) and what is derived (the routes).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from ramanujan.derivation.symbols import m, m_prime, machine
+
+PARTS = {
+    "block": "block",
+    "hoop": "hoop",
+    "cylinder": "lower cylinder",
+    "slab": "slab",
+    "spring": "spring",
+    "top": "top cylinder",
+}
+"""The five bodies and the spring, and what one calls them."""
+
+_KINETIC, _POTENTIAL, _LAGRANGIAN = sp.symbols("T U L")
+
+
+def terms(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
+    """Return the terms that each part brings into the T or ℒ that an equation states, not multiplied out.
+
+    Their sum is the equation's right side. Empty for an equation that states neither.
+
+    Parameters
+    ----------
+    equation : in symbols, as it stands in a route
+    """
+    if equation.lhs not in (_KINETIC, _LAGRANGIAN):
+        return {}
+    roller_mass = m_prime if m_prime in equation.free_symbols else m
+    kinetic, spring = _terms(roller_mass)
+    return kinetic if equation.lhs == _KINETIC else kinetic | {"spring": (spring,)}
+
+
+def belongs_to(part: str, equation: sp.Eq) -> bool:
+    """Tell whether an equation is about a part: its left side names it, or is the energy of the spring."""
+    return bool(names(part, equation.lhs)) or (part == "spring" and equation.lhs == _POTENTIAL)
+
+
+def names(part: str, expression: sp.Basic) -> frozenset[sp.Basic]:
+    """Return the symbols and functions of time whose subscript is the part's name."""
+    candidates = expression.atoms(sp.Symbol, sp.core.function.AppliedUndef)
+    return frozenset(atom for atom in candidates if _name(atom).endswith(f"_{part}"))
+
+
+def _name(atom: sp.Basic) -> str:
+    return atom.name if isinstance(atom, sp.Symbol) else atom.func.__name__
+
+
+@cache
+def _terms(roller_mass: sp.Symbol) -> tuple[dict[str, tuple[sp.Expr, ...]], sp.Expr]:
+    bodies = machine(roller_mass)
+    kinetic = {body.name: tuple(e for e in (body.translation, body.rotation) if e != 0) for body in bodies.bodies}
+    return kinetic, -bodies.potential_energy

@@ -1,0 +1,292 @@
+"""Page 2: five routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Iterable
+from functools import partial
+
+import streamlit as st
+
+from ramanujan import stage
+from ramanujan.derivation.parser import MAX_LENGTH
+from ramanujan.derivation.shares import PARTS
+from ramanujan.motion import InitialState
+from ramanujan.scenes import controls, keys, look
+from ramanujan.scenes.cached import derivation as cached
+
+VIEWS = ("Lecture", "Reading")
+VALUES = ("Symbols", "My numbers")
+FILES = {
+    "latex": ("LaTeX", "tex", "application/x-tex"),
+    "markdown": ("Markdown", "md", "text/markdown"),
+    "notebook": ("Notebook", "ipynb", "application/x-ipynb+json"),
+}
+SYMBOLS = (
+    "$X$: how far the block has moved to the left. $\\varphi$: angle of hoop and lower cylinder; $\\Phi$: angle of the "
+    "top cylinder, both clockwise. $m$: mass of block, slab and top cylinder. $m'$: mass of each lower roller. "
+    "$k$: stiffness of the spring. $R$: radius. A dot is a derivative by time."
+)
+VERDICTS = {
+    "right": (st.success, ":material/check_circle:"),
+    "unsimplified": (st.info, ":material/compress:"),
+    "wrong": (st.warning, ":material/lightbulb:"),
+    "unreadable": (st.error, ":material/help:"),
+}
+
+
+def choose_route() -> None:
+    """Draw the choice of the route, of how it is shown, and of the body whose terms are told apart."""
+    with st.container(horizontal=True, gap="medium", key="choices"):
+        st.segmented_control(
+            "Route",
+            titles,
+            format_func=titles.get,
+            default="euler_lagrange",
+            required=True,
+            key="route",
+            bind="query-params",
+            label_visibility="collapsed",
+            wrap=True,
+            on_change=start_over,
+        )
+        for key, label, options in (("view", "How to show it", VIEWS), ("values", "Symbols or numbers", VALUES)):
+            st.segmented_control(
+                label,
+                options,
+                default=options[0],
+                required=True,
+                key=key,
+                bind="query-params",
+                label_visibility="collapsed",
+            )
+    with st.container(horizontal=True, vertical_alignment="center", key="bodies"):
+        st.markdown("Whose terms?", width="content")
+        st.pills(
+            "Whose terms?",
+            PARTS,
+            format_func=PARTS.get,
+            key="body",
+            bind="query-params",
+            label_visibility="collapsed",
+            wrap=True,
+        )
+    keys.give_back("route", "view", "values", "body")
+
+
+def start_over() -> None:
+    """Begin the route that was chosen at its first step."""
+    st.session_state["step"] = 1
+
+
+def turn(pages: int) -> None:
+    """Go on, or back, by so many steps."""
+    st.session_state["step"] += pages
+
+
+def lecture(count: int) -> None:
+    """Draw one step, and what turns the pages."""
+    with st.container(horizontal=True, vertical_alignment="center", key="pages"):
+        # The link's step is known once the slider is made, so that the button before it comes later.
+        before = st.container(width="content")
+        now = st.select_slider(
+            "Step", range(1, count + 1), key="step", bind="query-params", label_visibility="collapsed"
+        )
+        before.button("Back", on_click=turn, args=(-1,), shortcut="Left", disabled=now == 1, key="back")
+        st.button("Next", on_click=turn, args=(1,), shortcut="Right", disabled=now == count, key="next", type="primary")
+    with st.container(border=True, key="lecture"):
+        draw(now)
+
+
+def draw(number: int) -> None:
+    """Draw a step, counted from 1."""
+    step = cached.step(name, number - 1, masses, part, ink)
+    st.markdown(f"### {number}. {step.heading}\n\n{step.reason}")
+    if step.by_body:
+        st.latex(step.by_body)
+    st.latex(step.equations)
+
+
+def dress() -> None:
+    """Give the bodies' names their colours, formulas a box to scroll in, and each step of a lecture the same room."""
+    bodies = "".join(
+        f".st-key-body button:nth-of-type({place}){{box-shadow:inset 0 -4px {colors[body]}}}"
+        for place, body in enumerate(PARTS, start=1)
+    )
+    st.html(
+        f"<style>{bodies}"
+        ".stMarkdown .katex-display{overflow:auto hidden;padding:.15em 0 .6em;margin-bottom:.8em}"
+        ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
+        ".st-key-lecture{min-height:23rem}"
+        "</style>"
+    )
+
+
+def take_home() -> None:
+    """Offer the route as files; each is written when it is asked for."""
+    with st.container(horizontal=True, vertical_alignment="center", key="files"):
+        st.markdown("Take this route home:", width="content")
+        for kind, (label, suffix, mime) in FILES.items():
+            st.download_button(
+                label,
+                partial(cached.document, name, masses, kind),
+                f"ramanujan-{name}{'-numbers' if masses else ''}.{suffix}",
+                mime,
+                key=f"file_{kind}",
+                on_click="ignore",
+                icon=":material/download:",
+            )
+
+
+def compare() -> None:
+    """Draw the table in which all routes meet."""
+    st.subheader("Five routes, one frequency", anchor=False)
+    rows = [
+        f"| {result.title} | {result.steps} steps | $\\displaystyle {result.symbols}$ | $\\Omega^2 {result.numbers}$ |"
+        for result in cached.results(present)
+    ]
+    head = ["| Route | Length | $\\Omega^2$ | with your numbers |", "|---|---|---|---|"]
+    with st.container(key="results"):
+        st.markdown("\n".join([*head, *rows]))
+    if cached.all_agree():
+        st.markdown(":material/check: Worked out by SymPy: the difference between any two of them is exactly 0.")
+
+
+def modes() -> None:
+    """Draw the three modes side by side, each moving by itself."""
+    st.subheader("Three modes, one of them swings", anchor=False)
+    # Slow enough to watch: half of x₀ in the time of one swing.
+    speed = compression / 2 / machine.period
+    st.markdown(
+        "$v$ lists how far $X$, $\\varphi$ and $\\Phi$ move together in a mode. Where nothing pushes back, the "
+        "frequency is zero, and to each such mode belongs a momentum that stays as it is."
+    )
+    spectrum = cached.spectrum(masses)
+    shown = (
+        (
+            "swing",
+            None,
+            "The machine swings",
+            "Its squared frequency is $\\Lambda=\\Omega^2$, shared by all three coordinates. Released at rest, the "
+            "machine keeps $p_X=p_\\Phi=0$ and only swings.",
+            spectrum.oscillating,
+        ),
+        (
+            "glide",
+            InitialState(X_dot=speed),
+            "The machine glides",
+            "$\\Lambda=0$. No force depends on where the machine stands, so $p_X$ is conserved.",
+            spectrum.glide,
+        ),
+        (
+            "roll",
+            InitialState(Phi_dot=speed / machine.radius),
+            "The top cylinder rolls freely",
+            "$\\Lambda=0$. No force depends on how far it has turned, so $p_\\Phi$ is conserved.",
+            spectrum.free_rolling,
+        ),
+    )
+    for column, (key, initial, title, words, shape) in zip(st.columns(3), shown, strict=True):
+        with column:
+            stage.mount(
+                stage.payload(machine, compression, initial=initial),
+                limits=controls.limits("compression"),
+                watch=controls.WATCH,
+                key=f"mode_{key}",
+                clock="modes",
+                layers=(),
+                compact=True,
+                label=title,
+            )
+            st.markdown(words)
+            st.latex(shape)
+    st.latex(spectrum.momenta)
+
+
+def margin() -> None:
+    """Draw the notes on the paper; they are checked when someone wants to read them."""
+    notes = st.expander("In the margin of the paper: what its last section means", key="margin", on_change="rerun")
+    if not notes.open:
+        return
+    with notes, st.spinner("Checking each line …"):
+        st.markdown("The paper’s main result is right. A few of its lines deserve a note; SymPy has checked each one.")
+        for note in cached.notes():
+            mark = ":green[:material/check: checked]" if note.holds else ":red[:material/close: not confirmed]"
+            st.markdown(
+                f"**{note.where}** {mark}  \nprinted: {note.printed}  \nbetter: {note.correct}  \n:small[{note.note}]"
+            )
+
+
+def try_it() -> None:
+    """Ask for a formula, and say whether it is right or what is missing."""
+    st.subheader("Try it yourself", anchor=False)
+    asked = cached.questions()
+    check_link("question", (each.quantity.capitalize() for each in asked.values()), "those below")
+    key = st.selectbox(
+        "What do you want to work out?",
+        asked,
+        format_func=lambda name: asked[name].quantity.capitalize(),
+        key="question",
+        bind="query-params",
+    )
+    question = asked[key]
+    st.markdown(f"{question.prompt}  \n:small[You may use] {' '.join(f'`{each}`' for each in question.names)}")
+    with st.form("answer", border=False):
+        text = st.text_input(
+            "Your formula",
+            key=f"answer_{key}",
+            placeholder=f"typed like this: {question.example}",
+            max_chars=2 * MAX_LENGTH,
+        )
+        st.form_submit_button("Check", type="primary")
+    if text:
+        verdict, read = cached.verdict(key, text), cached.as_read(text)
+        box, icon = VERDICTS[verdict.kind]
+        if read:
+            st.latex(read)
+        box(plain(verdict.message), icon=icon)
+    with st.spinner("Deriving the answer …", show_time=False):
+        cached.prepare(key)
+
+
+def plain(text: str) -> str:
+    """Return text such that Markdown shows it as it is."""
+    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
+
+
+def check_link(key: str, choices: Iterable[str], said: str | None = None) -> None:
+    """Say, when the page opens, that the link asks for something that is not offered; Streamlit itself drops it."""
+    offered = tuple(choices)
+    if fresh and any(choice not in offered for choice in st.query_params.get_all(key)):
+        st.warning(f"The link’s {key} is none of {said or ', '.join(offered)}; it is ignored.")
+
+
+machine, compression = controls.oscillator(), controls.compression()
+titles, colors = cached.titles(), look.colors()
+
+fresh = not st.session_state.setdefault("derivation_opened", False)
+st.session_state["derivation_opened"] = True
+
+dress()
+st.title("Five ways to one frequency", anchor=False)
+for key, choices in (("route", titles.values()), ("view", VIEWS), ("values", VALUES), ("body", PARTS.values())):
+    check_link(key, choices)
+choose_route()
+name, part = st.session_state["route"], st.session_state["body"]
+present = (machine.m, machine.m_prime, machine.k)
+masses = present if st.session_state["values"] == VALUES[1] else None
+ink = colors[f"{part}_ink"] if part else None
+count = len(cached.route(name).steps)
+check_link("step", map(str, range(1, count + 1)), f"the route’s {count} steps")
+
+if st.session_state["view"] == VIEWS[0]:
+    lecture(count)
+else:
+    for number in range(1, count + 1):
+        draw(number)
+st.caption(SYMBOLS)
+take_home()
+compare()
+modes()
+margin()
+try_it()
