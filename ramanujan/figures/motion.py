@@ -52,7 +52,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     Parameters
     ----------
     panels : from top to bottom; every curve has its values at the same n equal steps from 0 to periods · period
-    period : of the machine [s]; each whole one is marked
+    period : of the machine [s]; the end of the first is marked
     periods : how many are shown, at least one
     colors : ink, faint and paper
     """
@@ -68,6 +68,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
                 f"yaxis{axis[1:]}": {
                     "domain": domain,
                     "title": {"text": f"{panel.title} [{panel.unit}]"},
+                    "automargin": True,
                     "range": panel.range,
                     "zeroline": True,
                     "zerolinecolor": colors["ink"],
@@ -76,8 +77,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
                 }
             }
         )
-    for whole in range(1, periods):
-        figure.add_vline(whole * period, line={"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
+    figure.add_vline(period, line={"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
     figure.add_annotation(
         x=period, y=1, yref="paper", text="one period", showarrow=False, yanchor="bottom", font={"size": 12}
     )
