@@ -12,8 +12,8 @@ def measuring(visit):
     """Open the page and start a measurement that takes long."""
     page = visit("speed?periods=300&steps=8")
     settle(page)
-    page.get_by_role("button", name="Measure").click()
-    page.get_by_text("Measuring 300 periods").wait_for(timeout=60_000)
+    page.get_by_role("button", name="Measure").click(timeout=120_000)
+    page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
     return page
 
 
@@ -38,7 +38,7 @@ def test_page_answers_while_it_measures(visit):
     page.get_by_role("radio", name="seconds", exact=True).click()
     page.wait_for_url("**cost=seconds**", timeout=60_000)
     # The measurement goes on.
-    page.get_by_text("Measuring 300 periods").wait_for(timeout=60_000)
+    page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
     page.get_by_role("button", name="Stop").click()
     page.wait_for_selector(IDLE, timeout=60_000)
 
