@@ -1,6 +1,7 @@
 // The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
 // is in cursor.py. Of Plotly it uses what stands in the page: the graph's own data and layout, and the rectangle that
-// covers each panel. The cursor is kept as a share of the time shown, so that it stays when the machine changes.
+// covers each panel. The cursor is kept as a share of the time shown, so that it stays when the machine changes. It goes
+// along with the stage, whose time stands in globalThis.ramanujanTimes, unless a hand takes it.
 
 const PANEL = ".nsewdrag";
 
@@ -9,11 +10,14 @@ export default function ({ parentElement }) {
   const output = parentElement.querySelector("output");
   const stop = new AbortController();
   let frame = 0;
+  let inHand = false;
+  let stageTime = null;
 
   // Moving over any figure takes the cursor along.
   const follow = (event) => {
     const graph = event.target.closest?.(".js-plotly-plot");
-    if (graph?.layout?.meta?.cursor !== "time" || !event.target.matches(PANEL)) return;
+    inHand = graph?.layout?.meta?.cursor === "time" && event.target.matches(PANEL);
+    if (!inHand) return;
     const { period, periods } = graph.layout.meta;
     const [from, to] = graph.layout.xaxis.range;
     const { left, width } = event.target.getBoundingClientRect();
@@ -22,7 +26,18 @@ export default function ({ parentElement }) {
   };
   document.addEventListener("pointermove", follow, { signal: stop.signal });
 
+  /** Take over the stage's time, if that has moved and nobody holds the cursor. */
+  const goAlong = ({ period, periods }) => {
+    const time = globalThis.ramanujanTimes?.stage;
+    if (time === stageTime || inHand || parentElement.activeElement === slider) return;
+    stageTime = time;
+    const share = time / (period * periods);
+    slider.value = share - Math.floor(share);
+  };
+
   const tick = () => {
+    const first = document.querySelector(".js-plotly-plot")?.layout?.meta;
+    if (first?.cursor) goAlong(first);
     const share = Number(slider.value);
     for (const graph of document.querySelectorAll(".js-plotly-plot")) {
       const meta = graph.layout?.meta;

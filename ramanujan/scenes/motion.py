@@ -164,6 +164,7 @@ with scene:
         watch=controls.WATCH,
         key="stage",
         layers=("forces",),
+        dials=False,
         on_released=lambda: controls.set_compression(st.session_state["stage"].released),
     )
 verdict(mu, largest, first, compression)

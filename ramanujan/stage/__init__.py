@@ -15,6 +15,7 @@ The contract, version 1. To the page, once:
     clock        stages with the same clock run and pause together
     layers       which of energy, arrows, traces, forces are shown at first
     compact      only the picture and its label, without controls
+    dials        the two clock hands, the gauge and the readouts are shown
     label        what stands under the picture
 
 and by the feed, at every change:
@@ -145,6 +146,7 @@ def mount(
     clock: str = "main",
     layers: tuple[str, ...] = ("energy",),
     compact: bool = False,
+    dials: bool = True,
     label: str | None = None,
     on_released: Callable[[], None] | None = None,
 ) -> Any:
@@ -159,6 +161,7 @@ def mount(
     clock : name of the clock, shared by stages that are to run together
     layers : shown at first, of energy, arrows, traces, forces
     compact : only the picture and its label, without controls
+    dials : show the two clock hands, the gauge and the readouts beside the picture
     label : a few words under the picture, also its name for screen readers
     on_released : called when the slab was let go
     """
@@ -170,6 +173,7 @@ def mount(
         "clock": clock,
         "layers": layers,
         "compact": compact,
+        "dials": dials,
         "label": label,
     }
     result = stage(key=key, data=fixed, on_released_change=on_released or _ignore)
