@@ -10,6 +10,9 @@ page = st.navigation(
     [
         st.Page("ramanujan/scenes/oscillator.py", title="Oscillator", icon=":material/waves:", default=True),
         st.Page("ramanujan/scenes/derivation.py", title="Derivation", icon=":material/function:"),
+        st.Page("ramanujan/scenes/motion.py", title="Motion", icon=":material/timeline:", url_path="motion"),
+        st.Page("ramanujan/scenes/taxicab.py", title="1729", icon=":material/local_taxi:", url_path="1729"),
+        st.Page("ramanujan/scenes/speed.py", title="Speed and accuracy", icon=":material/speed:"),
     ],
     position="top",
 )

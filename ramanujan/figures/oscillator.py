@@ -38,7 +38,7 @@ def frequency_curve(
     ----------
     ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
     light_limit : the value for ε → 0
-    heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where it is below the light limit
+    heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where the curve comes near it
     limit_labels : what stands beside the two limits
     equal, unit, present : the marked machines
     colors : ink, faint, paper, primary, marker, accent
@@ -46,7 +46,8 @@ def frequency_curve(
     hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
     # Single precision is a thousand times finer than a pixel, and half the bytes.
     ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
-    below = heavy_limit <= light_limit
+    # Further up the asymptote says nothing about the curve, and would run through a label.
+    below = heavy_limit <= 0.75 * light_limit
     figure = go.Figure(layout={"template": template(colors, hover), "height": 340, "showlegend": False})
     limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     figure.add_scatter(

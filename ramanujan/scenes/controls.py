@@ -38,7 +38,7 @@ class Control:
     @property
     def range(self) -> str:
         """The range in words."""
-        return f"from {self.least:g} to {self.most:g} {self.unit}"
+        return f"from {self.least:g} to {self.most:g} {self.unit}".rstrip()
 
 
 CONTROLS = {
@@ -54,20 +54,32 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
-PAGE_KEYS: frozenset[str] = frozenset({"route", "view", "values", "step", "body", "question"})
-"""Keys that single pages keep in the URL."""
+PAGE_KEYS = {
+    "derivation": {"route", "view", "values", "step", "body", "question"},
+    "motion": {"glide", "spin", "mu", "figure"},
+    "1729": {"left", "right", "top", "p", "q", "digits"},
+    "speed": {"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"},
+}
+"""Page → the keys that it keeps in the URL, beside those of the controls; no two pages share one."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
 _PRESET = "preset"
 _COMPLAINT = "complaint"
 _LINK_READ = "link_read"
+_SAID = "said"
+_RUN_AGAIN = "run_again"
 
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
+    nothing: tuple[list[str], str | None] = ([], None)
+    # A page that runs itself again has not been answered yet: what was said stays.
+    again = st.session_state.pop(_RUN_AGAIN, False)
+    said, said_in_sidebar = st.session_state.get(_SAID, nothing) if again else nothing
     # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
-    if complaints := _bad_link():
+    complaints = [*said, *_bad_link()]
+    if complaints:
         st.warning(" ".join(complaints))
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
@@ -77,8 +89,24 @@ def sidebar() -> None:
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
             _slider(CONTROLS["radius"])
         link()
-        if complaint := st.session_state.pop(_COMPLAINT, None):
+        complaint = st.session_state.pop(_COMPLAINT, None) or said_in_sidebar
+        if complaint:
             st.warning(complaint)
+    st.session_state[_SAID] = (complaints, complaint)
+
+
+def complain(sentences: list[str]) -> None:
+    """Say on the page what of its link it cannot use."""
+    if sentences:
+        st.warning(" ".join(sentences))
+        complaints, complaint = st.session_state[_SAID]
+        st.session_state[_SAID] = ([*complaints, *sentences], complaint)
+
+
+def run_again() -> None:
+    """Run the page again by itself, to show what has come in; what has been said to the person stays."""
+    st.session_state[_RUN_AGAIN] = True
+    st.rerun()
 
 
 def oscillator() -> Oscillator:
@@ -188,19 +216,41 @@ def read_number(text: str) -> float | None:
         return None
 
 
+def page_slider(control: Control) -> float:
+    """Draw a slider that only the present page has, bound to the URL, and return its value in SI units."""
+    if complaint := _bad_in_link(control):
+        st.warning(complaint)
+    value = st.slider(
+        f"{control.meaning}, {control.symbol}" + (f" [{control.unit}]" if control.unit else ""),
+        control.least,
+        control.most,
+        control.default,
+        control.step,
+        format=control.format,
+        key=control.key,
+        bind="query-params",
+    )
+    return (value if control.least <= value <= control.most else control.default) * control.scale
+
+
+def _bad_in_link(control: Control) -> str | None:
+    """Return a sentence on what the link says of a quantity, if that cannot be meant."""
+    texts = st.query_params.get_all(control.key)
+    if len(texts) > 1:
+        return f"The link gives {control.key} more than once; it is ignored."
+    if texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
+        return f"The link's {control.key} is no number {control.range}; it is ignored."
+    return None
+
+
 def _bad_link() -> list[str]:
     """Return a sentence on each thing in the link that cannot be meant, once a session; Streamlit itself ignores it."""
     if st.session_state.setdefault(_LINK_READ, False):
         return []
     st.session_state[_LINK_READ] = True
-    complaints = []
-    for key, control in CONTROLS.items():
-        texts = st.query_params.get_all(key)
-        if len(texts) > 1:
-            complaints.append(f"The link gives {key} more than once; it is ignored.")
-        elif texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
-            complaints.append(f"The link's {key} is no number {control.range}; it is ignored.")
-    if any(key not in CONTROLS and key not in PAGE_KEYS for key in st.query_params):
+    complaints = [*filter(None, map(_bad_in_link, CONTROLS.values()))]
+    known = set(CONTROLS).union(*PAGE_KEYS.values())
+    if not known.issuperset(st.query_params):
         complaints.append("The link names a quantity that this machine does not have; it is ignored.")
     return complaints
 

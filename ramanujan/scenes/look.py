@@ -24,12 +24,17 @@ _OPTIONS = {
 }
 
 
+def theme() -> str:
+    """Return the theme that the visitor sees: light or dark."""
+    return st.context.theme.type or "light"
+
+
 def colors() -> dict[str, str]:
     """Return the theme's colours by use: ink, paper, faint, primary, and one (and its ink) for each body."""
-    theme = st.context.theme.type or "light"
+    shown = theme()
     fallback = {"ink": "#808080", "paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
     return {
-        use: st.get_option(f"theme.{theme}.{option}") or fallback.get(use, "#808080")
+        use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, "#808080")
         for use, option in _OPTIONS.items()
     }
 

@@ -15,6 +15,7 @@ The contract, version 1. To the page, once:
     clock        stages with the same clock run and pause together
     layers       which of energy, arrows, traces, forces are shown at first
     compact      only the picture and its label, without controls
+    dials        the two clock hands, the gauge and the readouts are shown
     label        what stands under the picture
 
 and by the feed, at every change:
@@ -24,6 +25,7 @@ and by the feed, at every change:
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
     samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
     slipping     the contact that is marked, such as hoop_slab; left out: none
+    unity        what the gauge's mark at 1 says; left out: the paper's number
 
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
@@ -112,6 +114,7 @@ def payload(
     shape_factors: Mapping[str, float] = SHAPE_FACTORS,
     samples: Mapping[str, Any] | None = None,
     slipping: str | None = None,
+    unity: str | None = None,
 ) -> dict[str, Any]:
     """Return what the feed carries: the machine, and how it moves, as plain numbers.
 
@@ -123,9 +126,10 @@ def payload(
     shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
     samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
     slipping : the contact to mark, such as hoop_slab
+    unity : what the gauge says at 1, for bodies whose number is not the paper's
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
-    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping}
+    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping, "unity": unity}
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},
@@ -142,6 +146,7 @@ def mount(
     clock: str = "main",
     layers: tuple[str, ...] = ("energy",),
     compact: bool = False,
+    dials: bool = True,
     label: str | None = None,
     on_released: Callable[[], None] | None = None,
 ) -> Any:
@@ -156,6 +161,7 @@ def mount(
     clock : name of the clock, shared by stages that are to run together
     layers : shown at first, of energy, arrows, traces, forces
     compact : only the picture and its label, without controls
+    dials : show the two clock hands, the gauge and the readouts beside the picture
     label : a few words under the picture, also its name for screen readers
     on_released : called when the slab was let go
     """
@@ -167,6 +173,7 @@ def mount(
         "clock": clock,
         "layers": layers,
         "compact": compact,
+        "dials": dials,
         "label": label,
     }
     result = stage(key=key, data=fixed, on_released_change=on_released or _ignore)

@@ -33,9 +33,10 @@ function layout({ radius }, [, largest]) {
   const upper = slab.bottom + thick + step;
   const top = riser + R + roll + gap;
   const right = top + R + gap + 2;
-  const view = { left: -7, right: right + travel + 3, bottom: -8.5, top: upper + 2 * R + 3 };
+  const shelf = upper + R * 0.45; // of the plain mass, with its caption above
+  const view = { left: -7, right: right + travel + 3, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) };
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
-  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf: upper + R * 0.45 };
+  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf };
 }
 
 /** Centres of mass at φ = 0, along the floor. */
@@ -140,9 +141,9 @@ function drawFloor(root, g) {
   const { left, right } = g.view;
   set(root.querySelector(".earth"), { d: `M${left} 0H${right}V2.2H${left}z` });
   set(root.querySelector(".ground"), { d: `M${left} 0H${right}` });
-  set(root.querySelector(".unit"), { x: right - 1, y: 5.6 });
   const ruler = root.querySelector(".ruler");
   ruler.replaceChildren();
+  delete ruler.dataset.at;
   let ticks = "";
   for (let x = -STRETCH; x <= right + STRETCH; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
   element("path", { d: ticks }, ruler);
@@ -150,15 +151,10 @@ function drawFloor(root, g) {
 }
 
 /** Slide the ruler under a view that has moved; the labels say where on the floor one looks. */
-function slideFloor(root, g, shift) {
+function slideFloor(root, shift) {
   const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH);
   set(ruler, { transform: `translate(${stretches * STRETCH - shift})` });
-  if (ruler.dataset.at === String(stretches) && ruler.dataset.end === String(g.view.right)) return;
+  if (ruler.dataset.at === String(stretches)) return;
   ruler.dataset.at = stretches;
-  ruler.dataset.end = g.view.right;
-  for (const label of ruler.querySelectorAll("text")) {
-    const x = Number(label.getAttribute("x"));
-    // The last label would run into the words at the end of the ruler.
-    label.textContent = x > g.view.right - 30 && x <= g.view.right ? "" : x + stretches * STRETCH;
-  }
+  for (const label of ruler.querySelectorAll("text")) label.textContent = `${Number(label.getAttribute("x")) + stretches * STRETCH} cm`;
 }

@@ -84,7 +84,7 @@ const fill = (sentence, values) => sentence.replace(/\{(\w+)\}/g, (_, name) => v
 // ---------------------------------------------------------------- one stage
 
 class Stage {
-  constructor(root, { stage, limits, watch, clock, layers, compact, label }) {
+  constructor(root, { stage, limits, watch, clock, layers, compact, dials, label }) {
     this.name = stage;
     this.limits = limits;
     this.watch = watch;
@@ -105,6 +105,8 @@ class Stage {
     this.offset = { X: 0, phi: 0, Phi: 0, plain: 0 }; // what is left of the last jump
     this.sinceText = TEXT_INTERVAL;
     this.stop = new AbortController();
+    this.host.classList.toggle("compact", compact);
+    this.host.classList.toggle("no-dials", !dials);
     this.buildOnce(label);
     this.listen();
     this.sizes = new ResizeObserver(() => this.fitText());
@@ -178,10 +180,10 @@ class Stage {
     this.phase += this.solution.Omega * seconds;
     this.plainPhase += this.solution.plain * seconds;
     const left = this.leftPlace();
-    if (left) {
-      this.release();
-      this.tell(WORDS[left]);
-    }
+    if (!left) return;
+    // What runs on one clock begins again together, or the comparison would be lost.
+    for (const stage of mounted.values()) if (stage.clock === this.clock && stage.solution) stage.release();
+    this.tell(WORDS[left]);
   }
 
   /** Go to a phase of the machine; the plain mass keeps its own time. */
@@ -328,7 +330,6 @@ class Stage {
   // ---- drawing: once, for a geometry, for parameters, for a frame
 
   buildOnce(label) {
-    this.host.classList.toggle("compact", this.compact);
     this.find(".label").textContent = label ?? "";
     if (label) set(this.host, { "aria-label": label });
     if (this.compact) for (const name of ["tabindex", "role", "aria-label"]) this.find(".body.slab").removeAttribute(name);
@@ -370,7 +371,7 @@ class Stage {
     set(this.find(".wall"), { d: `M${g.riser} ${-g.shelf + 1.5}V${-g.shelf - high - 3}` });
     set(this.find(".plain rect"), { x: end - wide, y: -g.shelf - high, width: wide, height: high });
     set(this.find(".plain .body text"), { x: end - wide / 2, y: -g.shelf - high / 2 });
-    set(this.find(".plain .caption"), { x: start, y: -g.shelf - high - 4 });
+    set(this.find(".plain .caption"), { x: g.riser - 1, y: -g.shelf - high - 4 });
     this.fitText();
   }
 
@@ -407,7 +408,7 @@ class Stage {
     const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
     set(this.find(".scale"), { d: "M10 26H190" });
     set(this.find(".unity"), { x: at(1) });
-    this.find(".unity").textContent = WORDS.unity;
+    this.find(".unity").textContent = this.data.unity ?? WORDS.unity;
     set(this.find(".pointer"), { transform: `translate(${at(Math.min(normalized, limit))} 26)` });
     const ticks = this.find(".gauge .ticks");
     ticks.replaceChildren();
@@ -468,11 +469,12 @@ class Stage {
     const plain = state.plain * CM;
     set(this.find(".plain .body"), { transform: `translate(${plain})` });
     set(this.find(".plain .coil"), { d: coil(g.slab.right + plain, g.riser, g.shelf + 3.2, 1.8) });
-    slideFloor(svg, g, this.shift);
+    slideFloor(svg, this.shift);
     if (this.layers.traces) set(this.find(".traces"), { transform: `translate(${-this.shift})` });
     if (this.layers.arrows) this.drawArrows(known);
     if (this.layers.forces) this.drawForces(known);
     this.drawClocks();
+    (globalThis.ramanujanTimes ??= {})[this.name] = this.time; // for a cursor over the page's figures
     this.sinceText += elapsed;
     const write = this.sinceText >= TEXT_INTERVAL || this.dirty;
     if (this.layers.energy) this.drawEnergy(known, write);

@@ -1,0 +1,308 @@
+"""The figures of page 4: where the curve takes its target, stacks of cubes, the 40 machines, how often cubes occur."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import plotly.graph_objects as go
+
+from ramanujan.figures import template
+
+
+def level_crossing(
+    ratios: np.ndarray,
+    values: np.ndarray,
+    *,
+    level: float,
+    level_label: str,
+    root: float,
+    root_label: str,
+    present: tuple[float, float],
+    colors: Mapping[str, str],
+) -> go.Figure:
+    """Draw Ω²m/k over ε, the level that is asked for, and the one mass ratio at which the curve takes it.
+
+    Parameters
+    ----------
+    ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
+    level, level_label : the target w and what stands on its line
+    root, root_label : the mass ratio with Ω²m/k = w and what stands beside it
+    present : ε and Ω²m/k of the present machine
+    colors : ink, faint, paper, primary, top
+    """
+    figure = go.Figure(
+        layout={
+            "template": template(colors, "ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>"),
+            "height": 330,
+            "showlegend": False,
+        }
+    )
+    figure.add_scatter(
+        x=[ratios[0], ratios[-1]], y=[level] * 2, mode="lines", line={"color": colors["ink"], "dash": "dot"}
+    )
+    figure.add_scatter(
+        x=np.float32(ratios), y=np.float32(values), mode="lines", line={"color": colors["primary"], "width": 3}
+    )
+    figure.add_scatter(
+        x=[present[0]],
+        y=[present[1]],
+        mode="markers",
+        marker={"symbol": "circle-open", "size": 20, "color": colors["primary"], "line": {"width": 3}},
+        hovertemplate="your machine<br>ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>",
+    )
+    figure.add_scatter(
+        x=[root],
+        y=[level],
+        mode="markers",
+        marker={"symbol": "star", "size": 16, "color": colors["top"]},
+    )
+    left, right = np.log10(ratios[0]), np.log10(ratios[-1])
+    at = float(np.log10(root))
+    # The label goes where the falling curve is not: right above it near its flat start, left above its flat end, else
+    # left below it.
+    at_start = at < left + 0.4 * (right - left)
+    above = at_start or level < 0.35 * values[0]
+    figure.add_annotation(
+        x=at,
+        y=level,
+        text=root_label,
+        ax=22 if at_start else -22,
+        ay=-34 if above else 40,
+        xanchor="left" if at_start else "right",
+        arrowcolor=colors["ink"],
+        arrowwidth=1,
+        arrowhead=0,
+        standoff=8,
+        bgcolor=colors["paper"],
+    )
+    figure.add_annotation(
+        x=right if at_start else left,
+        y=level,
+        text=level_label,
+        showarrow=False,
+        xanchor="right" if at_start else "left",
+        yanchor="bottom",
+        xshift=-6 if at_start else 6,
+        font={"size": 13},
+    )
+    figure.update_xaxes(type="log", title="mass ratio ε = m′/m", range=[left, right], dtick=1, fixedrange=True)
+    figure.update_yaxes(title="Ω²m/k", range=[0, 1.3 * float(values[0])], fixedrange=True)
+    return figure
+
+
+_UNIT = 2
+"""Length of a unit cube's edge in the figure, so that half an edge is an integer, too, and one byte holds it."""
+
+
+def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> go.Figure:
+    """Draw cubes made of unit cubes side by side: faces as one mesh, the edges of the unit cubes as one line for each.
+
+    Parameters
+    ----------
+    sides : how many unit cubes stand along an edge of each cube
+    widest : what two such figures share as the sum of the sides, so that a unit cube has one size in both
+    apart : whether the layers are pulled apart for counting
+    turn : the direction from which one looks [degrees]
+    colors : ink, paper, primary
+    """
+    gap = _UNIT // 2 if apart else 0
+    figure = go.Figure(layout={"template": template(colors), "height": 380, "showlegend": False})
+    corners, triangles = [], []
+    tallest = max(sides)
+    start = 0
+    for side in sides:
+        layers = side if apart else 1
+        thickness = side // layers
+        origin = np.array([start, (tallest - side) // 2 * _UNIT, 0])
+        rise = np.array([0, 0, thickness * _UNIT + gap])
+        shape = (side, side, thickness)
+        line = np.concatenate([origin + layer * rise + _UNIT * _edges_of_unit_cubes(shape) for layer in range(layers)])
+        x, y, z = line.T.astype(np.int8)
+        figure.add_scatter3d(
+            x=x, y=y, z=z, mode="lines", line={"color": colors["paper"], "width": 2.5}, hoverinfo="skip"
+        )
+        for layer in range(layers):
+            triangles.append(_BOX_TRIANGLES + 8 * len(corners))
+            corners.append(origin + layer * rise + _box(_UNIT * np.array(shape)))
+        start += (side + 2) * _UNIT
+    x, y, z = np.concatenate(corners).T.astype(np.float32)
+    i, j, k = np.concatenate(triangles).T.astype(np.uint8)
+    figure.add_mesh3d(
+        x=x,
+        y=y,
+        z=z,
+        i=i,
+        j=j,
+        k=k,
+        color=colors["primary"],
+        flatshading=True,
+        lighting={"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0},
+        lightposition={"x": 4000, "y": -9000, "z": 14000},
+        hoverinfo="skip",
+    )
+    angle = np.radians(turn)
+    half = (widest + 3) * _UNIT / 2
+    height = tallest * _UNIT + (tallest - 1) * gap
+    middle = {"x": (start - 2 * _UNIT) / 2, "y": tallest * _UNIT / 2, "z": height / 2}
+    hidden = {"visible": False, "showspikes": False}
+    figure.update_layout(
+        margin={"l": 0, "r": 0, "t": 0, "b": 0},
+        # A new direction from the slider counts; without one, what the hand has turned stays turned.
+        uirevision=f"{turn:g}",
+        scene={
+            **{
+                f"{axis}axis": {**hidden, "range": [float(centre - half), float(centre + half)]}
+                for axis, centre in middle.items()
+            },
+            "aspectmode": "manual",
+            # Larger than Plotly's box of one, since the cubes fill only the middle of it.
+            "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7},
+            "dragmode": "turntable",
+            "camera": {
+                "projection": {"type": "orthographic"},
+                "eye": {"x": float(0.85 * np.cos(angle)), "y": float(0.85 * np.sin(angle)), "z": 0.42},
+            },
+        },
+    )
+    return figure
+
+
+def _box(size: np.ndarray) -> np.ndarray:
+    """Return the eight corners of a box, drawn in by a hair so that the lines on its faces are not hidden in them."""
+    corners = np.array([[(n >> axis) & 1 for axis in range(3)] for n in range(8)])
+    hair = 0.02
+    return hair + corners * (size - 2 * hair)
+
+
+_BOX_TRIANGLES = np.array(
+    [
+        *([0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6]),
+        *([0, 1, 5], [0, 5, 4], [2, 3, 7], [2, 7, 6]),
+        *([0, 2, 6], [0, 6, 4], [1, 3, 7], [1, 7, 5]),
+    ]
+)
+
+
+def _edges_of_unit_cubes(shape: Sequence[int]) -> np.ndarray:
+    """Return one unbroken path over the surface of a box along all edges of its unit cubes, shape (n, 3).
+
+    For each axis it goes round the box at every step along that axis, and back to the corner that it came from.
+    """
+    path = []
+    for axis, count in enumerate(shape):
+        one, other = (i for i in range(3) if i != axis)
+        for step in range(count + 1):
+            for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0)):
+                point = [0, 0, 0]
+                point[axis], point[one], point[other] = step, a * shape[one], b * shape[other]
+                path.append(point)
+        path.append([0, 0, 0])
+    return np.array(path)
+
+
+def machine_grid(
+    rows: Sequence[str],
+    columns: Sequence[str],
+    numbers: Sequence[Sequence[int]],
+    ways: Sequence[Sequence[int]],
+    chosen: tuple[int, int],
+    colors: Mapping[str, str],
+) -> go.Figure:
+    """Draw the discriminants of all machines as a table that can be clicked; sums of two cubes stand out.
+
+    Parameters
+    ----------
+    rows, columns : the pairs of lower rollers, the top bodies
+    numbers : the discriminants, one row for each pair
+    ways : in how many ways each is a sum of two positive cubes
+    chosen : row and column of the machine that is marked
+    colors : ink, faint, paper, primary, hoop, on_hoop
+    """
+    cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
+    flat_numbers = [number for row in numbers for number in row]
+    flat_ways = [min(way, 2) for row in ways for way in row]
+    figure = go.Figure(
+        layout={
+            "template": template(colors),
+            "height": 60 + 40 * len(rows),
+            "showlegend": False,
+            "margin": {"l": 128, "r": 4, "t": 52, "b": 4},
+        }
+    )
+    steps = [colors["faint"], colors["hoop"], colors["primary"]]
+    figure.add_heatmap(
+        z=np.reshape(flat_ways, (len(rows), len(columns))).astype(np.uint8),
+        colorscale=[[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
+        zmin=0,
+        zmax=2,
+        xgap=3,
+        ygap=3,
+        showscale=False,
+        hoverinfo="skip",
+    )
+    # A heatmap cannot be clicked: the numbers stand on markers that can.
+    inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
+    unseen = {"marker": {"opacity": 0}}
+    figure.add_scatter(
+        x=[x for x, _ in cells],
+        y=[y for _, y in cells],
+        mode="markers+text",
+        text=[f"<b>{n}</b>" if way else str(n) for n, way in zip(flat_numbers, flat_ways, strict=True)],
+        textfont={"size": 13, "color": [inks[way] for way in flat_ways]},
+        marker={"symbol": "square", "size": 36, "opacity": 0},
+        selected=unseen,
+        unselected=unseen,
+        customdata=[[rows[y], columns[x]] for x, y in cells],
+        hovertemplate="%{customdata[0]} below, %{customdata[1]} on top<br>discriminant %{text}<extra></extra>",
+    )
+    row, column = chosen
+    around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
+    figure.add_shape(type="rect", line={"color": colors["ink"], "width": 3}, **around)
+    plain = {"showgrid": False, "showline": False, "ticks": "", "fixedrange": True}
+    figure.update_xaxes(
+        plain,
+        tickvals=list(range(len(columns))),
+        ticktext=columns,
+        side="top",
+        title="on top",
+        range=[-0.55, len(columns) - 0.45],
+    )
+    figure.update_yaxes(
+        plain, tickvals=list(range(len(rows))), ticktext=rows, range=[len(rows) - 0.4, -0.6], tickfont={"size": 13}
+    )
+    return figure
+
+
+def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]) -> go.Figure:
+    """Draw, for each pair of lower rollers, how many discriminants are sums of two cubes.
+
+    Parameters
+    ----------
+    pairs, counts : the pairs of lower rollers and their numbers
+    highlighted : which of them is the paper's
+    colors : ink, faint, paper, primary, block
+    """
+    figure = go.Figure(layout={"template": template(colors), "height": 320, "showlegend": False})
+    figure.add_bar(
+        x=list(counts),
+        y=list(range(len(pairs))),
+        orientation="h",
+        marker={"color": [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]},
+        text=list(counts),
+        textposition="outside",
+        cliponaxis=False,
+        customdata=list(pairs),
+        hovertemplate="%{customdata} below: %{x}<extra></extra>",
+    )
+    figure.update_layout(margin={"l": 128, "r": 30, "t": 4, "b": 44}, bargap=0.3)
+    figure.update_xaxes(title="sums of two cubes", fixedrange=True, rangemode="tozero")
+    figure.update_yaxes(
+        tickvals=list(range(len(pairs))),
+        ticktext=pairs,
+        range=[len(pairs) - 0.4, -0.6],
+        showgrid=False,
+        ticks="",
+        fixedrange=True,
+    )
+    return figure

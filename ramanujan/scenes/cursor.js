@@ -1,0 +1,113 @@
+// The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
+// is in cursor.py. Of Plotly it uses what stands in the page: the graph's own data and layout, and the rectangle that
+// covers each panel. The cursor is kept as a share of the time shown, so that it stays when the machine changes. It goes
+// along with the stage, whose time stands in globalThis.ramanujanTimes, unless a hand takes it.
+
+const PANEL = ".nsewdrag";
+
+export default function ({ parentElement }) {
+  const slider = parentElement.querySelector("input");
+  const output = parentElement.querySelector("output");
+  const stop = new AbortController();
+  let frame = 0;
+  let inHand = false;
+  let stageTime = null;
+
+  // Moving over any figure takes the cursor along.
+  const follow = (event) => {
+    const graph = event.target.closest?.(".js-plotly-plot");
+    inHand = graph?.layout?.meta?.cursor === "time" && event.target.matches(PANEL);
+    if (!inHand) return;
+    const { period, periods } = graph.layout.meta;
+    const [from, to] = graph.layout.xaxis.range;
+    const { left, width } = event.target.getBoundingClientRect();
+    const time = Number(from) + ((event.clientX - left) / width) * (to - from);
+    slider.value = time / (period * periods);
+  };
+  document.addEventListener("pointermove", follow, { signal: stop.signal });
+
+  /** Take over the stage's time, if that has moved and nobody holds the cursor. */
+  const goAlong = ({ period, periods }) => {
+    const time = globalThis.ramanujanTimes?.stage;
+    if (time === stageTime || inHand || parentElement.activeElement === slider) return;
+    stageTime = time;
+    const share = time / (period * periods);
+    slider.value = share - Math.floor(share);
+  };
+
+  const tick = () => {
+    const first = document.querySelector(".js-plotly-plot")?.layout?.meta;
+    if (first?.cursor) goAlong(first);
+    const share = Number(slider.value);
+    for (const graph of document.querySelectorAll(".js-plotly-plot")) {
+      const meta = graph.layout?.meta;
+      if (!meta?.cursor) continue;
+      const panels = [...graph.querySelectorAll(PANEL)].map((panel) => panel.getBoundingClientRect());
+      if (panels.length) mark(graph, meta, share, panels);
+      say(meta, share);
+    }
+    frame = requestAnimationFrame(tick);
+  };
+
+  const say = ({ period, periods }, share) => {
+    const text = `t = ${(share * period * periods).toFixed(2)} s, ${(share * periods).toFixed(2)} periods`;
+    if (output.textContent === text) return;
+    output.textContent = text;
+    slider.setAttribute("aria-valuetext", text);
+  };
+
+  frame = requestAnimationFrame(tick);
+  return () => {
+    cancelAnimationFrame(frame);
+    stop.abort();
+    for (const node of document.querySelectorAll(".js-plotly-plot .time-cursor")) node.remove();
+  };
+}
+
+function mark(graph, meta, share, panels) {
+  const home = graph.getBoundingClientRect();
+  const [top, bottom] = [Math.min(...panels.map((p) => p.top)), Math.max(...panels.map((p) => p.bottom))];
+  const { left, width } = panels[0];
+  if (meta.cursor === "time") {
+    const x = place(graph.layout.xaxis.range, share * meta.period * meta.periods);
+    const line = { width: "2px", height: `${bottom - top}px`, borderRadius: "0" };
+    draw(graph, 0, x, { ...line, left: `${left - home.left + x * width - 1}px`, top: `${top - home.top}px` });
+    return;
+  }
+  graph.data.forEach((orbit, i) => {
+    const x = place(graph.layout.xaxis.range, between(numbers(orbit, "x"), share));
+    const y = place(graph.layout.yaxis.range, between(numbers(orbit, "y"), share));
+    const dot = { width: "12px", height: "12px", borderRadius: "50%" };
+    const style = { left: `${left - home.left + x * width - 6}px`, top: `${bottom - home.top - y * (bottom - top) - 6}px` };
+    draw(graph, i, orbit.visible === "legendonly" || y < 0 || y > 1 ? -1 : x, { ...dot, ...style });
+  });
+}
+
+const place = ([from, to], value) => (value - from) / (to - from);
+
+/** Put a mark on the graph, or hide it where x lies beside the panel. */
+function draw(graph, i, x, style) {
+  const marks = graph.querySelectorAll(".time-cursor");
+  const node = marks[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: "time-cursor" }));
+  Object.assign(node.style, { position: "absolute", pointerEvents: "none", background: "currentColor", ...style });
+  node.style.display = x >= 0 && x <= 1 ? "" : "none";
+}
+
+function between(values, share) {
+  const at = share * (values.length - 1);
+  const i = Math.min(Math.floor(at), values.length - 2);
+  return values[i] + (at - i) * (values[i + 1] - values[i]);
+}
+
+const decoded = new WeakMap();
+
+/** The numbers of a trace, as Plotly got them: an array, or single precision in base 64. */
+function numbers(trace, axis) {
+  const given = trace[axis];
+  if (!given.bdata) return given;
+  if (!decoded.has(given)) {
+    const bytes = Uint8Array.from(atob(given.bdata), (letter) => letter.charCodeAt(0));
+    decoded.set(given, new Float32Array(bytes.buffer));
+  }
+  return decoded.get(given);
+}

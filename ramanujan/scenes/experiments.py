@@ -1,0 +1,150 @@
+"""Experiments on a page: taken piece by piece while the page is open, what they find shared by all visitors.
+
+Lives here: `Record`, what an experiment has found; `Job`, one visitor's experiment under way; `work`, which takes
+pieces, shows progress and lets go whenever the visitor does something. Does not live here: any experiment.
+
+`work` stands at the end of a page's script. Streamlit breaks a script off where it next speaks to the browser, so each
+report of progress is also the place where a moved slider, a Stop button or a closed tab ends the work; the job stays in
+the session, and the next run of the page goes on with it. Measurements of time take turns: one visitor's at once.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import nullcontext
+from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
+
+import streamlit as st
+
+from ramanujan.accuracy import Piece
+from ramanujan.scenes import controls
+
+T = TypeVar("T")
+
+_TURN = threading.Lock()
+_SLICE = 0.04
+"""Seconds of work between two pauses."""
+_PAUSE = 0.01
+"""Seconds left to the other visitors after each slice."""
+_REPORT = 0.1
+"""Seconds between two reports of progress, and so the longest that a visitor's wish waits."""
+_SHOW = 0.8
+"""Seconds between two drawings of what is there so far."""
+
+
+@dataclass(eq=False)
+class Record(Generic[T]):
+    """What an experiment has found; None until one visitor has seen it through."""
+
+    results: tuple[T, ...] | None = None
+
+
+@dataclass(eq=False)
+class Job(Generic[T]):
+    """An experiment under way in one session.
+
+    record : where the results go when it is complete
+    pieces : the experiment
+    title : what is being done, for the progress bar
+    timed : whether it measures seconds, and so must be alone
+    """
+
+    record: Record[T]
+    pieces: Iterator[Piece[T]]
+    title: str
+    timed: bool = False
+    done: float = 0.0
+    results: list[T] = field(default_factory=list)
+    complete: bool = False
+
+    def __post_init__(self) -> None:
+        self._before = self.record.results
+
+    @property
+    def wanted(self) -> bool:
+        """Whether there is work left that no other visitor has done meanwhile."""
+        return not self.complete and self.record.results is self._before
+
+    def advance(self, seconds: float) -> bool:
+        """Take pieces for about that long, at least one, and return whether the experiment is complete."""
+        end = time.monotonic() + seconds
+        while not self.complete:
+            piece = next(self.pieces, None)
+            if piece is None:
+                self.complete = True
+                self.record.results = tuple(self.results)
+            else:
+                self.done = min(max(piece.done, 0.0), 1.0)
+                if piece.result is not None:
+                    self.results.append(piece.result)
+            if time.monotonic() >= end:
+                break
+        return self.complete
+
+
+def job(key: str, record: Record[T], pieces: Callable[[], Iterator[Piece[T]]], title: str, timed: bool = False) -> Job:
+    """Return the session's job of that key for that record; one begun for another record is dropped."""
+    jobs = st.session_state.setdefault("experiments", {})
+    if key not in jobs or jobs[key].record is not record:
+        jobs[key] = Job(record, pieces(), title, timed)
+    return jobs[key]
+
+
+def current(key: str) -> Job | None:
+    """Return the session's job of that key, if one is under way."""
+    return st.session_state.get("experiments", {}).get(key)
+
+
+def drop(key: str) -> None:
+    """End the session's job of that key; what it has found so far is forgotten."""
+    st.session_state.get("experiments", {}).pop(key, None)
+
+
+def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
+    """See the jobs through in order, each with its progress in its own place; then run the page again.
+
+    Parameters
+    ----------
+    jobs : key, job and the `st.empty` that shows the progress
+    """
+    start = time.monotonic()
+    worked = False
+    for key, task, place in jobs:
+        worked = True
+        with _turn(task, place) if task.timed else nullcontext():
+            shown = len(task.results)
+            while task.wanted:
+                _take(task, _REPORT)
+                place.progress(task.done, task.title)
+                if len(task.results) > shown and time.monotonic() - start > _SHOW and not task.complete:
+                    controls.run_again()
+        drop(key)
+        if time.monotonic() - start > _SHOW:
+            controls.run_again()
+    if worked:
+        controls.run_again()
+
+
+def _take(task: Job, seconds: float) -> None:
+    """Work for about that long, leaving room for others."""
+    end = time.monotonic() + seconds
+    while not task.complete and time.monotonic() < end:
+        task.advance(_SLICE)
+        time.sleep(_PAUSE)
+
+
+class _turn:  # noqa: N801 (reads as a sentence: with _turn(task, place))
+    """Wait until no other visitor measures; whoever waits may leave."""
+
+    def __init__(self, task: Job, place: Any) -> None:
+        self.task, self.place = task, place
+
+    def __enter__(self) -> None:
+        while not _TURN.acquire(timeout=_REPORT):
+            self.place.progress(self.task.done, "Another visitor is measuring; yours goes on when they are done.")
+
+    def __exit__(self, *_: object) -> None:
+        _TURN.release()

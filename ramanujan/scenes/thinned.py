@@ -1,0 +1,139 @@
+"""What the experiments of page 5 found, thinned to what a screen can show.
+
+Lives here: arrays in, fewer numbers out, for the stage and for the figures. Does not live here: words (`verdicts`),
+the experiments (`ramanujan.accuracy`), drawing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ramanujan import Oscillator
+from ramanujan.accuracy import FORMS, Piece, error_history
+from ramanujan.accuracy.extremes import RIGHT, Sweep
+from ramanujan.accuracy.work_precision import History, WorkPrecision
+from ramanujan.figures import speed as figures
+from ramanujan.integrators import METHODS
+from ramanujan.motion import released
+
+SAMPLES_PER_PERIOD = 32
+"""A run with more steps than that is thinned: straight pieces between so many points of a swing look round."""
+FIGURE_HEIGHT, SCREEN_HEIGHT = 400, 1080
+"""Pixels that errors on screen are held against."""
+SHOWN_PERIODS = 8
+"""Periods that the stage plays before it begins again."""
+ROOM = 1.5
+"""How far a wrong slab may travel in the picture, in units of the largest compression that can be set."""
+CURVE_POINTS = 96
+"""Points of an error curve: about as many as it has pixels to rise in."""
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One integration, thinned to what the screen shows.
+
+    Parameters
+    ----------
+    method, dtype, steps, periods : how it was made
+    per_period : samples in a period
+    q : φ over its amplitude at the samples, the start included, shape (periods·per_period + 1,)
+    reach : where each error curve has its points [periods], shape (points,)
+    phase, energy : the largest |phase error| [rad] and |energy error| so far, shape (points,)
+    phase_at_end, energy_at_end : the errors at the end, with their signs
+    """
+
+    method: str
+    dtype: str
+    steps: int
+    periods: int
+    per_period: int
+    q: np.ndarray
+    reach: np.ndarray
+    phase: np.ndarray
+    energy: np.ndarray
+    phase_at_end: float
+    energy_at_end: float
+
+
+def run_pieces(oscillator: Oscillator, method: str, steps: int, periods: int, dtype: str) -> Iterator[Piece[Run]]:
+    """Yield one integration in pieces, the last with its `Run`."""
+    for piece in error_history(oscillator, method, steps, periods, dtype):
+        yield Piece(piece.done, None if piece.result is None else _thinned(piece.result, steps, periods))
+
+
+def samples(run: Run, machine: Oscillator, compression: float, most: float) -> tuple[dict[str, Any], int, int, bool]:
+    """Return what the stage plays of a run, its first and last period, and whether the slab leaves the picture.
+
+    The last periods are played, as long as the slab is still in the picture; they begin and end with whole periods, so
+    that both stages begin again together.
+    """
+    start = released(machine, compression).phi
+    room = ROOM * most / compression
+    inside = np.isfinite(run.q) & (np.abs(run.q) <= room)
+    leaves = not inside.all()
+    left = int(np.argmin(inside)) if leaves else run.q.size
+    last = max(1, (left - 1) // run.per_period)
+    first = max(0, last - SHOWN_PERIODS)
+    # Beyond the room it hangs at the edge until the period is over.
+    q = np.clip(np.nan_to_num(run.q[first * run.per_period : last * run.per_period + 1], nan=room), -room, room)
+    kappa_R, _, lambda_ = machine.mode_shape
+    phi = start * q.astype(float)
+    swing = phi - start
+    motion = {"X": kappa_R * swing, "phi": phi, "Phi": lambda_ * swing}
+    rounded = {name: np.round(values, 5).tolist() for name, values in motion.items()}
+    return {"step": machine.period / run.per_period, **rounded}, first, last, leaves
+
+
+def growth(run: Run, chosen: bool) -> figures.Growth:
+    """Return a run's error curves for the figure."""
+    look_ = list(METHODS).index(run.method)
+    return figures.Growth(METHODS[run.method].title, look_, run.reach, run.energy, run.phase, chosen)
+
+
+def costs(curve: WorkPrecision, by: str) -> figures.Cost:
+    """Return a curve of the diagram for the figure; where a run is late by whole turns, its phase error counts."""
+    error = np.fmax(curve.state_error, np.abs(curve.phase_error))
+    error[~np.isfinite(curve.state_error)] = np.nan
+    title, number_ = METHODS[curve.method].title, list(METHODS).index(curve.method)
+    return figures.Cost(title, number_, curve.dtype, getattr(curve, by), error, curve.steps_per_period)
+
+
+def sweep(sweeps: Sequence[Sweep]) -> tuple[np.ndarray, np.ndarray, list[figures.Form]]:
+    """Return a sweep's exponents, its true values and its forms, in as many points as a screen can part."""
+    x = sweeps[0].x.astype(float)
+    every = max(1, x.size // 220)
+    sound = next(s for s in sweeps if s.form == list(FORMS)[-1])
+    starts = np.arange(0, x.size, every)
+    order = sorted(sweeps, key=lambda s: s.worst_right_ulp if set(s.verdict) == {RIGHT} else -1)
+    curves = [
+        figures.Form(
+            FORMS[s.form].title, s.value[starts], np.maximum.reduceat(np.nan_to_num(s.error_ulp, nan=np.inf), starts)
+        )
+        for s in order
+    ]
+    return np.log10(x[starts]), sound.value[starts], curves
+
+
+def _thinned(history: History, steps: int, periods: int) -> Run:
+    every = next(n for n in range(-(-steps // SAMPLES_PER_PERIOD), steps + 1) if steps % n == 0)
+    # Equal ratios between neighbours show how an error grows.
+    ends = np.unique(np.rint(np.geomspace(1, steps * periods, CURVE_POINTS)).astype(int))
+    with np.errstate(over="ignore"):
+        q = history.q[::every].astype(np.float32)
+    return Run(
+        method=history.method,
+        dtype=history.dtype,
+        steps=steps,
+        periods=periods,
+        per_period=steps // every,
+        q=q,
+        reach=(ends / steps).astype(np.float32),
+        phase=np.fmax.accumulate(np.abs(history.phase_error))[ends],
+        energy=np.fmax.accumulate(np.abs(history.energy_error))[ends],
+        phase_at_end=float(history.phase_error[-1]),
+        energy_at_end=float(history.energy_error[-1]),
+    )

@@ -1,0 +1,169 @@
+"""The motion page in a browser: bytes, the shared time cursor, the download, what stands where."""
+
+import numpy as np
+import pytest
+
+from ramanujan.scenes.cached import motion as cached
+from tests.conftest import settle
+
+PLOT = ".js-plotly-plot .nsewdrag"
+MARK = ".js-plotly-plot .time-cursor"
+
+
+def open_motion(visit, query="", **more):
+    page = visit(f"motion{query}", **more)
+    page.wait_for_selector(PLOT, state="attached")
+    settle(page)
+    return page
+
+
+def nudge(page, key, press="ArrowRight"):
+    """Move a slider by one step, and return how many bytes the server sent for it."""
+    before = len(page.frames_received)
+    page.locator(f".st-key-{key} input[type=range]").first.focus()
+    page.keyboard.press(press)
+    page.wait_for_timeout(300)
+    settle(page)
+    return sum(page.frames_received[before:])
+
+
+def cursor_times(page):
+    """The times [s] that the lines of all figures over time stand at, by Plotly's own scale."""
+    return page.evaluate(
+        """() => [...document.querySelectorAll(".js-plotly-plot")]
+          .filter((graph) => graph.layout.meta?.cursor === "time")
+          .map((graph) => {
+            const { left, width } = graph.querySelector(".time-cursor").getBoundingClientRect();
+            const axis = graph._fullLayout.xaxis;
+            return axis.p2l(left + width / 2 - graph.getBoundingClientRect().left - axis._offset);
+          })"""
+    )
+
+
+def choose(page, view):
+    """Open a view."""
+    page.get_by_role("tab", name=view).click()
+    page.locator(f".st-key-figure_{view.lower().replace(' ', '-')} .nsewdrag").first.wait_for(state="attached")
+    settle(page)
+
+
+def test_a_change_of_a_slider_sends_at_most_60_kB(visit):
+    page = open_motion(visit, "?glide=3")
+    for view, keys in zip(cached.VIEWS, (("m", "glide"), ("compression", "spin"), ("k",), ("m", "mu")), strict=True):
+        choose(page, view)
+        for key in keys:
+            assert 0 < nudge(page, key) <= 60_000, (view, key)
+    assert "glide=3.5" in page.url
+
+
+def test_the_cursor_moves_all_figures_without_the_server(visit):
+    page = open_motion(visit, "?figure=Displacements")
+    slider = page.get_by_label("Time cursor")
+    before = len(page.frames_sent)
+    slider.fill("0.3")
+    page.wait_for_timeout(150)
+    period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
+    # A pixel of the line is about a hundredth of a second.
+    assert cursor_times(page) == [pytest.approx(0.3 * cached.PERIODS * period, abs=0.02)]
+    assert page.locator(MARK).count() == 1 + 3
+    slider.focus()
+    page.keyboard.press("End")
+    page.wait_for_timeout(150)
+    assert cursor_times(page) == [pytest.approx(cached.PERIODS * period, abs=0.02)]
+    assert slider.get_attribute("aria-valuetext").endswith("2.00 periods")
+    assert len(page.frames_sent) == before
+
+
+def test_the_pointer_takes_the_cursor_along_and_all_panels_answer(visit):
+    page = open_motion(visit, "?figure=Displacements", width=1280, height=1500)
+    panel = page.locator(PLOT).first.bounding_box()
+    page.mouse.move(panel["x"] + 0.5 * panel["width"], panel["y"] + 0.5 * panel["height"])
+    page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
+    page.wait_for_timeout(400)
+    assert float(page.get_by_label("Time cursor").input_value()) == pytest.approx(0.6, abs=0.01)
+    # One label for both panels: five bodies over the ground, four over the block.
+    assert page.locator(".hoverlayer .traces").count() == 9
+
+
+def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
+    page = open_motion(visit, "?figure=Displacements")
+    page.get_by_label("Time cursor").fill("0")
+    page.wait_for_timeout(150)
+    places = page.evaluate(
+        """() => {
+          const graph = [...document.querySelectorAll(".js-plotly-plot")].at(-1);
+          const { xaxis, yaxis } = graph._fullLayout, home = graph.getBoundingClientRect();
+          return [...graph.querySelectorAll(".time-cursor")].map((dot) => {
+            const { left, top, width, height } = dot.getBoundingClientRect();
+            return [xaxis.p2l(left + width / 2 - home.left - xaxis._offset),
+                    yaxis.p2l(top + height / 2 - home.top - yaxis._offset)];
+          });
+        }"""
+    )
+    # Released at rest: the slab at 8 cm, block and top cylinder at 0; a pixel is about 0.1 cm and 0.2 cm/s.
+    for place, expected in zip(places, ((8, 0), (0, 0), (0, 0)), strict=True):
+        assert place == pytest.approx(expected, abs=0.4)
+
+
+def test_the_cursor_follows_to_another_view_and_another_machine(visit):
+    page = open_motion(visit, "?figure=Energy")
+    page.get_by_label("Time cursor").fill("0.5")
+    choose(page, "Momentum")
+    nudge(page, "m", "End")
+    (time,) = cursor_times(page)
+    period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
+    assert time == pytest.approx(0.5 * cached.PERIODS * period, rel=0.02)
+    assert "figure=Momentum" in page.url
+
+
+def test_the_csv_is_the_motion_shown(visit, tmp_path):
+    page = open_motion(visit, "?m=2.5&glide=4&spin=-1.3&mu=0.11")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="CSV").click()
+    path = tmp_path / download.value.suggested_filename
+    download.value.save_as(path)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    header = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+    numbers = np.loadtxt(path, delimiter=",", skiprows=header + 1)
+    motion = cached.record.__wrapped__(2.5, 1.0, 10.0, 0.1, 0.08, 0.04, -1.3)
+    assert np.array_equal(numbers[:, 0], motion.t)
+    assert np.array_equal(numbers[:, 1:7], np.concatenate([motion.q, motion.q_dot]).T)
+    assert "# mu = 0.11" in lines
+
+
+def test_plotly_keeps_its_legend_zoom_and_png(visit):
+    page = open_motion(visit, "?figure=Energy")
+    graph = page.locator(".js-plotly-plot")
+    graph.hover()
+    titles = [button.get_attribute("data-title") or "" for button in page.locator(".modebar-btn").all()]
+    assert any("png" in title.lower() for title in titles)
+    assert any("zoom" in title.lower() for title in titles)
+    assert graph.locator(".infolayer .legendtext").count() == 10
+
+
+@pytest.mark.parametrize("radius", [5, 20])
+def test_the_spacing_is_that_of_the_picture(visit, radius):
+    page = open_motion(visit, f"?radius={radius}")
+    hoop, cylinder = (
+        page.locator(f".st-key-stage .moving .body.{name}").first.evaluate(
+            "body => body.getCTM().inverse() && body.transform.baseVal.consolidate().matrix.e"
+        )
+        for name in ("hoop", "cylinder")
+    )
+    # The two positions are read one frame after the other, in which the rollers move by less than a centimetre.
+    assert cylinder - hoop == pytest.approx(100 * cached.drawn_spacing(radius / 100), abs=1.0)
+
+
+def test_nothing_jumps_when_the_model_stops_to_hold(visit):
+    page = open_motion(visit, "?mu=0.07&figure=Contact+forces")
+    top = page.get_by_role("tab", name="Energy").bounding_box()["y"]
+    nudge(page, "mu", "Home")
+    assert page.get_by_text("The model no longer holds").is_visible()
+    assert page.get_by_role("tab", name="Energy").bounding_box()["y"] == pytest.approx(top, abs=1)
+
+
+def test_a_phone_does_not_scroll_sideways(visit):
+    page = open_motion(visit, width=390, height=844)
+    for view in cached.VIEWS:
+        choose(page, view)
+        assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= 390

@@ -1,0 +1,57 @@
+"""Page 5 in a browser: two stages on one clock, work that can be stopped and left, room on a phone."""
+
+from __future__ import annotations
+
+from tests.conftest import settle
+
+RUNNING = "[data-testid=stApp][data-test-script-state=running]"
+IDLE = "[data-testid=stApp][data-test-script-state=notRunning]"
+
+
+def measuring(visit):
+    """Open the page and start a measurement that takes long."""
+    page = visit("speed?periods=300&steps=8")
+    settle(page)
+    page.get_by_role("button", name="Measure").click(timeout=120_000)
+    page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
+    return page
+
+
+def test_stop_ends_the_measurement(visit):
+    page = measuring(visit)
+    page.get_by_role("button", name="Stop").click()
+    page.wait_for_selector(IDLE, timeout=60_000)
+    assert page.get_by_role("button", name="Measure").is_enabled()
+    assert page.get_by_text("Measuring 300 periods").count() == 0
+
+
+def test_leaving_ends_the_work(visit):
+    page = measuring(visit)
+    page.get_by_role("link", name="Oscillator").first.click()
+    page.wait_for_selector(".st-key-curve", timeout=60_000)
+    settle(page)
+    assert page.get_by_text("Measuring 300 periods").count() == 0
+
+
+def test_page_answers_while_it_measures(visit):
+    page = measuring(visit)
+    page.get_by_role("radio", name="seconds", exact=True).click()
+    page.wait_for_url("**cost=seconds**", timeout=60_000)
+    # The measurement goes on.
+    page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
+    page.get_by_role("button", name="Stop").click()
+    page.wait_for_selector(IDLE, timeout=60_000)
+
+
+def test_both_stages_move_and_the_phone_has_no_sideways_scroll(visit):
+    page = visit("speed?periods=1&steps=12", width=390, height=844)
+    settle(page)
+    page.get_by_text("negative or complex", exact=True).wait_for(timeout=60_000)
+    pictures = [page.locator(f".st-key-{key} svg.machine") for key in ("exact", "stepped")]
+    before = [picture.inner_html() for picture in pictures]
+    page.wait_for_timeout(500)
+    assert all(picture.inner_html() != old for picture, old in zip(pictures, before, strict=True))
+    main = page.evaluate(
+        "(({scrollWidth, clientWidth}) => [scrollWidth, clientWidth])(document.querySelector('[data-testid=stMain]'))"
+    )
+    assert main[0] == main[1]

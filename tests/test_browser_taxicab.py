@@ -1,0 +1,61 @@
+"""Page 4 in a browser: figures have words, a click builds a machine with its own frequency, the phone fits."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.conftest import settle
+
+
+def ready(page: object) -> object:
+    page.wait_for_selector(".st-key-counts .js-plotly-plot", timeout=60_000)
+    settle(page)
+    return page
+
+
+def normalized(page: object) -> str:
+    return page.locator(".st-key-stage_bodies [data-read=normalized]").inner_text()
+
+
+def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(visit: object) -> None:
+    page = ready(visit("1729"))
+    paper = normalized(page)
+    number = page.locator(".st-key-machines text", has_text="5896").first
+    number.scroll_into_view_if_needed()
+    box = number.bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.wait_for_url("**top=sphere**")
+    settle(page)
+    assert "right=shell" in page.url
+    assert page.get_by_text("Hoop and shell below, sphere on top").count() == 1
+    other = normalized(page)
+    # Another body, another frequency, at the same masses.
+    assert other != paper
+    page.locator(".st-key-own_ratio button").click()
+    page.wait_for_url("**m_prime=**")
+    settle(page)
+    assert float(normalized(page)) == pytest.approx(1, abs=1e-6)
+    assert max(page.frames_received) < 200_000
+
+
+def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
+    page = ready(visit("1729"))
+    labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
+    assert len(labels) == 6
+    assert all(label and any(map(str.isdigit, label)) for label in labels)
+    eye = "document.querySelector('.st-key-cubes_12 .js-plotly-plot').layout.scene.camera.eye.x"
+    before = page.evaluate(eye)
+    page.locator(".st-key-turn [role=slider], .st-key-turn input[type=range]").first.focus()
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_function(f"{eye} != {before}")
+    points = "document.querySelector('.st-key-cubes_12 .js-plotly-plot').data[0].x"
+    length = page.evaluate(f"({points}.length ?? {points}._inputArray.length)")
+    page.locator(".st-key-apart label").click()
+    page.wait_for_function(f"({points}.length ?? {points}._inputArray.length) > {length}")
+
+
+def test_the_phone_does_not_scroll_sideways(visit: object) -> None:
+    page = ready(visit("1729?p=1000&q=999&digits=1000&left=sphere", width=390, height=844))
+    main = "document.querySelector('[data-testid=stMain]')"
+    assert page.evaluate(f"{main}.scrollWidth <= {main}.clientWidth")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")

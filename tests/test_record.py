@@ -1,0 +1,146 @@
+"""A recorded motion and its table: every series against an independent route, and the way through a file and back."""
+
+import csv
+import io
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from ramanujan import Oscillator
+from ramanujan.record import columns, record, table
+from ramanujan.table import csv_table
+
+MACHINE = Oscillator(1.3, 0.7, 25.0, 0.12)
+
+
+def taken(**more):
+    setting = {"glide": 0.05, "spin": -0.8, "spacing": 0.338, "periods": 2, "points": 179} | more
+    return record(MACHINE, 0.08, **setting)
+
+
+def read(text):
+    """The comments, the header and the numbers, as numpy's own reader gets them by the first line's advice."""
+    lines = text.splitlines()
+    skipped = int(next(word for word in lines[0].split() if word.isdigit()))
+    return lines[: skipped - 1], lines[skipped - 1], np.loadtxt(io.StringIO(text), delimiter=",", skiprows=skipped)
+
+
+def test_the_table_comes_back_from_numpy_bit_for_bit():
+    motion = taken()
+    comments, header, numbers = read(table(motion, 0.2))
+    assert all(line.startswith("# ") for line in comments)
+    expected = columns(motion)
+    assert header.split(",") == list(expected)
+    assert np.array_equal(numbers, np.array(list(expected.values())).T)
+    assert np.array_equal(numbers[:, 0], motion.t)
+
+
+def test_the_comments_hold_the_parameters_exactly():
+    motion = taken()
+    comments = dict(line[2:].split(" = ") for line in read(table(motion, 0.35))[0] if " = " in line)
+    numbers = {name: float(value.split()[0]) for name, value in comments.items()}
+    assert (numbers["m"], numbers["m_prime"], numbers["k"], numbers["R"]) == (1.3, 0.7, 25.0, 0.12)
+    assert (numbers["compression"], numbers["mu"]) == (0.08, 0.35)
+    assert (numbers["X_dot at release"], numbers["Phi_dot at release"]) == (-0.05, -0.8)
+    assert comments["k"].endswith("N/m")
+    assert numbers["Omega"] == MACHINE.natural_frequency
+
+
+def test_a_spreadsheet_sees_one_rectangle_of_numbers_below_its_header():
+    rows = list(csv.reader(io.StringIO(table(taken(), 0.2))))
+    remarks = [row for row in rows if row[0].startswith("#")]
+    header, *numbers = rows[len(remarks) :]
+    assert all(len(row) == 1 for row in remarks)
+    assert {len(row) for row in numbers} == {len(header)}
+    assert all(name.endswith("]") and "[" in name for name in header)
+    assert all(np.isfinite([float(cell) for cell in row]).all() for row in numbers)
+
+
+def test_every_velocity_is_the_slope_of_its_displacement():
+    motion = taken(points=4001)
+    step = motion.t[1]
+    pairs = [(motion.over_ground, motion.velocity_over_ground), (motion.over_block, motion.velocity_over_block)]
+    for places, velocities in pairs:
+        for body, place in places.items():
+            slope = (place[2:] - place[:-2]) / (2 * step)
+            # The central difference is wrong by (Ωh)²/6 ≈ 2e-6 of the amplitude of the velocity.
+            assert slope == pytest.approx(velocities[body][1:-1], abs=1e-5 * np.ptp(velocities[body]) + 1e-9)
+
+
+def test_every_force_is_what_changes_a_momentum():
+    motion = taken(points=4001)
+    forces, step = motion.forces, motion.t[1]
+    on_body = {
+        "slab": forces["spring"] - forces["hoop_slab"] - forces["cylinder_slab"],
+        "hoop": forces["hoop_slab"] + forces["hoop_block"],
+        "cylinder": forces["cylinder_slab"] + forces["cylinder_block"],
+        "top": forces["top_block"],
+    }
+    on_body["block"] = -sum(on_body.values())
+    largest = np.max(np.abs(forces["spring"]))
+    for body, force in on_body.items():
+        change = (motion.body_momenta[body][2:] - motion.body_momenta[body][:-2]) / (2 * step)
+        assert change == pytest.approx(force[1:-1], abs=1e-5 * largest)
+
+
+def test_the_rollers_carry_the_weight_of_the_slab_together():
+    normals = taken().normal_forces
+    assert normals["hoop_slab"] + normals["cylinder_slab"] == pytest.approx(1.3 * 9.81)
+
+
+def test_a_push_adds_the_same_to_everything_and_shifts_no_force():
+    still, gliding = taken(glide=0.0, spin=0.0), taken(glide=0.07, spin=0.0)
+    for body, place in still.over_ground.items():
+        assert gliding.over_ground[body] - place == pytest.approx(0.07 * still.t, abs=1e-15)
+    for body, place in still.over_block.items():
+        assert gliding.over_block[body] == pytest.approx(place, abs=1e-15)
+    for name, force in still.forces.items():
+        assert np.array_equal(taken(spin=1.0).forces[name], force)
+        assert np.array_equal(gliding.forces[name], force)
+
+
+def test_a_spin_moves_the_top_cylinder_alone():
+    still, spun = taken(glide=0.0, spin=0.0), taken(glide=0.0, spin=1.5)
+    moved = {body for body in still.over_ground if not np.allclose(still.over_ground[body], spun.over_ground[body])}
+    assert moved == {"top"}
+
+
+def test_a_slab_that_would_tip_is_no_record():
+    with pytest.raises(ValueError, match="tips off"):
+        taken(spacing=0.05)
+
+
+doubles = st.floats(allow_nan=False, allow_infinity=False)
+
+
+@given(st.lists(st.tuples(doubles, doubles), min_size=1, max_size=8))
+@settings(deadline=None, max_examples=60)
+def test_any_doubles_survive_the_table(rows):
+    first, second = (np.array(column) for column in zip(*rows, strict=True))
+    numbers = np.atleast_2d(read(csv_table({"a [m]": first, "b [s]": second}, ["x"]))[2])
+    assert numbers.T.tobytes() == np.array([first, second]).tobytes()
+
+
+@pytest.mark.parametrize(
+    ("columns", "comments"),
+    [
+        ({}, []),
+        ({"a": [1.0], "b": [1.0, 2.0]}, []),
+        ({"a": [[1.0]]}, []),
+        ({"a,b": [1.0]}, []),
+        ({"a": [1.0]}, ["two\nlines"]),
+        ({"a": [1.0]}, ["one, two"]),
+    ],
+)
+def test_what_would_not_come_back_is_refused(columns, comments):
+    with pytest.raises(ValueError, match=r"column|header"):
+        csv_table(columns, comments)
+
+
+def test_a_record_keeps_the_compression_that_was_asked_for():
+    # 2R · (x₀/2R) need not give x₀ back; the comment must.
+    motion = replace(taken(), compression=0.1)
+    assert "# compression = 0.1 m" in table(motion, 0.2)

@@ -1,0 +1,207 @@
+"""The motion page under AppTest, and its figures: what they say, how exactly they are drawn, what they hold on to."""
+
+import base64
+import json
+from collections import defaultdict
+
+import numpy as np
+import pytest
+
+from ramanujan import Oscillator
+from ramanujan.contact import first_to_slip, largest_compression, required_friction
+from ramanujan.record import record
+from ramanujan.sampling import points_for_half_pixel
+from ramanujan.scenes.cached import motion as cached
+
+PAGE = "ramanujan/scenes/motion.py"
+VIEWS = ["Displacements", "Energy", "Momentum", "Contact forces"]
+
+
+def open_page(app, **state):
+    app.run()
+    for key, value in state.items():
+        app.session_state[key] = value
+    app.switch_page(PAGE).run()
+    assert not app.exception
+    return app
+
+
+def charts(app):
+    """The figures on the page, as the browser gets them, by their text alternative."""
+    return {chart.proto.alt: json.loads(chart.proto.spec) for chart in app.get("plotly_chart")}
+
+
+def numbers(given):
+    """An array of a figure's JSON."""
+    if isinstance(given, list):
+        return np.array(given, dtype=float)
+    return np.frombuffer(base64.b64decode(given["bdata"]), dtype=given["dtype"]).astype(float)
+
+
+def figures(view, *setting):
+    colors = defaultdict(lambda: "#808080")
+    motion = cached.record.__wrapped__(*setting)
+    return motion, [json.loads(draw(motion, colors).to_json()) for draw in cached.VIEWS[view]]
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_each_view_shows_its_figures_with_a_text_alternative(app, view):
+    shown = charts(open_page(app, figure=view))
+    assert len(shown) == {"Displacements": 2, "Energy": 1, "Momentum": 1, "Contact forces": 2}[view]
+    assert all(len(alt) > 40 and any(letter.isdigit() for letter in alt) for alt in shown)
+
+
+def test_a_view_that_is_not_open_costs_no_bytes(app):
+    assert len(charts(open_page(app))) == 2
+
+
+@pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (0.2, 8.0), (1.5, 12.0), (0.01, 0.5), (0.07, 8.0)])
+def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression):
+    open_page(app, mu=mu, compression=compression, figure="Contact forces")
+    machine, spacing = Oscillator(1.0, 1.0, 10.0, 0.1), cached.drawn_spacing(0.1)
+    needed = required_friction(machine, compression / 100, spacing=spacing)
+    largest = largest_compression(machine, mu, spacing=spacing)
+    slips = max(needed.values()) > mu
+    (sentence,) = app.error if slips else app.success
+    assert ("no longer holds" in sentence.value) == slips
+    assert len(app.error) + len(app.success) == 1
+    assert f"{100 * largest:.3g} cm" in sentence.value
+    assert cached.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
+    assert app.metric[0].value == f"{100 * largest:.3g} cm"
+
+
+def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch, app):
+    from ramanujan import stage
+
+    given = []
+    monkeypatch.setattr(
+        stage, "payload", lambda *args, original=stage.payload, **more: given.append(more) or original(*args, **more)
+    )
+    open_page(app, mu=0.03, glide=4.0, spin=1.0)
+    assert given[-1]["slipping"] == "hoop_slab"
+    assert (given[-1]["initial"].X_dot, given[-1]["initial"].Phi_dot) == (-0.04, 1.0)
+    app.slider(key="mu").set_value(1.0).run()
+    assert given[-1]["slipping"] is None
+
+
+@pytest.mark.parametrize("light", [True, False])
+def test_the_bars_are_the_friction_needed(app, light):
+    open_page(app, m_prime=0.05 if light else 3.0, mu=0.05, figure="Contact forces")
+    (bars,) = (figure for alt, figure in charts(app).items() if alt.startswith("Friction needed"))
+    machine = Oscillator(1.0, 0.05 if light else 3.0, 10.0, 0.1)
+    needed = required_friction(machine, 0.08, spacing=cached.drawn_spacing(0.1))
+    assert numbers(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
+    slipping = ["slips" in text for text in bars["data"][0]["text"]]
+    assert slipping == [value > 0.05 for value in needed.values()]
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        {"mu": "0"},
+        {"mu": "nan"},
+        {"mu": "abc"},
+        {"glide": "21"},
+        {"spin": "-1e9"},
+        {"glide": ["1", "2"]},
+        {"spin": "inf"},
+    ],
+)
+def test_a_bad_link_gets_one_sentence_and_the_default_stays(app, query):
+    app.switch_page(PAGE)
+    for key, value in query.items():
+        app.query_params[key] = value
+    app.run()
+    assert not app.exception
+    (key,) = query
+    assert [warning.value for warning in app.warning if key in warning.value]
+    assert app.slider(key=key).value == {"mu": 0.2, "glide": 0.0, "spin": 0.0}[key]
+
+
+def test_a_view_that_does_not_exist_is_the_first_one(app):
+    app.switch_page(PAGE)
+    app.query_params["figure"] = "nonsense"
+    app.run()
+    assert not app.exception
+    assert len(charts(app)) == 2
+
+
+CORNERS = [
+    (0.5, 0.05, 200.0, 0.05, 0.12, -0.2, 3.0),
+    (5.0, 10.0, 1.0, 0.2, 0.005, 0.2, -3.0),
+    (0.5, 10.0, 200.0, 0.2, 0.12, 0.0, 0.0),
+    (1.0, 1.0, 10.0, 0.1, 0.08, 0.05, 0.6),
+]
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+@pytest.mark.parametrize("view", VIEWS)
+def test_every_curve_over_time_is_drawn_to_half_a_pixel_on_a_full_screen(view, setting):
+    _, (figure, *_) = figures(view, *setting)
+    exact = fine_figure(view, setting)
+    heights = {}
+    for name in (name for name in figure["layout"] if name.startswith("yaxis")):
+        axis = figure["layout"][name]
+        share = axis["domain"][1] - axis["domain"][0]
+        heights[name.replace("axis", "")] = 1080 * share / np.ptp(axis["range"])
+    stacks = defaultdict(float)
+    for drawn, fine in zip(figure["data"], exact["data"], strict=True):
+        values, truth = numbers(drawn["y"]), numbers(fine["y"])
+        if drawn.get("stackgroup"):
+            stacks["drawn"], stacks["fine"] = stacks["drawn"] + values, stacks["fine"] + truth
+            values, truth = stacks["drawn"], stacks["fine"]
+        at = np.linspace(0, len(values) - 1, len(truth))
+        gap = np.abs(np.interp(at, np.arange(len(values)), values) - truth) * heights[drawn["yaxis"]]
+        # Single precision adds less than a thousandth of a pixel.
+        assert gap.max() < 0.501, drawn["name"]
+
+
+def fine_figure(view, setting):
+    """The same figure from sixteen times as many points."""
+    m, m_prime, k, radius, compression, glide, spin = setting
+    motion = record(
+        Oscillator(m, m_prime, k, radius),
+        compression,
+        glide=glide,
+        spin=spin,
+        spacing=cached.drawn_spacing(radius),
+        periods=cached.PERIODS,
+        points=16 * (cached.POINTS - 1) + 1,
+    )
+    colors = defaultdict(lambda: "#808080")
+    return json.loads(cached.VIEWS[view][0](motion, colors).to_json())
+
+
+def test_the_points_are_those_of_the_bound():
+    # Two swings of energy in a period.
+    assert points_for_half_pixel(2 * cached.PERIODS, 1080) == cached.POINTS
+
+
+@pytest.mark.parametrize("setting", CORNERS)
+def test_the_stack_of_energies_ends_at_the_flat_total(setting):
+    _, (figure,) = figures("Energy", *setting)
+    *parts, total = (numbers(trace["y"]) for trace in figure["data"])
+    # Single precision: nine terms of 6e-8 each.
+    assert sum(parts) == pytest.approx(total, rel=1e-6)
+    assert np.ptp(total) <= 1e-6 * total[0]
+
+
+def test_all_figures_over_time_share_one_axis_and_one_hover():
+    for view in VIEWS:
+        _, (figure, *_) = figures(view, *CORNERS[3])
+        layout = figure["layout"]
+        assert [name for name in layout if name.startswith("xaxis")] == ["xaxis"]
+        assert layout["hovermode"] == "x unified"
+        assert layout["meta"]["cursor"] == "time"
+        ends = {round(trace["dx"] * (len(numbers(trace["y"])) - 1), 9) for trace in figure["data"]}
+        assert ends == {round(layout["meta"]["period"] * cached.PERIODS, 9)}
+
+
+def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does():
+    closed = {}
+    for push in (0.0, 0.1):
+        _, (_, plane) = figures("Displacements", 1.0, 1.0, 10.0, 0.1, 0.08, push, 10 * push)
+        ends = {orbit["name"]: numbers(orbit["x"])[[0, -1]] for orbit in plane["data"]}
+        closed[push] = {name for name, (first, last) in ends.items() if abs(first - last) < 1e-5}
+    assert len(closed[0.0]) == 3
+    assert closed[0.1] == {"slab over block"}

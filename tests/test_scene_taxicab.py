@@ -1,0 +1,243 @@
+"""Page 4 under AppTest: what it says against brute force, mpmath and SymPy; its figures; bad input."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections import Counter
+from fractions import Fraction
+from itertools import combinations, pairwise
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from streamlit.testing.v1 import AppTest
+
+from ramanujan import normalized_frequency_squared, stage
+from ramanujan.figures import taxicab as figures
+from ramanujan.number_theory import BODIES, Machine, machines
+from ramanujan.scenes.cached import taxicab as cached
+
+PAGE = "ramanujan/scenes/taxicab.py"
+COLORS = dict.fromkeys(("ink", "faint", "paper", "primary", "top", "hoop", "on_hoop", "block"), "#123456")
+
+
+@pytest.fixture
+def page(app: AppTest) -> AppTest:
+    return app.run().switch_page(PAGE).run()
+
+
+def words(page: AppTest) -> str:
+    return "\n".join(element.value for element in page.markdown)
+
+
+def two_cubes(n: int) -> list[tuple[int, int]]:
+    return [(x, y) for x in range(1, 200) for y in range(x, 200) if x**3 + y**3 == n]
+
+
+def smallest_in_two_ways() -> int:
+    sums = Counter(x**3 + y**3 for x in range(1, 30) for y in range(x, 30))
+    return min(n for n, ways in sums.items() if ways == 2)
+
+
+def test_the_number_of_the_page_is_searched_not_stated(page: AppTest) -> None:
+    assert not page.exception
+    number = smallest_in_two_ways()
+    assert page.title[0].value == str(number)
+    assert f"{number}=1^{{3}} + 12^{{3}} = 9^{{3}} + 10^{{3}}" in words(page)
+    assert any(rf"\sqrt{{{number}}}" in formula.value for formula in page.latex)
+
+
+@pytest.mark.parametrize("digits", [1, 100, 1000])
+def test_as_many_digits_as_asked_for(page: AppTest, digits: int) -> None:
+    page.number_input(key="digits").set_value(digits).run()
+    with mpmath.workdps(digits + 20):
+        root = (mpmath.sqrt(smallest_in_two_ways()) - 1) / 36
+        expected = mpmath.nstr(mpmath.floor(root * mpmath.mpf(10) ** digits) / mpmath.mpf(10) ** digits, digits + 1)
+    # mpmath leaves trailing zeros away.
+    assert page.code[0].value.rstrip("0") == expected
+    assert len(page.code[0].value) == digits + 2
+
+
+def test_each_practical_ratio_with_the_error_that_it_leaves(page: AppTest) -> None:
+    rows = re.findall(r"\| \$(\d+)/(\d+)\$ \| \$(-?\d+)/(\d+)\\approx.*?\$ \| ([\d,]+) periods", words(page))
+    assert [row[:2] for row in rows][2:4] == [("9", "8"), ("62", "55")]
+    for p, q, over, under, periods in rows:
+        value = normalized_frequency_squared(int(p) / int(q))
+        # The float's own error, some ulp of 1.
+        assert int(over) / int(under) == pytest.approx(value - 1, abs=1e-15)
+        turns = int(periods.replace(",", "")) * abs(value**0.5 - 1)
+        # Periods are rounded to whole ones (1 in 40), and √ of the last row's value has lost digits (1e-9).
+        assert turns == pytest.approx(1, rel=0.02)
+
+
+@pytest.mark.parametrize("bodies", [("hoop", "shell", "sphere"), ("sphere", "cylinder", "hoop"), ("shell",) * 3])
+def test_other_bodies_reach_numbers_and_stage(
+    page: AppTest, bodies: tuple[str, str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sent = []
+    true_payload = stage.payload
+    monkeypatch.setattr(stage, "payload", lambda *a, **more: sent.append(more) or true_payload(*a, **more))
+    for place, body in zip(("left", "right", "top"), bodies, strict=True):
+        page.segmented_control(key=place).set_value(body)
+    page.run()
+    assert not page.exception
+    number = Machine(*bodies).discriminant
+    text = words(page)
+    assert f"The discriminant **{number}**" in text
+    assert ("is no sum of two positive cubes" in text) == (not two_cubes(number))
+    betas = [float(BODIES[body]) for body in bodies]
+    assert sent[-1]["shape_factors"] == dict(zip(("hoop", "cylinder", "top"), betas, strict=True))
+    # Its own ratio makes it keep step, as the page itself says.
+    page.button(key="own_ratio").click().run()
+    assert r"it has $\Omega^2m/k=1$" in words(page)
+    page.button(key="paper_bodies").click().run()
+    assert f"The discriminant **{smallest_in_two_ways()}**" in words(page)
+
+
+def test_paper_bodies_are_the_default_and_its_stage_is_the_paper_s(page: AppTest) -> None:
+    assert [page.session_state[place] for place in ("left", "right", "top")] == ["hoop", "cylinder", "cylinder"]
+
+
+@pytest.mark.parametrize(("p", "q"), [(1, 1000), (1000, 999), (999, 1000), (104, 99), (1, 1), (3, 16)])
+def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
+    page.number_input(key="p").set_value(p)
+    page.number_input(key="q").set_value(q)
+    page.run()
+    assert not page.exception
+    shown = [formula.value for formula in page.latex if "+ 3 \\cdot" in formula.value]
+    x, y, right = re.search(r"(\(?-?\d+\)?)\^2 \+ 3 \\cdot (\d+)\^2 = (.+)", shown[0]).groups()
+    x, y = int(x.strip("()")), int(y)
+    factor, _, number = right.rpartition(r"^2 \cdot ")
+    assert x * x + 3 * y * y == int(factor or 1) ** 2 * int(number)
+    assert f"Discriminant **{number}**" in words(page)
+    # The quadratic on the page has this discriminant, and its root gives the target back.
+    w = sp.Rational(p, q)
+    epsilon = sp.Symbol("epsilon", positive=True)
+    quadratic = next(formula.value for formula in reversed(page.latex) if formula.value.strip("$\n ").endswith("= 0"))
+    text = quadratic.strip("$\n ").removesuffix("= 0").replace(r"\,", "*").replace(r"\varepsilon", "epsilon")
+    polynomial = sp.Poly(sp.sympify(text.replace("^{2}", "**2"), {"epsilon": epsilon}), epsilon)
+    assert polynomial.discriminant() == int(number)
+    root = max(polynomial.nroots(30))
+    assert float(normalized_frequency_squared(float(root))) == pytest.approx(float(w), rel=1e-12)
+
+
+def test_a_target_out_of_reach_gets_one_sentence_and_the_last_good_one_stays(page: AppTest) -> None:
+    page.number_input(key="p").set_value(3).run()
+    assert [warning.value for warning in page.warning] == [
+        "The target must lie strictly between 0 and 7/4, the value for very light rollers; 3/1 does not. Shown is 1/1."
+    ]
+    page.number_input(key="q").set_value(2).run()
+    assert not page.warning
+    page.number_input(key="p").set_value(4).run()
+    assert "Shown is 3/2." in page.warning[0].value
+
+
+def test_a_link_sets_the_bodies_and_a_bad_one_is_answered_with_a_sentence(app: AppTest) -> None:
+    app.run().query_params.update(
+        {"left": "sphere", "right": "cat", "top": "shell", "p": "3", "q": "0", "digits": "9e9"}
+    )
+    page = app.switch_page(PAGE).run()
+    assert not page.exception
+    assert page.session_state["left"] == "sphere"
+    assert page.session_state["right"] == "cylinder"
+    (complaint, *_) = [warning.value for warning in page.warning if "link" in warning.value]
+    assert all(f"“{key}”" in complaint for key in ("right", "q", "digits"))
+    assert not any(f"“{key}”" in complaint for key in ("left", "top", "p"))
+
+
+def test_identity_of_the_norm_for_random_targets() -> None:
+    p, q = sp.symbols("p q")
+    text = cached.norm_identity().replace(r"\begin{aligned}", "").replace(r"\end{aligned}", "")
+    text = re.sub(r"\\\\|\\quad|\\,|&", " ", text).replace(r"\cdot", "*").replace("^", "**")
+    text = re.sub(r"(\d|p|q|\))\s*(?=[pq(])", r"\1*", text)
+    left, right = (sp.sympify(side, {"p": p, "q": q}) for side in text.split("="))
+    assert sp.expand(left - right) == 0
+    dice = random.Random(1729)
+    for _ in range(40):
+        target = Fraction(dice.randint(1, 999), dice.randint(600, 1000))
+        if target < Fraction(7, 4):
+            ratio = right.subs({p: target.numerator, q: target.denominator}) / Machine(target=target).discriminant
+            assert sp.sqrt(ratio).is_rational
+
+
+def test_a_hoop_and_a_cylinder_are_enough_for_the_norm_whatever_is_on_top() -> None:
+    def primes(left: str, right: str) -> set[int]:
+        targets = [Fraction(p, q) for p in range(1, 12) for q in range(8, 12)]
+        numbers = [Machine(left, right, top, w) for top in BODIES for w in targets if w < Fraction(5, 3)]
+        return {prime for number in numbers for prime, power in number.factorization if power % 2}
+
+    assert all(prime == 3 or prime % 3 == 1 for prime in primes("hoop", "cylinder"))
+    # Negative control: another pair has other primes, too.
+    assert any(prime % 3 == 2 for prime in primes("hoop", "sphere"))
+
+
+def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cached, "COUNTED_PART", 6)
+    tally = cached.tally.__wrapped__("hoop", "cylinder")
+    targets = {Fraction(p, q) for p in range(1, 7) for q in range(1, 7)}
+    targets = {w for w in targets if w < Fraction(5, 3)}
+    numbers = [Machine("hoop", "cylinder", top, w).discriminant for top in BODIES for w in targets]
+    assert tally.machines == len(numbers)
+    assert tally.sums == sum(bool(two_cubes(number)) for number in numbers)
+    assert tally.taxicabs == sum(len(two_cubes(number)) > 1 for number in numbers)
+
+
+@pytest.mark.parametrize("apart", [False, True])
+def test_unit_cubes_can_be_counted_in_the_drawn_lines(apart: bool) -> None:
+    sides = (4, 3)
+    figure = figures.cube_stack(sides, widest=9, apart=apart, turn=30, colors=COLORS)
+    *lines, mesh = figure.data
+    for side, line in zip(sides, lines, strict=True):
+        points = np.array([line.x, line.y, line.z], dtype=int).T
+        drawn = set()
+        for a, b in pairwise(points):
+            # Along one axis at a time: no stroke across a face.
+            assert np.count_nonzero(a != b) <= 1
+            for middle in np.linspace(a, b, np.abs(b - a).max() // 2 * 2 + 1)[1::2]:
+                drawn.add(tuple(middle))
+        heights = sorted({z for _, _, z in map(tuple, points)})
+        # Each height has the whole grid: side·(side+1) edges in each of two directions, on top and bottom of a layer.
+        outside = [(x, y, z) for x, y, z in drawn if z == heights[-1]]
+        assert len(outside) == 2 * side * (side + 1)
+        assert len(heights) == (2 * side if apart else side + 1)
+    # The volume of the boxes is the number of unit cubes, but for the hair by which they are drawn in.
+    corners = np.array([mesh.x, mesh.y, mesh.z]).T.reshape(-1, 8, 3)
+    volume = sum(np.prod(np.ptp(box, axis=0) / 2) for box in corners)
+    assert volume == pytest.approx(sum(side**3 for side in sides), rel=0.06)
+    assert len(figure.data) <= 4
+    assert len(figure.to_json()) < 20_000
+
+
+def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
+    every = machines()
+    rows = [every[n : n + 4] for n in range(0, 40, 4)]
+    figure = figures.machine_grid(
+        [str(n) for n in range(10)],
+        list(BODIES),
+        [[machine.discriminant for machine in row] for row in rows],
+        [[len(machine.cubes) for machine in row] for row in rows],
+        (2, 2),
+        COLORS,
+    )
+    table, numbers = figure.data
+    assert np.sum(np.array(table.z) == 2) == 1
+    assert np.sum(np.array(table.z) == 1) == 2
+    # A click returns the index of the point: it must be that of the machine.
+    assert [int(re.sub("</?b>", "", text)) for text in numbers.text] == [machine.discriminant for machine in every]
+    assert all(a.discriminant != b.discriminant for a, b in combinations(every, 2))
+
+
+def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
+    for w in (1 / 1000, 0.3, 1.0, 1.3, 1.74):
+        root = (48 - 49 * w + ((7 * w - 48) ** 2 + 48 * w * w) ** 0.5) / (36 * w)
+        ratios, values = cached.curve(min(0.01, root / 3), max(30.0, 3 * root))
+        figure = figures.level_crossing(
+            ratios, values, level=w, level_label="w", root=root, root_label="r", present=(1, 1), colors=COLORS
+        )
+        label = figure.layout.annotations[0]
+        low, high = figure.layout.yaxis.range
+        # Less the margins, the plot is 270 px high; a label of two lines reaches 20 px beyond its middle.
+        height = 270 * (w - low) / (high - low) - label.ay
+        assert 20 <= height <= 270 - 10
