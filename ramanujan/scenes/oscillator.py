@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import streamlit as st
 
 from ramanujan import stage
@@ -16,12 +18,14 @@ def slab_released() -> None:
 
 
 def ratio_clicked() -> None:
-    """Take the mass ratio of the point that was clicked on the curve: a mark's exactly, the curve's in four digits."""
+    """Take the mass ratio of the point that was clicked on the curve, exactly that of a mark if it lies under one."""
     points = st.session_state["curve"].selection.points
     if points:
         ratio = points[0]["x"]
-        marks = (base.equal[0], base.unit[0])
-        controls.take_ratio(ratio if ratio in marks else float(f"{ratio:.4g}"))
+        marks = (mark[0] for mark in (base.equal, base.unit))
+        controls.take_ratio(
+            next((mark for mark in marks if math.isclose(ratio, mark, rel_tol=0.02)), float(f"{ratio:.4g}"))
+        )
 
 
 machine, base = controls.oscillator(), cached.curve()
