@@ -71,7 +71,6 @@ def choose_route() -> None:
             label_visibility="collapsed",
             wrap=True,
         )
-    keys.give_back("route", "view", "values", "body")
 
 
 def start_over() -> None:
@@ -284,9 +283,10 @@ if st.session_state["view"] == VIEWS[0]:
 else:
     for number in range(1, count + 1):
         draw(number)
-st.caption(SYMBOLS)
+st.markdown(f":small[{SYMBOLS}]")
 take_home()
 compare()
 modes()
 margin()
 try_it()
+keys.give_back("route", "view", "values", "body")
