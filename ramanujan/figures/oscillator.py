@@ -10,6 +10,8 @@ import plotly.graph_objects as go
 
 from ramanujan.figures import template
 
+PRESENT = "present machine"
+
 
 @dataclass(frozen=True)
 class Mark:
@@ -29,10 +31,9 @@ def frequency_curve(
     limit_labels: tuple[str, str],
     equal: Mark,
     unit: Mark,
-    present: Mark,
     colors: Mapping[str, str],
 ) -> go.Figure:
-    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios and the present machine.
+    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios, and a ring for `mark_present` to move.
 
     Parameters
     ----------
@@ -40,7 +41,7 @@ def frequency_curve(
     light_limit : the value for ε → 0
     heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where the curve comes near it
     limit_labels : what stands beside the two limits
-    equal, unit, present : the marked machines
+    equal, unit : the marked machines
     colors : ink, faint, paper, primary, marker, accent
     """
     hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
@@ -73,7 +74,7 @@ def frequency_curve(
         name="any machine",
     )
     shown = (
-        (present, "present machine", "circle-open", 20, colors["primary"]),
+        (unit, PRESENT, "circle-open", 20, colors["primary"]),
         (equal, "equal masses", "circle", 11, colors["marker"]),
         (unit, "unit frequency", "star", 15, colors["accent"]),
     )
@@ -103,6 +104,11 @@ def frequency_curve(
     )
     figure.update_yaxes(title="Ω²m/k", range=[0, 1.16 * light_limit], fixedrange=True)
     return figure
+
+
+def mark_present(figure: go.Figure, ratio: float, value: float) -> None:
+    """Move the ring to the present machine, at ε and Ω²m/k; the rest of the figure stays as it is."""
+    figure.update_traces({"x": [ratio], "y": [value]}, {"name": PRESENT})
 
 
 def _log(value: float) -> float:

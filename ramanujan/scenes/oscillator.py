@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import stage
-from ramanujan.figures.oscillator import Mark, frequency_curve
+from ramanujan.figures.oscillator import Mark, frequency_curve, mark_present
 from ramanujan.scenes import controls, look
 from ramanujan.scenes.cached import oscillator as cached
 
@@ -28,6 +29,25 @@ def ratio_clicked() -> None:
         )
 
 
+def curve_figure() -> go.Figure:
+    """Return this visitor's figure of the curve: built once a theme, as building takes longest of all."""
+    colors = look.colors()
+    theme, figure = st.session_state.get("curve_figure", (None, None))
+    if theme != colors:
+        figure = frequency_curve(
+            base.ratios,
+            base.values,
+            light_limit=base.light_limit,
+            heavy_limit=base.heavy_limit,
+            limit_labels=(base.light_label, base.heavy_label),
+            equal=Mark(*base.equal),
+            unit=Mark(*base.unit),
+            colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
+        )
+        st.session_state["curve_figure"] = colors, figure
+    return figure
+
+
 machine, base = controls.oscillator(), cached.curve()
 
 st.title("Ramanujan’s oscillator", anchor=False)
@@ -39,18 +59,8 @@ stage.mount(
 )
 
 st.subheader("When is it in step with √(k/m)?", anchor=False)
-colors = look.colors()
-figure = frequency_curve(
-    base.ratios,
-    base.values,
-    light_limit=base.light_limit,
-    heavy_limit=base.heavy_limit,
-    limit_labels=(base.light_label, base.heavy_label),
-    equal=Mark(*base.equal),
-    unit=Mark(*base.unit),
-    present=Mark(machine.mass_ratio, machine.normalized_frequency_squared, ""),
-    colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
-)
+figure = curve_figure()
+mark_present(figure, machine.mass_ratio, machine.normalized_frequency_squared)
 st.plotly_chart(
     figure,
     key="curve",

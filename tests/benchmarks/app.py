@@ -59,15 +59,14 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         bare_script = Path(folder) / "bare.py"
         bare_script.write_text(BARE)
-        bare = Subject(
-            "bare page", bare_script, ".stSlider", "document.querySelector('.stMain .stMarkdown').textContent"
-        )
+        text = "[data-testid=stText]"
+        bare = Subject("bare page", bare_script, text, f"document.querySelector('{text}').textContent")
         # Plotly's ring around the present machine is the last thing on the page to follow a slider.
         app = Subject(
             "first page",
             ROOT / "app.py",
             ".st-key-curve .scatterlayer",
-            "document.querySelectorAll('.st-key-curve .scatterlayer .trace')[3].innerHTML",
+            "document.querySelectorAll('.st-key-curve .scatterlayer .trace')[3]?.innerHTML",
         )
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
         print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, Chromium {browser.version}, {changes} changes\n")
