@@ -86,7 +86,7 @@ def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, th
 
 
 def test_three_machines_run_side_by_side(visit):
-    page = visit("derivation")
+    page = visit("derivation", motion="no-preference")
     page.wait_for_selector(".st-key-mode_roll")
     page.wait_for_timeout(1500)
     for key in ("swing", "glide", "roll"):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-import pytest
+import re
+
+from playwright.sync_api import expect
 
 from tests.conftest import settle
 
@@ -13,13 +15,14 @@ def ready(page: object) -> object:
     return page
 
 
-def normalized(page: object) -> str:
-    return page.locator(".st-key-stage_bodies [data-read=normalized]").inner_text()
+def shown(page: object) -> object:
+    return page.locator(".st-key-stage_bodies [data-read=normalized]")
 
 
 def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(visit: object) -> None:
     page = ready(visit("1729"))
-    paper = normalized(page)
+    expect(shown(page)).to_have_text(re.compile(r"\d"))
+    paper = shown(page).inner_text()
     number = page.locator(".st-key-machines text", has_text="5896").first
     number.scroll_into_view_if_needed()
     box = number.bounding_box()
@@ -28,13 +31,12 @@ def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(vi
     settle(page)
     assert "right=shell" in page.url
     assert page.get_by_text("Hoop and shell below, sphere on top").count() == 1
-    other = normalized(page)
     # Another body, another frequency, at the same masses.
-    assert other != paper
+    expect(shown(page)).not_to_have_text(paper)
     page.locator(".st-key-own_ratio button").click()
     page.wait_for_url("**m_prime=**")
     settle(page)
-    assert float(normalized(page)) == pytest.approx(1, abs=1e-6)
+    expect(shown(page)).to_have_text("1.000000")
     assert max(page.frames_received) < 200_000
 
 

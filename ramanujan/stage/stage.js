@@ -23,6 +23,7 @@ export default function ({ data, parentElement, setTriggerValue }) {
 
 let lastTick = 0;
 function tick(now) {
+  frame = mounted.size ? requestAnimationFrame(tick) : 0; // first of all: one bad frame must not be the last
   const elapsed = Math.min((now - lastTick) / 1000, 0.1); // a hidden tab does not catch up
   lastTick = now;
   const stages = [...mounted.values()];
@@ -35,7 +36,6 @@ function tick(now) {
     clock.slowing = Math.min(1, ...periods.map((period) => period / EYE));
   }
   for (const stage of stages) stage.advance(elapsed);
-  frame = mounted.size ? requestAnimationFrame(tick) : 0;
 }
 
 // ---------------------------------------------------------------- the model, evaluated
@@ -544,6 +544,7 @@ class Stage {
   drawGhosts() {
     for (let i = 0; i < 5; i++) {
       const ghost = this.find(".moving").cloneNode(true);
+      set(ghost, { class: "ghost" });
       for (const node of ghost.querySelectorAll("[tabindex]")) node.removeAttribute("tabindex");
       for (const node of ghost.querySelectorAll("text, title")) node.remove();
       this.find(".ghosts").append(ghost);
