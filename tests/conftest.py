@@ -1,7 +1,7 @@
-"""What the tests share: the app under AppTest, one running server, one Chromium.
+"""What the tests share: the app under AppTest, a running server, a Chromium.
 
 Browser tests need a Chromium or Chrome on the system; without one they are skipped, unless RAMANUJAN_REQUIRE_BROWSER
-is set, as it is in CI. They all belong to one xdist group, so there is one server and one browser for the whole run.
+is set, as it is in CI. Those of one file stay together in one worker, which starts one server and one browser for all.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if "server" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group("browser"))
+            item.add_marker(pytest.mark.xdist_group(f"browser {item.path.stem}"))
 
 
 @pytest.fixture

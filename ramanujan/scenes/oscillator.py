@@ -68,16 +68,16 @@ st.plotly_chart(
     selection_mode="points",
     theme=None,
     config={"displayModeBar": False},
-    alt=f"Ω²m/k falls from 7/4 for light rollers to 8/(3ε) for heavy ones; this machine, at ε = "
+    alt=f"Ω²m/k falls from {base.light_label} to {base.heavy_label.replace('<br>', ' ')}; this machine, at ε = "
     f"{machine.mass_ratio:.4g}, has {machine.normalized_frequency_squared:.6g}.",
 )
 st.caption("Click on the curve to build the machine with that mass ratio.")
 
 st.subheader("In six steps", anchor=False)
+st.caption(
+    f"In symbols, then with your m = {machine.m:.7g} kg, m′ = {machine.m_prime:.7g} kg and k = {machine.k:.7g} N/m."
+)
 for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
     st.markdown(f"**{number}. {step.heading}**  \n{step.reason}")
-    with st.container(horizontal=True, gap="large"):
-        st.latex(step.symbols, width="content")
-        if step.numbers != step.symbols:
-            st.latex(step.numbers, width="content")
+    st.latex(step.equations, width="content")
 st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -39,7 +38,7 @@ class Curve:
 def curve() -> Curve:
     """Return the Ω² curve with its limits and the two marked ratios."""
     normalized, condition = unit().normalized_frequency_squared, unit()
-    ratios = np.geomspace(*CURVE_RANGE, 121)
+    ratios = np.geomspace(*CURVE_RANGE, 101)
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
@@ -60,12 +59,11 @@ def curve() -> Curve:
 
 @dataclass(frozen=True)
 class SummaryStep:
-    """A step as the page shows it: words, LaTeX in symbols, LaTeX with the present numbers."""
+    """A step as the page shows it: words, and one block of LaTeX, in symbols, then with the present numbers."""
 
     heading: str
     reason: str
-    symbols: str
-    numbers: str
+    equations: str
 
 
 _SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
@@ -80,26 +78,27 @@ def summary(m: float, m_prime: float, k: float) -> list[SummaryStep]:
 
 
 def _with_numbers(step: Step, values: dict[sp.Symbol, Any]) -> SummaryStep:
+    symbols = [latex(equation) for equation in step.equations]
     if step.key == "root":
         numbers = [latex(equation) for equation in _distance_from_unity(values)]
     else:
         numbers = [latex(equation) + _decimal(equation) for equation in step.with_numbers(values).equations]
-    return SummaryStep(step.heading, step.reason, aligned(map(latex, step.equations)), aligned(numbers))
+    return SummaryStep(step.heading, step.reason, _aligned(symbols, [] if numbers == symbols else numbers))
 
 
-def aligned(equations: Iterable[str]) -> str:
-    """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    lines = list(equations)
-    to_zero = any(line.endswith("= 0") for line in lines)
-    marked = ("&" + line if to_zero else line.replace("=", "&=", 1) for line in lines)
-    return r"\begin{aligned}" + r" \\[.5em] ".join(marked) + r"\end{aligned}"
+def _aligned(*blocks: list[str]) -> str:
+    """Return blocks of equations as one: aligned at the equals signs or, where some say … = 0, at the left."""
+    to_zero = any(line.endswith("= 0") for block in blocks for line in block)
+    marked = ([r"&" + line if to_zero else line.replace("=", "&=", 1) for line in block] for block in blocks if block)
+    return r"\begin{aligned}" + r" \\[1.6em] ".join(r" \\[.5em] ".join(block) for block in marked) + r"\end{aligned}"
 
 
 def _decimal(relation: sp.Eq) -> str:
-    """Return ≈ and six digits for Ω², which a person will want to compare with the stage."""
+    """Return unit and six digits for Ω², which a person will want to compare with the stage."""
     if relation.lhs != Omega_squared:
         return ""
-    return rf" \approx {sp.latex(relation.rhs.evalf(6))}\,\mathrm{{s^{{-2}}}}"
+    is_whole = relation.rhs.is_Integer
+    return r"\,\mathrm{s^{-2}}" if is_whole else rf" \approx {sp.latex(relation.rhs.evalf(6))}\,\mathrm{{s^{{-2}}}}"
 
 
 def _distance_from_unity(values: dict[sp.Symbol, Any]) -> tuple[sp.Eq, sp.Eq]:
