@@ -19,8 +19,9 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
     2Rφ             deformation of the spring, positive in compression;   x₀ its value at release
     Ω               natural frequency [rad/s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
 
-Reading order: `oscillator` (the numbers), `motion` (time), `derivation` (where the formulas come from), `figures` and
-`stage` (how they look), `scenes` (the pages).
+Reading order: `oscillator` (the numbers), `motion` (time), `energy` and `contact` (what it carries), `derivation`
+(where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing costs),
+`figures` and `stage` (how it looks), `scenes` (the pages).
 """
 
 from ramanujan.oscillator import UNIT_MASS_RATIO, Oscillator, mass_ratio_for, normalized_frequency_squared

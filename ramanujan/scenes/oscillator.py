@@ -78,6 +78,6 @@ st.caption(
     f"In symbols, then with your m = {machine.m:.7g} kg, m′ = {machine.m_prime:.7g} kg and k = {machine.k:.7g} N/m."
 )
 for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
-    st.markdown(f"**{number}. {step.heading}**  \n{step.reason}")
+    st.markdown(f"##### {number}. {step.heading}\n{step.reason}")
     st.latex(step.equations, width="content")
 st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")
