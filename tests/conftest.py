@@ -23,6 +23,28 @@ ROOT = Path(__file__).parent.parent
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 
+STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
+WATCH_LAG = f"""() => {{
+  const input = document.querySelector('.st-key-m_prime input[type=range]');
+  const readout = {STAGE}.querySelector('[data-read=normalized]');
+  let value = input.value, shown = readout.textContent, since = null;
+  window.lags = [];
+  const watch = () => {{
+    if (input.value !== value) {{
+      value = input.value;
+      since ??= 0;
+    }}
+    if (readout.textContent !== shown) {{
+      shown = readout.textContent;
+      if (since !== null) window.lags.push(since);
+      since = null;
+    }} else if (since !== null) since += 1;
+    requestAnimationFrame(watch);
+  }};
+  requestAnimationFrame(watch);
+}}"""
+"""Counts, into window.lags, the animation frames from each move of the m′ slider to the stage's readout."""
+
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:

@@ -8,14 +8,13 @@ from itertools import pairwise
 
 import pytest
 import sympy as sp
+from playwright.sync_api import expect
 
 from ramanujan import Oscillator, stage
 from ramanujan.derivation.printers import javascript, numpy_function
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.scenes.controls import CONTROLS
-from tests.conftest import settle
-
-ROOT_OF_STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
+from tests.conftest import STAGE, WATCH_LAG, settle
 
 
 @pytest.fixture
@@ -33,7 +32,7 @@ def visit(visit):
 
 def inside(page, expression: str):
     """Evaluate a JavaScript expression with `root` as the stage's own document."""
-    return page.evaluate(f"(() => {{ const root = {ROOT_OF_STAGE}; return {expression}; }})()")
+    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
 def text(page, selector: str) -> str:
@@ -126,25 +125,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
     page.mouse.down()
     page.wait_for_timeout(100)
     before = len(page.frames_sent)
-    # Counts animation frames from the slider's own change to the readout's.
-    page.evaluate(
-        f"""() => {{
-          const input = document.querySelector('.st-key-m_prime input[type=range]');
-          const readout = {ROOT_OF_STAGE}.querySelector('[data-read=normalized]');
-          let value = input.value, shown = readout.textContent, since = null;
-          window.lags = [];
-          const watch = () => {{
-            if (input.value !== value) {{ value = input.value; since ??= 0; }}
-            if (readout.textContent !== shown) {{
-              shown = readout.textContent;
-              if (since !== null) window.lags.push(since);
-              since = null;
-            }} else if (since !== null) since += 1;
-            requestAnimationFrame(watch);
-          }};
-          requestAnimationFrame(watch);
-        }}"""
-    )
+    page.evaluate(WATCH_LAG)
     for i in range(1, 25):
         page.mouse.move(x + 4 * i, y)
         page.wait_for_timeout(40)
@@ -193,7 +174,7 @@ def test_nothing_jumps_when_a_parameter_changes(visit):
     page = visit(motion="no-preference")
     page.evaluate(
         f"""() => {{
-          const rect = {ROOT_OF_STAGE}.querySelector('.moving .body.slab rect:not(.grip)');
+          const rect = {STAGE}.querySelector('.moving .body.slab rect:not(.grip)');
           window.places = [];
           const watch = (now) => {{
             window.places.push([now, rect.getBoundingClientRect().x]);
@@ -339,18 +320,21 @@ def test_the_scene_is_described_in_words(visit):
 
 def test_a_click_on_the_curve_takes_its_ratio(visit):
     page = visit(height=1200)
-    curve = page.locator(".st-key-curve .scatterlayer")
-    curve.wait_for()
-    points = page.locator(".st-key-curve .scatterlayer .trace").nth(2).locator(".point")
-    box = points.nth(40).bounding_box()
-    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    settle(page)
-    first = float(page.locator(".st-key-m_prime_exact input").input_value())
-    assert first < 1
-    star = page.locator(".st-key-curve .scatterlayer .trace").nth(5).locator(".point").bounding_box()
-    page.mouse.click(star["x"] + star["width"] / 2, star["y"] + star["height"] / 2)
-    settle(page)
-    assert page.locator(".st-key-m_prime_exact input").input_value() == "1.1272568270162107"
+    traces = page.locator(".st-key-curve .scatterlayer .trace")
+    entry = page.locator(".st-key-m_prime_exact input")
+    traces.first.wait_for()
+
+    def click(trace: int, point: int) -> None:
+        page.wait_for_timeout(500)  # Plotly draws anew after every answer, and a click on what is replaced is lost
+        box = traces.nth(trace).locator(".point").nth(point).bounding_box()
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        settle(page)
+
+    click(2, 40)
+    assert float(entry.input_value()) < 1
+    click(5, 0)
+    expect(entry).to_have_value("1.1272568270162107")
     assert text(page, "[data-read=normalized]") == "1.000000"
 
 

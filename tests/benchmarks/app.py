@@ -20,14 +20,13 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.conftest import CHROMIUM, FLAGS, ROOT, running, settle
+from tests.conftest import CHROMIUM, FLAGS, ROOT, STAGE, WATCH_LAG, running, settle
 
 BARE = """
 import streamlit as st
 values = [st.slider(name, 0.5, 5.0, 1.0, 0.01, key=name) for name in ("m", "m_prime", "k")]
 st.text(f"picture {values}")
 """
-STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
 
 
 @dataclass(frozen=True)
@@ -159,24 +158,7 @@ def frames_behind(page: Page) -> list[int]:
     x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
-    page.evaluate(
-        f"""() => {{
-          const input = document.querySelector(".st-key-m_prime input[type=range]");
-          const readout = {STAGE}.querySelector("[data-read=normalized]");
-          let value = input.value, shown = readout.textContent, since = null;
-          window.lags = [];
-          const watch = () => {{
-            if (input.value !== value) {{ value = input.value; since ??= 0; }}
-            if (readout.textContent !== shown) {{
-              shown = readout.textContent;
-              if (since !== null) window.lags.push(since);
-              since = null;
-            }} else if (since !== null) since += 1;
-            requestAnimationFrame(watch);
-          }};
-          requestAnimationFrame(watch);
-        }}"""
-    )
+    page.evaluate(WATCH_LAG)
     for i in range(1, 41):
         page.mouse.move(x + 3 * i, y)
         page.wait_for_timeout(30)
