@@ -322,7 +322,7 @@ def test_a_click_on_the_curve_takes_its_ratio(visit):
     page = visit(height=1200)
     traces = page.locator(".st-key-curve .scatterlayer .trace")
     entry = page.locator(".st-key-m_prime_exact input")
-    traces.first.wait_for()
+    traces.first.wait_for(state="attached")
 
     def click(trace: int, point: int) -> None:
         page.wait_for_timeout(500)  # Plotly draws anew after every answer, and a click on what is replaced is lost
