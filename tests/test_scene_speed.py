@@ -57,6 +57,20 @@ def test_opens_without_measuring_the_diagram(app):
     assert [button.label for button in app.button if button.key == "measure"] == ["Measure on this server"]
 
 
+def test_page_is_whole_while_its_first_run_is_still_under_way(app, monkeypatch):
+    """On a busy server the run is not over when the page is first drawn."""
+    advance, calls = experiments.Job.advance, []
+
+    def slow(job, seconds):
+        calls.append(seconds)
+        return len(calls) > 1 and advance(job, seconds)
+
+    monkeypatch.setattr(experiments.Job, "advance", slow)
+    page(app, method="Yoshida 4", steps="24", periods="10")
+    assert len(calls) > 1
+    assert "**Yoshida 4, 24 steps a period, float64**" in words(app)
+
+
 @pytest.mark.parametrize(
     ("method", "steps", "precision"),
     [("explicit Euler", "3", "float32"), ("velocity Verlet", "3", "float64"), ("Yoshida 6", "192", "float32")],

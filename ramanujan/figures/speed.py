@@ -299,7 +299,8 @@ def _within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:
 
 def _range(curves: Iterable[np.ndarray], shown: tuple[float, float]) -> tuple[float, float]:
     """Return the range of an axis: all that is positive and finite, no further than may be shown."""
-    values = np.concatenate([np.asarray(curve, float) for curve in curves])
+    # None is there yet while the first run is still under way.
+    values = np.concatenate([np.empty(0), *curves])
     values = values[np.isfinite(values) & (values > 0)]
     low, high = (values.min(), values.max()) if values.size else shown
     return max(shown[0], float(low) / 2), max(min(shown[1], float(high) * 2), 10 * shown[0])
