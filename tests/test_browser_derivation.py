@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from ramanujan.derivation import ROUTES
-from tests.conftest import settle
+from tests.browser import settle
 
 STEP = ".st-key-lecture h3"
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ramanujan.scenes.cached import motion as cached
-from tests.conftest import settle
+from tests.browser import settle
 
 PLOT = ".js-plotly-plot .nsewdrag"
 MARK = ".js-plotly-plot .time-cursor"

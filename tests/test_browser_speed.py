@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.conftest import settle
+from tests.browser import settle
 
 RUNNING = "[data-testid=stApp][data-test-script-state=running]"
 IDLE = "[data-testid=stApp][data-test-script-state=notRunning]"

@@ -14,7 +14,7 @@ from ramanujan import Oscillator, stage
 from ramanujan.derivation.printers import javascript, numpy_function
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.scenes.controls import CONTROLS
-from tests.conftest import STAGE, WATCH_LAG, settle
+from tests.browser import STAGE, WATCH_LAG, settle
 
 
 @pytest.fixture
@@ -306,16 +306,15 @@ def test_reduced_motion_starts_with_a_still(visit):
 
 def test_the_scene_is_described_in_words(visit):
     page = visit()
-    page.wait_for_timeout(700)
-    spoken = text(page, ".live")
+    live = page.locator(".st-key-stage .live")
+    expect(live).not_to_be_empty()
+    spoken = live.text_content()
     period = f"{Oscillator(1, 1, 10).period:.2f}"
     turns = 1 / (math.sqrt(Oscillator().normalized_frequency_squared) - 1)
     assert period in spoken
     assert f"{turns:.1f}" in spoken
     page.get_by_text("Unit frequency (1729)").click()
-    page.wait_for_timeout(900)
-    settle(page)
-    assert "in step" in text(page, ".live")
+    expect(live).to_contain_text("in step")
 
 
 def test_a_click_on_the_curve_takes_its_ratio(visit):

@@ -6,7 +6,7 @@ import re
 
 from playwright.sync_api import expect
 
-from tests.conftest import settle
+from tests.browser import settle
 
 
 def ready(page: object) -> object:

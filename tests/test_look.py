@@ -8,7 +8,7 @@ import tomllib
 import pytest
 
 from ramanujan.scenes.look import BODY_COLORS
-from tests.conftest import ROOT
+from tests.browser import ROOT
 
 THEME = tomllib.loads((ROOT / ".streamlit" / "config.toml").read_text())["theme"]
 STYLE = (ROOT / "ramanujan" / "stage" / "stage.css").read_text()

@@ -8,7 +8,7 @@ import sys
 import grimp
 import pytest
 
-from tests.conftest import ROOT
+from tests.browser import ROOT
 
 CORE = {"oscillator", "motion"}
 ROOMS = {

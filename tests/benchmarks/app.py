@@ -20,7 +20,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.conftest import CHROMIUM, FLAGS, ROOT, STAGE, WATCH_LAG, running, settle
+from tests.browser import CHROMIUM, FLAGS, ROOT, STAGE, WATCH_LAG, listen, running, settle
 
 BARE = """
 import streamlit as st
@@ -92,8 +92,7 @@ def measure(browser: Browser, subject: Subject, changes: int) -> Costs:
 def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float]:
     """Return a new visitor's page and the seconds to its first picture."""
     page = browser.new_context(viewport={"width": 1280, "height": 1400}).new_page()
-    page.frames_received = []
-    page.on("websocket", lambda socket: socket.on("framereceived", lambda data: page.frames_received.append(len(data))))
+    listen(page)
     start = perf_counter()
     page.goto(address)
     page.wait_for_selector(subject.drawn)

@@ -1,0 +1,114 @@
+"""The app in a browser, for tests and benchmarks: start it, open it, and wait for its answers."""
+
+from __future__ import annotations
+
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+from playwright.sync_api import Page, WebSocket
+from streamlit.proto.BackMsg_pb2 import BackMsg
+from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
+
+ROOT = Path(__file__).parent.parent
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
+
+STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
+WATCH_LAG = f"""() => {{
+  const input = document.querySelector('.st-key-m_prime input[type=range]');
+  const readout = {STAGE}.querySelector('[data-read=normalized]');
+  let value = input.value, shown = readout.textContent, since = null;
+  window.lags = [];
+  const watch = () => {{
+    if (input.value !== value) {{
+      value = input.value;
+      since ??= 0;
+    }}
+    if (readout.textContent !== shown) {{
+      shown = readout.textContent;
+      if (since !== null) window.lags.push(since);
+      since = null;
+    }} else if (since !== null) since += 1;
+    requestAnimationFrame(watch);
+  }};
+  requestAnimationFrame(watch);
+}}"""
+"""Counts, into window.lags, the animation frames from each move of the m′ slider to the stage's readout."""
+
+_FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY}
+_QUIET = 250
+"""Milliseconds without a message after which a page is taken to have drawn; a slider waits 200 before it sends."""
+
+
+class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
+    """Run a Streamlit script on a free port for as long as the block lasts."""
+
+    def __init__(self, script: Path) -> None:
+        self.script = script
+
+    def __enter__(self) -> str:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            port = probe.getsockname()[1]
+        command = [sys.executable, "-m", "streamlit", "run", str(self.script), "--server.headless", "true"]
+        self.process = subprocess.Popen(
+            [*command, "--server.address", "127.0.0.1", "--server.port", str(port)],
+            cwd=ROOT,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+        address = f"http://127.0.0.1:{port}"
+        for _ in range(240):
+            try:
+                urllib.request.urlopen(f"{address}/_stcore/health", timeout=1)
+                return address
+            except OSError:
+                time.sleep(0.25)
+        self.__exit__()
+        raise RuntimeError("the app did not start")
+
+    def __exit__(self, *_: object) -> None:
+        self.process.terminate()
+        self.process.wait()
+
+
+def listen(page: Page) -> None:
+    """Keep count of a page's messages: `frames_sent` and `frames_received` [bytes], and whether one is `unanswered`."""
+
+    def sent(data: bytes) -> None:
+        page.frames_sent.append(len(data))
+        page.unanswered |= BackMsg.FromString(data).HasField("rerun_script")
+
+    def received(data: bytes) -> None:
+        page.frames_received.append(len(data))
+        message = ForwardMsg.FromString(data)
+        if message.WhichOneof("type") == "script_finished" and message.script_finished in _FINISHED:
+            page.unanswered = False
+
+    def watch(websocket: WebSocket) -> None:
+        websocket.on("framesent", sent)
+        websocket.on("framereceived", received)
+
+    page.on("websocket", watch)
+    count_anew(page)
+
+
+def count_anew(page: Page) -> None:
+    """Begin the counts of `listen` again, for a page that is about to be opened."""
+    page.frames_sent, page.frames_received, page.unanswered = [], [], True
+
+
+def settle(page: Page, seconds: float = 60) -> None:
+    """Wait until the app has answered: every question answered, nothing running, nothing received for a while."""
+    end = time.monotonic() + seconds
+    seen = -1
+    while seen != len(page.frames_received) or page.unanswered:
+        assert time.monotonic() < end, "the app did not answer"
+        seen = len(page.frames_received)
+        page.wait_for_timeout(_QUIET)
+    page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
