@@ -112,3 +112,8 @@ def settle(page: Page, seconds: float = 60) -> None:
         seen = len(page.frames_received)
         page.wait_for_timeout(_QUIET)
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
+
+
+def next_frame(page: Page) -> None:
+    """Wait until the browser has drawn what just happened: to the end of the next animation frame."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ramanujan.scenes.cached import motion as cached
-from tests.browser import settle
+from tests.browser import next_frame, settle
 
 PLOT = ".js-plotly-plot .nsewdrag"
 MARK = ".js-plotly-plot .time-cursor"
@@ -61,14 +61,14 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
     slider = page.get_by_label("Time cursor")
     before = len(page.frames_sent)
     slider.fill("0.3")
-    page.wait_for_timeout(150)
+    next_frame(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
     # A pixel of the line is about a hundredth of a second.
     assert cursor_times(page) == [pytest.approx(0.3 * cached.PERIODS * period, abs=0.02)]
     assert page.locator(MARK).count() == 1 + 3
     slider.focus()
     page.keyboard.press("End")
-    page.wait_for_timeout(150)
+    next_frame(page)
     assert cursor_times(page) == [pytest.approx(cached.PERIODS * period, abs=0.02)]
     assert slider.get_attribute("aria-valuetext").endswith("2.00 periods")
     assert len(page.frames_sent) == before
@@ -88,7 +88,7 @@ def test_the_pointer_takes_the_cursor_along_and_all_panels_answer(visit):
 def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
     page = open_motion(visit, "?figure=Displacements")
     page.get_by_label("Time cursor").fill("0")
-    page.wait_for_timeout(150)
+    next_frame(page)
     places = page.evaluate(
         """() => {
           const graph = [...document.querySelectorAll(".js-plotly-plot")].at(-1);

@@ -14,7 +14,7 @@ from ramanujan import Oscillator, stage
 from ramanujan.derivation.printers import javascript, numpy_function
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.scenes.controls import CONTROLS
-from tests.browser import STAGE, WATCH_LAG, settle
+from tests.browser import STAGE, WATCH_LAG, next_frame, settle
 
 
 @pytest.fixture
@@ -123,7 +123,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
     x, y = thumb(page, "m_prime")
     page.mouse.move(x, y)
     page.mouse.down()
-    page.wait_for_timeout(100)
+    next_frame(page)
     before = len(page.frames_sent)
     page.evaluate(WATCH_LAG)
     for i in range(1, 25):
@@ -151,7 +151,7 @@ def test_every_slider_is_followed_live_by_keyboard_too(visit):
         page.locator(f".st-key-{key} input[type=range]").focus()
         before = inside(page, shown)
         page.keyboard.press("ArrowRight")
-        page.wait_for_timeout(150)
+        next_frame(page)
         assert inside(page, shown) != before, key
         settle(page)
 
@@ -203,19 +203,19 @@ def test_step_scrub_and_speed(visit):
     pause(page)
     scrub = page.locator(".st-key-stage .scrub input")
     page.get_by_role("button", name="Release again").click()
-    page.wait_for_timeout(100)
+    next_frame(page)
     assert float(scrub.input_value()) == 0
     for name, expected in [("Step forward", 1 / 24), ("Step forward", 2 / 24), ("Step back", 1 / 24)]:
         page.get_by_role("button", name=name).click()
-        page.wait_for_timeout(60)
+        next_frame(page)
         assert float(scrub.input_value()) == pytest.approx(expected, abs=1e-9)
     scrub.focus()
     scrub.fill("0.5")
-    page.wait_for_timeout(60)
+    next_frame(page)
     # Half a period after release the spring is stretched by what it was compressed: 2·8 cm apart, over the block.
     half = over_the_floor(page)
     scrub.fill("0")
-    page.wait_for_timeout(60)
+    next_frame(page)
     start = over_the_floor(page)
     # Positions on the page are single precision.
     assert (start[0] - start[1]) - (half[0] - half[1]) == pytest.approx(16, abs=1e-4)
@@ -259,13 +259,11 @@ def test_the_keyboard_does_everything(visit):
     assert page.get_by_role("button", name="Play", exact=True).count() == 1
     page.keyboard.press("Home")
     page.keyboard.press("ArrowRight")
-    page.wait_for_timeout(60)
+    next_frame(page)
     assert float(page.locator(".st-key-stage .scrub input").input_value()) == pytest.approx(1 / 24)
     page.locator(".st-key-stage .moving .body.slab").focus()
     page.keyboard.press("ArrowLeft")
-    page.wait_for_timeout(700)
-    settle(page)
-    assert "compression=7.5" in page.url
+    page.wait_for_url("**compression=7.5**")
 
 
 def test_layers(visit):
@@ -273,11 +271,11 @@ def test_layers(visit):
     for layer, selector in [("Velocities", ".arrows"), ("Forces", ".forces"), ("Traces", ".traces")]:
         assert inside(page, f"root.querySelector('{selector}').style.display") == "none"
         page.get_by_role("button", name=layer).click()
-        page.wait_for_timeout(150)
-        assert inside(page, f"root.querySelector('{selector}').style.display") == ""
-        assert inside(
-            page, f"[...root.querySelectorAll('{selector} path')].some((p) => p.getAttribute('d').length > 3)"
+        # At a turning point an arrow has no length.
+        page.wait_for_function(
+            f"[...{STAGE}.querySelectorAll('{selector} path')].some((path) => path.getAttribute('d').length > 3)"
         )
+        assert inside(page, f"root.querySelector('{selector}').style.display") == ""
     page.get_by_role("button", name="Energy").click()
     assert inside(page, "root.querySelector('.energy').hidden")
 
@@ -299,8 +297,8 @@ def test_reduced_motion_starts_with_a_still(visit):
     page.wait_for_timeout(300)
     assert slab(page)["x"] == place
     page.get_by_role("button", name="Play", exact=True).click()
+    page.wait_for_function(f"{STAGE}.querySelectorAll('.ghosts > g').length === 0")
     page.wait_for_timeout(200)
-    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 0
     assert slab(page)["x"] != place
 
 
@@ -370,7 +368,7 @@ def test_labels_of_the_curve_never_overlap(visit):
 def test_copy_link_gives_the_address(visit):
     page = visit("?m=2")
     page.locator(".st-key-link button").click()
-    page.wait_for_timeout(200)
+    expect(page.locator(".st-key-link output")).not_to_be_empty()
     said = page.locator(".st-key-link output").inner_text()
     assert said in ("Copied.", "Copy it from here:")
     if said != "Copied.":

@@ -277,7 +277,7 @@ def test_a_link_that_asks_for_what_is_not_there_is_told_so_once(app, key, bad):
     app.query_params[key] = bad
     sound(app.switch_page(PAGE).run())
     (warning,) = app.warning
-    assert warning.value.startswith(f"The link’s {key} is none of ")
+    assert warning.value.startswith(f"The link’s {key} is no")
     assert not sound(app.run()).warning
 
 

@@ -148,7 +148,7 @@ def test_a_bad_link_gets_one_sentence_and_the_default(app, key, bad):
     sound(app.run())
     assert values(app) == {**DEFAULTS, "k": 20.0}
     (warning,) = app.warning
-    assert f"The link's {key} " in warning.value
+    assert f"The link’s {key} " in warning.value
     assert not bad or bad not in warning.value
     assert not sound(app.run()).warning
 

@@ -7,7 +7,6 @@ and the last good value stays.
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,6 +15,7 @@ from fractions import Fraction
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan.scenes import links
 from ramanujan.stage.link import link
 
 
@@ -40,6 +40,11 @@ class Control:
         """The range in words."""
         return f"from {self.least:g} to {self.most:g} {self.unit}".rstrip()
 
+    @property
+    def in_links(self) -> links.Key:
+        """What a link may say of it."""
+        return links.number(self.key, self.least, self.most, self.range)
+
 
 CONTROLS = {
     control.key: control
@@ -54,19 +59,10 @@ CONTROLS = {
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
 
-PAGE_KEYS = {
-    "derivation": {"route", "view", "values", "step", "body", "question"},
-    "motion": {"glide", "spin", "mu", "figure"},
-    "1729": {"left", "right", "top", "p", "q", "digits"},
-    "speed": {"method", "steps", "periods", "precision", "tolerance", "cost", "sweep"},
-}
-"""Page → the keys that it keeps in the URL, beside those of the controls; no two pages share one."""
-
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
 _PRESET = "preset"
 _COMPLAINT = "complaint"
-_LINK_READ = "link_read"
 _SAID = "said"
 _RUN_AGAIN = "run_again"
 
@@ -78,7 +74,7 @@ def sidebar() -> None:
     again = st.session_state.pop(_RUN_AGAIN, False)
     said, said_in_sidebar = st.session_state.get(_SAID, nothing) if again else nothing
     # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
-    complaints = [*said, *_bad_link()]
+    complaints = [*said, *links.complaints(control.in_links for control in CONTROLS.values()), *links.unknown(CONTROLS)]
     if complaints:
         st.warning(" ".join(complaints))
     with st.sidebar:
@@ -218,8 +214,6 @@ def read_number(text: str) -> float | None:
 
 def page_slider(control: Control) -> float:
     """Draw a slider that only the present page has, bound to the URL, and return its value in SI units."""
-    if complaint := _bad_in_link(control):
-        st.warning(complaint)
     value = st.slider(
         f"{control.meaning}, {control.symbol}" + (f" [{control.unit}]" if control.unit else ""),
         control.least,
@@ -231,36 +225,6 @@ def page_slider(control: Control) -> float:
         bind="query-params",
     )
     return (value if control.least <= value <= control.most else control.default) * control.scale
-
-
-def _bad_in_link(control: Control) -> str | None:
-    """Return a sentence on what the link says of a quantity, if that cannot be meant."""
-    texts = st.query_params.get_all(control.key)
-    if len(texts) > 1:
-        return f"The link gives {control.key} more than once; it is ignored."
-    if texts and not control.least <= _as_streamlit_reads(texts[0]) <= control.most:
-        return f"The link's {control.key} is no number {control.range}; it is ignored."
-    return None
-
-
-def _bad_link() -> list[str]:
-    """Return a sentence on each thing in the link that cannot be meant, once a session; Streamlit itself ignores it."""
-    if st.session_state.setdefault(_LINK_READ, False):
-        return []
-    st.session_state[_LINK_READ] = True
-    complaints = [*filter(None, map(_bad_in_link, CONTROLS.values()))]
-    known = set(CONTROLS).union(*PAGE_KEYS.values())
-    if not known.issuperset(st.query_params):
-        complaints.append("The link names a quantity that this machine does not have; it is ignored.")
-    return complaints
-
-
-def _as_streamlit_reads(text: str) -> float:
-    """Return the number that a bound slider takes from a link, NaN where it takes none; fractions are for the boxes."""
-    try:
-        return float(text)
-    except ValueError:
-        return math.nan
 
 
 def _value(key: str) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Iterable
 from functools import partial
 
 import streamlit as st
@@ -12,7 +11,7 @@ from ramanujan import stage
 from ramanujan.derivation.parser import MAX_LENGTH
 from ramanujan.derivation.shares import PARTS
 from ramanujan.motion import InitialState
-from ramanujan.scenes import controls, keys, look
+from ramanujan.scenes import controls, keys, links, look
 from ramanujan.scenes.cached import derivation as cached
 
 VIEWS = ("Lecture", "Reading")
@@ -220,7 +219,8 @@ def try_it() -> None:
     """Ask for a formula, and say whether it is right or what is missing."""
     st.subheader("Try it yourself", anchor=False)
     asked = cached.questions()
-    check_link("question", (each.quantity.capitalize() for each in asked.values()), "those below")
+    quantities = (each.quantity.capitalize() for each in asked.values())
+    controls.complain(links.complaints([links.one_of("question", quantities, "none of those below")]))
     key = st.selectbox(
         "What do you want to work out?",
         asked,
@@ -253,30 +253,20 @@ def plain(text: str) -> str:
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
 
 
-def check_link(key: str, choices: Iterable[str], said: str | None = None) -> None:
-    """Say, when the page opens, that the link asks for something that is not offered; Streamlit itself drops it."""
-    offered = tuple(choices)
-    if fresh and any(choice not in offered for choice in st.query_params.get_all(key)):
-        st.warning(f"The link’s {key} is none of {said or ', '.join(offered)}; it is ignored.")
-
-
 machine, compression = controls.oscillator(), controls.compression()
 titles, colors = cached.titles(), look.colors()
 
-fresh = not st.session_state.setdefault("derivation_opened", False)
-st.session_state["derivation_opened"] = True
-
 dress()
 st.title("Five ways to one frequency", anchor=False)
-for key, choices in (("route", titles.values()), ("view", VIEWS), ("values", VALUES), ("body", PARTS.values())):
-    check_link(key, choices)
+choices = {"route": titles.values(), "view": VIEWS, "values": VALUES, "body": PARTS.values()}
+controls.complain(links.complaints(links.one_of(key, offered) for key, offered in choices.items()))
 choose_route()
 name, part = st.session_state["route"], st.session_state["body"]
 present = (machine.m, machine.m_prime, machine.k)
 masses = present if st.session_state["values"] == VALUES[1] else None
 ink = colors[f"{part}_ink"] if part else None
 count = len(cached.route(name).steps)
-check_link("step", map(str, range(1, count + 1)), f"the route’s {count} steps")
+controls.complain(links.complaints([links.count("step", count)]))
 
 if st.session_state["view"] == VIEWS[0]:
     lecture(count)

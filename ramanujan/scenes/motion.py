@@ -11,7 +11,7 @@ from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.record import Record, table
-from ramanujan.scenes import controls, look
+from ramanujan.scenes import controls, links, look
 from ramanujan.scenes.cached import motion as cached
 from ramanujan.scenes.controls import Control
 from ramanujan.scenes.cursor import cursor
@@ -144,6 +144,7 @@ def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> No
 
 machine, compression = controls.oscillator(), controls.compression()
 st.title("Motion", anchor=False)
+controls.complain(links.complaints([GLIDE.in_links, SPIN.in_links, MU.in_links, links.one_of("figure", cached.VIEWS)]))
 scene = st.container()
 glide, spin, mu = (column for column in st.columns(3, gap="medium"))
 with glide:

@@ -16,7 +16,7 @@ from ramanujan.accuracy.progress import REFERENCE
 from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.scenes import controls, experiments, look, thinned, verdicts
+from ramanujan.scenes import controls, experiments, links, look, thinned, verdicts
 from ramanujan.scenes.cached import speed as cached
 from ramanujan.scenes.verdicts import number
 
@@ -25,28 +25,16 @@ PERIODS = (1, 3, 10, 30, 100, 300)
 PRECISIONS = ("float64", "float32")
 COSTS = {"evaluations": "evaluations of the force", "seconds": "seconds on this server"}
 TOLERANCES = tuple(range(1, 16))
-LINK = {
-    "method": [method.title for method in METHODS.values()],
-    "steps": list(map(str, STEPS)),
-    "periods": list(map(str, PERIODS)),
-    "precision": list(PRECISIONS),
-    "cost": list(COSTS),
-    "tolerance": [f"1e-{digits}" for digits in TOLERANCES],
-    "sweep": list(cached.SWEEPS),
-}
+LINK = [
+    links.one_of("method", [method.title for method in METHODS.values()]),
+    links.one_of("steps", map(str, STEPS)),
+    links.one_of("periods", map(str, PERIODS)),
+    links.one_of("precision", PRECISIONS),
+    links.one_of("cost", COSTS),
+    links.one_of("tolerance", [f"1e-{digits}" for digits in TOLERANCES], "no power of ten from 1e-1 to 1e-15"),
+    links.one_of("sweep", cached.SWEEPS, "none of those on this page"),
+]
 QUIET = {"displayModeBar": False}
-
-
-def bad_link() -> list[str]:
-    """Return a sentence on each setting of this page that the link gives wrongly, once a session."""
-    if st.session_state.setdefault("speed_link_read", False):
-        return []
-    st.session_state["speed_link_read"] = True
-    return [
-        f"The link's {key} is none of those that this page has; it is ignored."
-        for key, allowed in LINK.items()
-        if (texts := st.query_params.get_all(key)) and (len(texts) > 1 or texts[0] not in allowed)
-    ]
 
 
 def chip(label: str, options: Sequence[str], key: str, **more: Any) -> str:
@@ -91,7 +79,7 @@ st.markdown(
     "**How exact does this scene have to be, and what does it cost?** Most simulations take small steps in time. This "
     "machine can also be solved exactly, so every error can be seen, and measured."
 )
-controls.complain(bad_link())
+controls.complain(links.complaints(LINK))
 method, steps, periods, precision = choose()
 tasks: list[tuple[str, experiments.Job, Any]] = []
 

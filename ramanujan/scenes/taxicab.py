@@ -11,7 +11,7 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, number_theory, stage
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, Machine
-from ramanujan.scenes import controls, look
+from ramanujan.scenes import controls, links, look
 from ramanujan.scenes.cached import taxicab as cached
 
 PLACES = {"left": "Left roller", "right": "Right roller", "top": "Body on top"}
@@ -19,6 +19,11 @@ PAPER = dict(zip(PLACES, Machine().bodies, strict=True))
 STILL = {"displayModeBar": False}
 LAST_TARGET = "last_target"
 MOST_DIGITS = number_theory.integers.MOST_DIGITS
+LINK = [
+    *(links.one_of(place, BODIES) for place in PLACES),
+    *(links.count(part, cached.LARGEST_PART) for part in ("p", "q")),
+    links.count("digits", MOST_DIGITS),
+]
 
 
 def take_clicked() -> None:
@@ -62,29 +67,6 @@ def scientific(value: Fraction) -> str:
 def name(machine: Machine) -> str:
     """Return the bodies in words."""
     return f"{machine.left} and {machine.right} below, {machine.top} on top"
-
-
-def link_complaints() -> list[str]:
-    """Return a sentence on each thing for this page in the link that cannot be meant, once a session."""
-    if st.session_state.setdefault("taxicab_link_read", False):
-        return []
-    st.session_state["taxicab_link_read"] = True
-    given = {key: st.query_params.get_all(key) for key in controls.PAGE_KEYS["1729"]}
-    bodies = [key for key in PLACES if given[key] and (len(given[key]) > 1 or given[key][0] not in BODIES)]
-    numbers = [
-        key
-        for key, most in (("p", cached.LARGEST_PART), ("q", cached.LARGEST_PART), ("digits", MOST_DIGITS))
-        if given[key] and not (len(given[key]) == 1 and is_count(given[key][0], most))
-    ]
-    known = ", ".join(BODIES)
-    return [f"The link’s “{key}” is none of {known}; it is ignored." for key in bodies] + [
-        f"The link’s “{key}” is no whole number that this page takes; it is ignored." for key in numbers
-    ]
-
-
-def is_count(text: str, most: int) -> bool:
-    """Return whether a text writes an integer from 1 to the given one."""
-    return len(text) < 10 and text.isascii() and text.isdigit() and 1 <= int(text) <= most
 
 
 facts, colors, oscillator = cached.condition(), look.colors(), controls.oscillator()
@@ -413,8 +395,7 @@ st.markdown(
     f"G. H. Hardy found the number of his taxicab, {facts.number}, rather dull. “No,” said Ramanujan, it is the "
     "smallest number that is a sum of two cubes in two different ways. Here it decides when a machine swings in time."
 )
-if complaints := link_complaints():
-    st.warning(" ".join(complaints))
+controls.complain(links.complaints(LINK))
 exactly_in_step()
 digits_and_fractions()
 two_stacks()
