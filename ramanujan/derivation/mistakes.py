@@ -103,7 +103,7 @@ def single_mass(bodies: Machine) -> dict[str, sp.Expr]:
 
 def unit_mass_ratio(bodies: Machine) -> sp.Expr:
     """Return the positive root ε of Ω² = k/m for a machine; ValueError if there is not exactly one."""
-    return unit_condition(sp.factor(single_mass(bodies)["natural_frequency_squared"])).root
+    return unit_condition(single_mass(bodies)["natural_frequency_squared"]).root
 
 
 def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
@@ -126,13 +126,14 @@ def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
 
 def _inertia(bodies: Machine, q: sp.Expr, other: sp.Expr) -> sp.Expr:
     """Return the entry of the mass matrix that belongs to two coordinates."""
-    return sp.Add(
-        *(
-            body.mass * body.displacement.coeff(q) * body.displacement.coeff(other)
-            + body.moment_of_inertia * body.angle.coeff(q) * body.angle.coeff(other)
-            for body in bodies.bodies
-        )
-    )
+    return sp.Add(*(_share(body, q, other) for body in bodies.bodies))
+
+
+@cache
+def _share(body: Body, q: sp.Expr, other: sp.Expr) -> sp.Expr:
+    """Return what a body adds to an entry of the mass matrix; a mistake leaves most bodies as they are."""
+    translation = body.mass * body.displacement.coeff(q) * body.displacement.coeff(other)
+    return translation + body.moment_of_inertia * body.angle.coeff(q) * body.angle.coeff(other)
 
 
 def _altered(names: tuple[str, ...], change: Callable[[Body], Body]) -> Machine:
