@@ -10,8 +10,6 @@ import plotly.graph_objects as go
 
 from ramanujan.figures import template
 
-PRESENT = "present machine"
-
 
 @dataclass(frozen=True)
 class Mark:
@@ -33,7 +31,7 @@ def frequency_curve(
     unit: Mark,
     colors: Mapping[str, str],
 ) -> go.Figure:
-    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios, and a ring for `mark_present` to move.
+    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios; a ring over it follows the present machine.
 
     Parameters
     ----------
@@ -50,6 +48,7 @@ def frequency_curve(
     # Further up the asymptote says nothing about the curve, and would run through a label.
     below = heavy_limit <= 0.75 * light_limit
     figure = go.Figure(layout={"template": template(colors, hover), "height": 340, "showlegend": False})
+    figure.update_layout(meta={"ring": colors["primary"]})
     limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     figure.add_scatter(
         x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name="limit"
@@ -74,7 +73,6 @@ def frequency_curve(
         name="any machine",
     )
     shown = (
-        (unit, PRESENT, "circle-open", 20, colors["primary"]),
         (equal, "equal masses", "circle", 11, colors["marker"]),
         (unit, "unit frequency", "star", 15, colors["accent"]),
     )
@@ -104,11 +102,6 @@ def frequency_curve(
     )
     figure.update_yaxes(title="Ω²m/k", range=[0, 1.16 * light_limit], fixedrange=True)
     return figure
-
-
-def mark_present(figure: go.Figure, ratio: float, value: float) -> None:
-    """Move the ring to the present machine, at ε and Ω²m/k; the rest of the figure stays as it is."""
-    figure.update_traces({"x": [ratio], "y": [value]}, {"name": PRESENT})
 
 
 def _log(value: float) -> float:

@@ -1,9 +1,8 @@
 // The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
-// is in cursor.py. Of Plotly it uses what stands in the page: the graph's own data and layout, and the rectangle that
-// covers each panel. The cursor is kept as a share of the time shown, so that it stays when the machine changes. It goes
-// along with the stage, whose time stands in globalThis.ramanujanTimes, unless a hand takes it.
+// is in cursor.py, the drawing in marks.js. The cursor is kept as a share of the time shown, so that it stays when the
+// machine changes. It goes along with the stage, whose time stands in globalThis.ramanujanTimes, unless a hand takes it.
 
-const PANEL = ".nsewdrag";
+const CURSOR = "time-cursor";
 
 export default function ({ parentElement }) {
   const slider = parentElement.querySelector("input");
@@ -60,7 +59,7 @@ export default function ({ parentElement }) {
   return () => {
     cancelAnimationFrame(frame);
     stop.abort();
-    for (const node of document.querySelectorAll(".js-plotly-plot .time-cursor")) node.remove();
+    for (const node of document.querySelectorAll(`.js-plotly-plot .${CURSOR}`)) node.remove();
   };
 }
 
@@ -70,27 +69,17 @@ function mark(graph, meta, share, panels) {
   const { left, width } = panels[0];
   if (meta.cursor === "time") {
     const x = place(graph.layout.xaxis.range, share * meta.period * meta.periods);
-    const line = { width: "2px", height: `${bottom - top}px`, borderRadius: "0" };
-    draw(graph, 0, x, { ...line, left: `${left - home.left + x * width - 1}px`, top: `${top - home.top}px` });
+    const line = { background: "currentColor", width: "2px", height: `${bottom - top}px`, borderRadius: "0" };
+    draw(graph, CURSOR, 0, x, { ...line, left: `${left - home.left + x * width - 1}px`, top: `${top - home.top}px` });
     return;
   }
   graph.data.forEach((orbit, i) => {
     const x = place(graph.layout.xaxis.range, between(numbers(orbit, "x"), share));
     const y = place(graph.layout.yaxis.range, between(numbers(orbit, "y"), share));
-    const dot = { width: "12px", height: "12px", borderRadius: "50%" };
+    const dot = { background: "currentColor", width: "12px", height: "12px", borderRadius: "50%" };
     const style = { left: `${left - home.left + x * width - 6}px`, top: `${bottom - home.top - y * (bottom - top) - 6}px` };
-    draw(graph, i, orbit.visible === "legendonly" || y < 0 || y > 1 ? -1 : x, { ...dot, ...style });
+    draw(graph, CURSOR, i, orbit.visible === "legendonly" || y < 0 || y > 1 ? -1 : x, { ...dot, ...style });
   });
-}
-
-const place = ([from, to], value) => (value - from) / (to - from);
-
-/** Put a mark on the graph, or hide it where x lies beside the panel. */
-function draw(graph, i, x, style) {
-  const marks = graph.querySelectorAll(".time-cursor");
-  const node = marks[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: "time-cursor" }));
-  Object.assign(node.style, { position: "absolute", pointerEvents: "none", background: "currentColor", ...style });
-  node.style.display = x >= 0 && x <= 1 ? "" : "none";
 }
 
 function between(values, share) {

@@ -7,10 +7,11 @@ time), period [s] and periods, the number of them that it shows. What is marked 
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import streamlit as st
+
+from ramanujan.scenes.scripts import script
 
 _HTML = (
     '<label class="cursor"><span>Time cursor</span><input type="range" min="0" max="1" step="0.001" value="0.125">'
@@ -33,5 +34,4 @@ def cursor() -> Any:
 
 @cache
 def _component() -> Any:
-    script = Path(__file__).with_suffix(".js").read_text(encoding="utf-8")
-    return st.components.v2.component("ramanujan_cursor", html=_HTML, css=_CSS, js=script)
+    return st.components.v2.component("ramanujan_cursor", html=_HTML, css=_CSS, js=script("marks.js", "cursor.js"))

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 
-import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import stage
-from ramanujan.figures.oscillator import Mark, frequency_curve, mark_present
 from ramanujan.scenes import controls, look
 from ramanujan.scenes.cached import oscillator as cached
+from ramanujan.scenes.ring import ring
 
 
 def slab_released() -> None:
@@ -23,29 +22,10 @@ def ratio_clicked() -> None:
     points = st.session_state["curve"].selection.points
     if points:
         ratio = points[0]["x"]
-        marks = (mark[0] for mark in (base.equal, base.unit))
+        marks = (base.equal.ratio, base.unit.ratio)
         controls.take_ratio(
             next((mark for mark in marks if math.isclose(ratio, mark, rel_tol=0.02)), float(f"{ratio:.4g}"))
         )
-
-
-def curve_figure() -> go.Figure:
-    """Return this visitor's figure of the curve: built once a theme, as building takes longest of all."""
-    colors = look.colors()
-    theme, figure = st.session_state.get("curve_figure", (None, None))
-    if theme != colors:
-        figure = frequency_curve(
-            base.ratios,
-            base.values,
-            light_limit=base.light_limit,
-            heavy_limit=base.heavy_limit,
-            limit_labels=(base.light_label, base.heavy_label),
-            equal=Mark(*base.equal),
-            unit=Mark(*base.unit),
-            colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
-        )
-        st.session_state["curve_figure"] = colors, figure
-    return figure
 
 
 machine, base = controls.oscillator(), cached.curve()
@@ -59,17 +39,16 @@ stage.mount(
 )
 
 st.subheader("When is it in step with √(k/m)?", anchor=False)
-figure = curve_figure()
-mark_present(figure, machine.mass_ratio, machine.normalized_frequency_squared)
+ring()
 st.plotly_chart(
-    figure,
+    cached.figure(look.colors()),
     key="curve",
     on_select=ratio_clicked,
     selection_mode="points",
     theme=None,
     config={"displayModeBar": False},
-    alt=f"Ω²m/k falls from {base.light_label} to {base.heavy_label.replace('<br>', ' ')}; this machine, at ε = "
-    f"{machine.mass_ratio:.4g}, has {machine.normalized_frequency_squared:.6g}.",
+    # What changes with the machine is said by the ring: so the figure is sent to a page only once.
+    alt=f"Ω²m/k over the mass ratio ε: it falls from {base.light_label} to {base.heavy_label.replace('<br>', ' ')}.",
 )
 st.caption("Click on the curve to build the machine with that mass ratio.")
 

@@ -27,6 +27,9 @@ and by the feed, at every change:
     slipping     the contact that is marked, such as hoop_slab; left out: none
     unity        what the gauge's mark at 1 says; left out: the paper's number
 
+What else looks at a stage finds its time [s] in globalThis.ramanujanTimes, and its mass ratio ε and Ω²m/k in
+globalThis.ramanujanMachines, both by its name.
+
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
 
@@ -47,7 +50,7 @@ from ramanujan.derivation.newton import contact_forces
 from ramanujan.derivation.numbers import unit
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, epsilon, k, m, machine, phi, t
+from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, epsilon, k, m, m_prime, machine, phi, t
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator
 
@@ -89,6 +92,7 @@ def formulas() -> dict[str, Any]:
         "natural_frequency": sp.sqrt(frequency_squared),
         "plain_frequency": sp.sqrt(k / m),
         "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
+        "mass_ratio": m_prime / m,
         "normalized_limit": sp.limit(unit().normalized_frequency_squared, epsilon, 0),
         "motion": {
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))

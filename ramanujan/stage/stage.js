@@ -397,6 +397,7 @@ class Stage {
         "aria-valuetext": `${digits(p.compression * CM, 3)} cm`,
       });
     this.drawGauge(normalized);
+    (globalThis.ramanujanMachines ??= {})[this.name] = { ratio: FORMULAS.mass_ratio(p), normalized }; // for a ring on a curve
     this.drawTraces();
     this.findPeaks();
     clearTimeout(this.speaking);

@@ -22,7 +22,6 @@ def warm_up() -> bool:
     of a rerun.
     """
     # Imported here, because page 1's caches themselves stand on this file.
-    from ramanujan.figures.oscillator import frequency_curve  # noqa: F401 (imports Plotly)
     from ramanujan.scenes.cached import oscillator
 
     stage.warm_up()

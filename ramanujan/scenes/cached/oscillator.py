@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import plotly.graph_objects as go
 import streamlit as st
 import sympy as sp
 
@@ -14,6 +15,7 @@ from ramanujan.derivation import Step
 from ramanujan.derivation.numbers import exact_values, unit
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import Omega_squared, epsilon
+from ramanujan.figures.oscillator import Mark, frequency_curve
 from ramanujan.scenes.cached import route
 
 CURVE_RANGE = (0.01, 30.0)
@@ -28,8 +30,8 @@ class Curve:
     values: np.ndarray
     light_limit: float
     heavy_limit: np.ndarray
-    equal: tuple[float, float, str]
-    unit: tuple[float, float, str]
+    equal: Mark
+    unit: Mark
     light_label: str
     heavy_label: str
 
@@ -50,10 +52,26 @@ def curve() -> Curve:
         normalized_frequency_squared(ratios),
         float(light),
         np.array([float(heavy.subs(epsilon, ratio)) for ratio in ratios]),
-        (1.0, float(at_equal), f"equal masses<br>{at_equal}"),
-        (UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
+        Mark(1.0, float(at_equal), f"equal masses<br>{at_equal}"),
+        Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
         f"{light} for ε → 0",
         f"{sp.sstr(heavy).replace('varepsilon', 'ε').replace('*', '')}<br>for ε → ∞",
+    )
+
+
+@st.cache_resource(show_spinner=False, max_entries=4)
+def figure(colors: dict[str, str]) -> go.Figure:
+    """Return the figure of the curve in the given colours; it is the same for every machine."""
+    base = curve()
+    return frequency_curve(
+        base.ratios,
+        base.values,
+        light_limit=base.light_limit,
+        heavy_limit=base.heavy_limit,
+        limit_labels=(base.light_label, base.heavy_label),
+        equal=base.equal,
+        unit=base.unit,
+        colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
     )
 
 

@@ -1,0 +1,15 @@
+// Marks laid over Plotly's figures, so that they move without a redrawing. Of Plotly they use what stands in the page: the
+// graph's own data and layout, and the rectangle that covers each panel.
+
+const PANEL = ".nsewdrag";
+
+const place = ([from, to], value) => (value - from) / (to - from);
+
+/** Put the i-th mark of a name on the graph, or hide it where x lies beside the panel. */
+function draw(graph, name, i, x, style) {
+  const marks = graph.querySelectorAll(`.${name}`);
+  const node = marks[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
+  Object.assign(node.style, { position: "absolute", pointerEvents: "none", ...style });
+  node.style.display = x >= 0 && x <= 1 ? "" : "none";
+  return node;
+}
