@@ -144,3 +144,12 @@ def test_the_first_page_leads_here(visit):
     settle(page)
     assert "/derivation" in page.url
     assert page.get_by_role("heading", name="Five ways to one frequency").is_visible()
+
+
+@pytest.mark.parametrize("link", ["route=Newton&step=4", "step=2", "step=2&values=My+numbers"])
+def test_steps_of_many_equations_fit_on_a_projector(visit, link):
+    page = visit(f"derivation?{link}")
+    formula = page.locator(".katex-display").first
+    formula.wait_for()
+    box = formula.bounding_box()
+    assert box["y"] + box["height"] <= 720

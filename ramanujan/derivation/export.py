@@ -114,7 +114,7 @@ def lines(expression: sp.Expr, write: Callable[[sp.Expr], str] = latex, width: i
     """
     groups: list[list[sp.Expr]] = [[]]
     for term in expression.as_ordered_terms() if expression.is_Add else [expression]:
-        if groups[-1] and _width(latex(sp.Add(*groups[-1], term))) > width:
+        if groups[-1] and extent(latex(sp.Add(*groups[-1], term))) > width:
             groups.append([])
         groups[-1].append(term)
     first, *others = (write(group[0] if len(group) == 1 else sp.Add(*group)) for group in groups)
@@ -127,7 +127,7 @@ def _row(equation: sp.Eq) -> str:
     return f"{latex(equation.lhs)} &= {first}" + "".join(f" \\\\\n  &\\quad {other}" for other in others)
 
 
-def _width(formula: str) -> int:
+def extent(formula: str) -> int:
     """Return about how many characters stand side by side."""
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from itertools import zip_longest
 
 import streamlit as st
 import sympy as sp
 
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.answers import QUESTIONS, Question, Verdict, judge, question
-from ramanujan.derivation.export import lines, to_latex, to_markdown, to_notebook
+from ramanujan.derivation.export import extent, lines, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.expressions import as_typed
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.numbers import exact_values
@@ -28,7 +29,10 @@ _LINE_WIDTH = 54
 """Characters of a formula that fit beside the sidebar on a projector of 1280 points; longer sums are broken."""
 
 _MANY = 6
-"""Rows of equations that have to move closer together to fit on one screen."""
+"""Rows of equations that no longer fit on one screen below each other."""
+
+_HALF_WIDTH = 40
+"""Characters of a formula that leave room for another beside it; a fraction counts above and below its bar."""
 
 _LONGEST_DENOMINATOR = 10**12
 """Ω² is written as a fraction up to here, as a decimal alone beyond."""
@@ -224,12 +228,22 @@ def _aligned(rows: list[_Row]) -> str:
     if any(row.right == ["0"] for row in rows):
         left = (f"&{row.left} {row.sign} {row.right[0]}" for row in rows)
         return _block(left, ".5em")
+    if len(rows) >= _MANY and all(len(row.right) == 1 and extent(row.right[0]) <= _HALF_WIDTH for row in rows):
+        return _block(_in_two_columns(rows), ".5em")
     aligned = [
         line
         for row in rows
         for line in (f"{row.left} &{row.sign} {row.right[0]}", *(rf"&\quad {more}" for more in row.right[1:]))
     ]
     return _block(aligned, ".5em" if len(aligned) < _MANY else ".15em")
+
+
+def _in_two_columns(rows: list[_Row]) -> Iterator[str]:
+    """Yield the rows side by side, the first half at the left."""
+    written = [f"{row.left} &{row.sign} {row.right[0]}" for row in rows]
+    half = (len(written) + 1) // 2
+    for left, right in zip_longest(written[:half], written[half:], fillvalue=""):
+        yield rf"{left} &\qquad {right}" if right else left
 
 
 def _block(rows: Iterable[str], gap: str) -> str:
