@@ -158,7 +158,21 @@ def test_every_curve_over_time_is_drawn_to_half_a_pixel_on_a_full_screen(view, s
         assert gap.max() < 0.501, drawn["name"]
 
 
-def fine_figure(view, setting):
+@pytest.mark.parametrize("setting", CORNERS)
+def test_every_orbit_is_drawn_to_half_a_pixel_on_a_full_screen(setting):
+    _, (_, figure) = figures("Displacements", *setting)
+    exact = fine_figure("Displacements", setting, 1)
+    for drawn, fine in zip(figure["data"], exact["data"], strict=True):
+        gaps = []
+        for letter, pixels in (("x", 1920), ("y", 1080)):
+            values, truth = numbers(drawn[letter]), numbers(fine[letter])
+            at = np.linspace(0, len(values) - 1, len(truth))
+            scale = pixels / np.ptp(figure["layout"][f"{letter}axis"]["range"])
+            gaps.append((np.interp(at, np.arange(len(values)), values) - truth) * scale)
+        assert np.hypot(*gaps).max() < 0.501, drawn["name"]
+
+
+def fine_figure(view, setting, which=0):
     """The same figure from sixteen times as many points."""
     m, m_prime, k, radius, compression, glide, spin = setting
     motion = record(
@@ -171,7 +185,7 @@ def fine_figure(view, setting):
         points=16 * (cached.POINTS - 1) + 1,
     )
     colors = defaultdict(lambda: "#808080")
-    return json.loads(cached.VIEWS[view][0](motion, colors).to_json())
+    return json.loads(cached.VIEWS[view][which](motion, colors).to_json())
 
 
 def test_the_points_are_those_of_the_bound():
