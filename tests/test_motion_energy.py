@@ -142,7 +142,7 @@ def exact_energies(oscillator, q, q_dot):
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
-@pytest.mark.parametrize("periods", [0.3, 1000.7, 1e9 + 0.4, 1e12 + 0.1, 3e15])
+@pytest.mark.parametrize("periods", [0.3, 1000.7, 1e9 + 0.4, 1e12 + 0.1, 3e15, 9.9e17])
 def test_phase_and_energies_stay_right_far_out(ratio, periods):
     oscillator = Oscillator(m=0.7, m_prime=0.7 * ratio, k=12.3, radius=0.11)
     t = periods * oscillator.period
@@ -160,6 +160,13 @@ def test_phase_and_energies_stay_right_far_out(ratio, periods):
     for name, value in exact.items():
         # A phase error of 1e-12 rad moves an energy by at most that share of the total.
         assert abs(found[name] - float(value)) < 1e-12 * total, name
+
+
+@pytest.mark.parametrize("t", [1.001e18, -1e30, 1e300, [0.0, 1e308]])
+def test_farther_out_the_time_is_refused(t):
+    oscillator = Oscillator(k=1e3)
+    with pytest.raises(ValueError, match=r"^t must stay within 1e\+18 periods"):
+        motion(oscillator, PUSHED, t)
 
 
 def test_the_plain_phase_would_fail_that_test():

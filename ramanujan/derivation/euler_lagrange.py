@@ -83,12 +83,19 @@ class UnitCondition:
 
 
 def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
-    """Return the condition Ω²m/k = 1 for a frequency given in m, m′ and k, as a quadratic in ε with integers."""
+    """Return the condition Ω²m/k = 1 for a frequency given in m, m′ and k, as a quadratic in ε with integers.
+
+    Raises
+    ------
+    ValueError : not exactly one positive mass ratio fulfils it.
+    """
     normalized = sp.factor(natural_frequency_squared.subs(m_prime, epsilon * m) * m / k)
     numerator, denominator = sp.fraction(sp.together(normalized))
     quadratic = sp.Poly(denominator - numerator, epsilon).primitive()[1]
-    (root,) = (r for r in sp.roots(quadratic, multiple=True) if r.is_positive)
-    return UnitCondition(normalized, quadratic, sp.factor(root), quadratic.discriminant())
+    roots = [root for root in sp.roots(quadratic, multiple=True) if root.is_positive]
+    if len(roots) != 1:
+        raise ValueError("natural_frequency_squared must be k/m at exactly one positive mass ratio")
+    return UnitCondition(normalized, quadratic, sp.factor(roots[0]), quadratic.discriminant())
 
 
 def build() -> Route:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from fractions import Fraction
 from math import isqrt
 
@@ -11,7 +10,7 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, number_theory, stage
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, Machine
-from ramanujan.scenes import controls, links, look
+from ramanujan.scenes import controls, emblems, links, look
 from ramanujan.scenes.cached import taxicab as cached
 
 PLACES = {"left": "Left roller", "right": "Right roller", "top": "Body on top"}
@@ -38,24 +37,6 @@ def take_clicked() -> None:
 def take_paper() -> None:
     """Put the paper's bodies back."""
     st.session_state.update(PAPER)
-
-
-def drawing(body: str, color: str) -> str:
-    """Return the address of a small drawing of a body: where the colour is, there is the mass."""
-    ink = f'stroke="{color}" fill="none"'
-    drawings = {
-        "hoop": f'<circle cx="24" cy="24" r="19" stroke-width="5" {ink}/>',
-        "shell": f'<circle cx="24" cy="24" r="20" stroke-width="2.5" stroke="{color}" fill="{color}" '
-        f'fill-opacity=".15"/><ellipse cx="24" cy="24" rx="20" ry="7" stroke-width="1.5" {ink}/>'
-        f'<ellipse cx="24" cy="24" rx="7" ry="20" stroke-width="1.5" {ink}/>',
-        "cylinder": f'<g fill="{color}"><g opacity=".5"><circle cx="29" cy="19" r="15"/>'
-        '<path d="M8.4 18.4 18.4 8.4 39.6 29.6 29.6 39.6z"/></g><circle cx="19" cy="29" r="15"/></g>',
-        "sphere": f'<circle cx="24" cy="24" r="21" fill="{color}"/>'
-        '<circle cx="18" cy="17" r="7" fill="#fff" fill-opacity=".4"/>'
-        '<circle cx="16" cy="15" r="3" fill="#fff" fill-opacity=".6"/>',
-    }
-    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48">{drawings[body]}</svg>'
-    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
 
 
 def scientific(value: Fraction) -> str:
@@ -173,15 +154,9 @@ def other_bodies() -> None:
         "Is it the machine or these bodies? Put others in. A body of mass $M$ resists spinning with $I=\\beta MR^2$; "
         "the further out its mass, the larger $\\beta$."
     )
-    figures = (
-        f'<figure style="margin:0;display:flex;gap:.4rem;align-items:center">'
-        f'<img width="38" height="38" alt="" src="{drawing(body, colors["block"])}">'
-        f"<figcaption>{body}<br>β = {beta}</figcaption></figure>"
-        for body, beta in BODIES.items()
-    )
     # Set out like the machine: the body on top stands above, to the right.
     pictures, above = st.columns(2, vertical_alignment="center")
-    pictures.html(f'<div style="display:flex;flex-wrap:wrap;gap:.6rem 1rem">{"".join(figures)}</div>')
+    pictures.html(emblems.legend(colors["block"]))
     for column, (place, words) in zip((*st.columns(2), above), PLACES.items(), strict=True):
         column.segmented_control(
             words, list(BODIES), default=PAPER[place], required=True, key=place, bind="query-params"
