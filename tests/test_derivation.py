@@ -177,7 +177,7 @@ def test_the_root_gives_exactly_one():
 
 def test_unit_condition_follows_another_frequency():
     # A plain mass m + m′/2 on the spring has the unit frequency only without m′, so no positive ratio exists.
-    with pytest.raises(ValueError, match="unpack"):
+    with pytest.raises(ValueError, match="natural_frequency_squared"):
         unit_condition(k / (m + m_prime / 2))
 
 

@@ -1,6 +1,7 @@
-"""How long the derivations take: to build each route, and to put numbers into all of its steps.
+"""How long the derivations take: to build each route, to put numbers into all of its steps, and to judge an answer.
 
-Run as `python -m tests.benchmarks.derivation`. A page may spend 50 ms on putting numbers into a route.
+Run as `python -m tests.benchmarks.derivation`. A page may spend 50 ms on putting numbers into a route, and 200 ms on an
+answer; the first answer to a question also derives its typical mistakes.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from statistics import median
 import sympy as sp
 
 from ramanujan.derivation import ROUTES
+from ramanujan.derivation.answers import QUESTIONS, judge, question
 from ramanujan.derivation.symbols import k, m, m_prime
 
 RATIO_OF_1729 = (sp.sqrt(1729) - 1) / 36
@@ -34,12 +36,17 @@ def substitution_times(name: str, ratio: sp.Expr, repeats: int = 9) -> list[floa
 
 
 def main() -> None:
-    """Print one line per route: build, then median and longest substitution for rational and for surd masses."""
+    """Print a line per route, build and median and longest substitution for rational and surd masses; then the answers."""
     print(f"{'route':<16}{'build [ms]':>12}{'rational [ms]':>24}{'with √1729 [ms]':>24}")
     for name in ROUTES:
         build = milliseconds(lambda name=name: ROUTES[name])
         columns = [substitution_times(name, ratio) for ratio in (sp.Rational(113, 100), RATIO_OF_1729)]
         print(f"{name:<16}{build:>12.0f}" + "".join(f"{median(c):>14.1f} … {max(c):>6.1f} " for c in columns))
+    print(f"\n{'question':<30}{'asked [ms]':>12}{'first answer [ms]':>20}{'next [ms]':>12}")
+    for name in QUESTIONS:
+        steps = (lambda: question(name), lambda: judge(name, "2 m"), lambda: judge(name, "3 k / m"))  # noqa: B023
+        asked, first, following = map(milliseconds, steps)
+        print(f"{name:<30}{asked:>12.1f}{first:>20.1f}{following:>12.1f}")
 
 
 if __name__ == "__main__":
