@@ -36,7 +36,7 @@ def substitution_times(name: str, ratio: sp.Expr, repeats: int = 9) -> list[floa
 
 
 def main() -> None:
-    """Print a line per route, build and median and longest substitution for rational and surd masses; then the answers."""
+    """Print build, median and longest substitution of each route for rational and surd masses; then the answers."""
     print(f"{'route':<16}{'build [ms]':>12}{'rational [ms]':>24}{'with √1729 [ms]':>24}")
     for name in ROUTES:
         build = milliseconds(lambda name=name: ROUTES[name])
