@@ -88,7 +88,7 @@ WRONG = [
     (CYLINDER, "½m'(Rφ'-X')²+½m'R²φ'²", "a hoop"),
     (CYLINDER, "½m'(Rφ'-X')²+1/5 m'R²φ'²", "a solid sphere"),
     (CYLINDER, "½m'(Rφ'-X')²+1/3 m'R²φ'²", "a spherical shell"),
-    (SLAB, "½m(Rφ'-X')²", "factor 2 is missing in the slab's speed"),
+    (SLAB, "½m(Rφ'-X')²", "factor 2 is missing in the slab’s speed"),
     (SLAB, "½m(2Rφ'+X')²", "Check a sign"),
     (SLAB, "2mR²φ'²", "over the ground"),
     (SLAB, "½m'(2Rφ'-X')²", "m' for m"),

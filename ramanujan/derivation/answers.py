@@ -382,8 +382,8 @@ _ASKED: dict[str, _Asked] = {
         _equation_mistakes,
         "R (2m + m')/5",
     ),
-    "block_coupling": _coupling_question("block_coupling", "block's acceleration", X_ddot, "X_from_phi"),
-    "top_coupling": _coupling_question("top_coupling", "top cylinder's acceleration", Phi_ddot, "Phi_from_phi"),
+    "block_coupling": _coupling_question("block_coupling", "block’s acceleration", X_ddot, "X_from_phi"),
+    "top_coupling": _coupling_question("top_coupling", "top cylinder’s acceleration", Phi_ddot, "Phi_from_phi"),
     "natural_frequency_squared": _Asked(
         "Ω^2",
         lambda: _elimination().natural_frequency_squared,

@@ -114,7 +114,7 @@ def build() -> Route:
         Step(
             "energies",
             "Add up the energies",
-            "A rolling body has the energy of its centre and of its spin; the spring is deformed by the slab's "
+            "A rolling body has the energy of its centre and of its spin; the spring is deformed by the slab’s "
             "displacement over the block.",
             (
                 *(equation(f"T_{body.name}", body.kinetic_energy) for body in bodies.bodies),

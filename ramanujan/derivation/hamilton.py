@@ -122,7 +122,7 @@ def _steps(
         ),
         Step(
             "motion",
-            "Write down Hamilton's equations",
+            "Write down Hamilton’s equations",
             "$\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ vanishes wherever $\\mathcal{H}$ does not contain the "
             "coordinate, so those momenta are conserved; $\\dot\\varphi=\\partial\\mathcal{H}/\\partial p_\\varphi$.",
             (

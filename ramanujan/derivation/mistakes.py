@@ -198,7 +198,7 @@ def _wrong_sign(names: tuple[str, ...]) -> tuple[str, Machine]:
 def _wrong_travel() -> Iterator[tuple[str, Machine]]:
     # Where the slab is, the centres of its rollers are not: the two displacements are exchanged.
     yield (
-        "A factor 2 is missing in the slab's speed: lying on top of its rollers, it moves twice as far as they do.",
+        "A factor 2 is missing in the slab’s speed: lying on top of its rollers, it moves twice as far as they do.",
         _altered(("slab",), lambda body: replace(body, displacement=machine()["hoop"].displacement)),
     )
     for names in (*((name,) for name in LOWER_ROLLERS), LOWER_ROLLERS):

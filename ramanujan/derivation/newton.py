@@ -127,7 +127,7 @@ def build() -> Route:
         Step(
             "rolling",
             "Let nothing slip",
-            "Where two bodies touch they move alike; at the top of a roller $R\\alpha$ is added to its centre's "
+            "Where two bodies touch they move alike; at the top of a roller $R\\alpha$ is added to its centre’s "
             "acceleration, at the bottom it is taken away.",
             cut.rolling,
         ),

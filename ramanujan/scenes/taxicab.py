@@ -80,7 +80,7 @@ def exactly_in_step() -> None:
             key="unit_curve",
             theme=None,
             config=STILL,
-            alt=f"Ω²m/k of the paper's machine falls with ε and is 1 at ε = {UNIT_MASS_RATIO:.9f}; with your masses, "
+            alt=f"Ω²m/k of the paper’s machine falls with ε and is 1 at ε = {UNIT_MASS_RATIO:.9f}; with your masses, "
             f"ε = {oscillator.mass_ratio:.4g}, it is {oscillator.normalized_frequency_squared:.6g}.",
         )
 
@@ -302,7 +302,7 @@ def another_frequency() -> None:
             key="target_curve",
             theme=None,
             config=STILL,
-            alt=f"Ω²m/k of the paper's machine falls with ε and is {target} at ε = {story.ratio:.6g}.",
+            alt=f"Ω²m/k of the paper’s machine falls with ε and is {target} at ε = {story.ratio:.6g}.",
         )
 
 

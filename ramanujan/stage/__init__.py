@@ -65,8 +65,8 @@ export default ({ data }) => {
 };
 """
 _WORDS = {
-    "apart": "The slab swings over the block once every {period} s. The machine's clock runs {side} of the plain "
-    "mass's: {turns} periods part them by one full turn.",
+    "apart": "The slab swings over the block once every {period} s. The machine’s clock runs {side} of the plain "
+    "mass’s: {turns} periods part them by one full turn.",
     "together": "The slab swings over the block once every {period} s, in step with the plain mass for ever.",
     "paused": "Paused.",
     "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
