@@ -90,7 +90,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     ValueError : not exactly one positive mass ratio fulfils it.
     """
     normalized = sp.factor(natural_frequency_squared.subs(m_prime, epsilon * m) * m / k)
-    numerator, denominator = sp.fraction(sp.together(normalized))
+    numerator, denominator = sp.fraction(normalized)
     quadratic = sp.Poly(denominator - numerator, epsilon).primitive()[1]
     roots = [root for root in sp.roots(quadratic, multiple=True) if root.is_positive]
     if len(roots) != 1:
