@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from tests.browser import settle
 
-RUNNING = "[data-testid=stApp][data-test-script-state=running]"
 IDLE = "[data-testid=stApp][data-test-script-state=notRunning]"
 
 

@@ -277,7 +277,8 @@ def test_a_link_that_asks_for_what_is_not_there_is_told_so_once(app, key, bad):
     app.query_params[key] = bad
     sound(app.switch_page(PAGE).run())
     (warning,) = app.warning
-    assert warning.value.startswith(f"The link’s {key} is no")
+    words = "no whole number from 1 to 14; it is ignored." if key == "step" else "none of "
+    assert warning.value.startswith(f"The link’s {key} is {words}")
     assert not sound(app.run()).warning
 
 

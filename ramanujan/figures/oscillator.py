@@ -47,8 +47,8 @@ def frequency_curve(
     ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
     # Further up the asymptote says nothing about the curve, and would run through a label.
     below = heavy_limit <= 0.75 * light_limit
-    figure = go.Figure(layout={"template": template(colors, hover), "height": 340, "showlegend": False})
-    figure.update_layout(meta={"ring": colors["primary"]})
+    layout = {"template": template(colors, hover), "height": 340, "showlegend": False}
+    figure = go.Figure(layout={**layout, "meta": {"ring": colors["primary"]}})
     limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     figure.add_scatter(
         x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name="limit"

@@ -166,7 +166,7 @@ with scene:
         key="stage",
         layers=("forces",),
         dials=False,
-        on_released=lambda: controls.set_compression(st.session_state["stage"].released),
+        on_released=controls.set_compression,
     )
 verdict(mu, largest, first, compression)
 

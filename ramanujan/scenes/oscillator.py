@@ -12,11 +12,6 @@ from ramanujan.scenes.cached import oscillator as cached
 from ramanujan.scenes.ring import ring
 
 
-def slab_released() -> None:
-    """Take over the compression at which the slab was let go."""
-    controls.set_compression(st.session_state["stage"].released)
-
-
 def ratio_clicked() -> None:
     """Take the mass ratio of the point that was clicked on the curve, exactly that of a mark if it lies under one."""
     points = st.session_state["curve"].selection.points
@@ -35,7 +30,7 @@ stage.mount(
     stage.payload(machine, controls.compression()),
     limits=controls.limits("compression"),
     watch=controls.WATCH,
-    on_released=slab_released,
+    on_released=controls.set_compression,
 )
 
 st.subheader("When is it in step with √(k/m)?", anchor=False)

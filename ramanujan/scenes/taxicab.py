@@ -175,18 +175,13 @@ def other_bodies() -> None:
         watch=controls.WATCH,
         key="stage_bodies",
         layers=(),
-        on_released=slab_released,
+        on_released=controls.set_compression,
     )
     table, words = st.columns([1, 1], gap="medium")
     with words:
         told(story)
     with table:
         forty_machines(story.machine)
-
-
-def slab_released() -> None:
-    """Take over the compression at which the slab was let go."""
-    controls.set_compression(st.session_state["stage_bodies"].released)
 
 
 def told(story: cached.Story) -> None:

@@ -152,7 +152,7 @@ def mount(
     compact: bool = False,
     dials: bool = True,
     label: str | None = None,
-    on_released: Callable[[], None] | None = None,
+    on_released: Callable[[float], None] | None = None,
 ) -> Any:
     """Put a stage on the page and return its result; `result.released` is the compression at which it was let go.
 
@@ -167,7 +167,7 @@ def mount(
     compact : only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
     label : a few words under the picture, also its name for screen readers
-    on_released : called when the slab was let go
+    on_released : called with the compression [m] at which the slab was let go
     """
     stage, feed = _components()
     fixed = {
@@ -180,13 +180,15 @@ def mount(
         "dials": dials,
         "label": label,
     }
-    result = stage(key=key, data=fixed, on_released_change=on_released or _ignore)
+
+    def released() -> None:
+        # Streamlit wants a callback for every trigger that is to be read.
+        if on_released:
+            on_released(st.session_state[key].released)
+
+    result = stage(key=key, data=fixed, on_released_change=released)
     feed(key=f"{key}_feed", data={"stage": key, "payload": data})
     return result
-
-
-def _ignore() -> None:
-    """Do nothing: Streamlit wants a callback for every trigger that is to be read."""
 
 
 def warm_up() -> None:
