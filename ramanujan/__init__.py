@@ -19,11 +19,99 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
     2Rφ             deformation of the spring, positive in compression;   x₀ its value at release
     Ω               natural frequency [rad/s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
 
-Reading order: `oscillator` (the numbers), `motion` (time), `energy` and `contact` (what it carries), `derivation`
-(where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing costs),
-`figures` and `stage` (how it looks), `scenes` (the pages).
+A notebook needs this package alone:
+
+    from ramanujan import Oscillator, motion, released
+
+    machine = Oscillator(m=1, m_prime=1.127, k=10)
+    q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
+
+`Oscillator`, the Ω² curve and the motion are loaded at once; the energies, the contacts and the integrators when they
+are first asked for. One motion with everything known of it, and as CSV: `ramanujan.record`.
+
+Reading order: `oscillator` and `frequency` (the numbers), `motion` (time), `energy` and `contact` (what it carries),
+`derivation` (where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing
+costs), `figures` and `stage` (how it looks), `scenes` (the pages). `quantities` says which arguments are accepted, and
+`rounding` how results keep their digits.
 """
 
-from ramanujan.oscillator import UNIT_MASS_RATIO, Oscillator, mass_ratio_for, normalized_frequency_squared
+from __future__ import annotations
 
-__all__ = ["UNIT_MASS_RATIO", "Oscillator", "mass_ratio_for", "normalized_frequency_squared"]
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for, normalized_frequency_squared
+from ramanujan.motion import (
+    InitialState,
+    ground_positions,
+    ground_velocities,
+    motion,
+    pushed,
+    relative_positions,
+    relative_velocities,
+    released,
+)
+from ramanujan.oscillator import Oscillator, drawn_spacing
+
+if TYPE_CHECKING:
+    from ramanujan.contact import (
+        contact_forces,
+        first_to_slip,
+        largest_compression,
+        normal_forces,
+        required_friction,
+        travel_amplitude,
+    )
+    from ramanujan.energy import energies, momenta
+    from ramanujan.integrators import METHODS, trajectory
+
+_LOADED_WHEN_ASKED_FOR = {
+    "energies": "energy",
+    "momenta": "energy",
+    "contact_forces": "contact",
+    "first_to_slip": "contact",
+    "largest_compression": "contact",
+    "normal_forces": "contact",
+    "required_friction": "contact",
+    "travel_amplitude": "contact",
+    "METHODS": "integrators",
+    "trajectory": "integrators",
+}
+"""Name → room. The first page needs none of these, and must not wait for them."""
+
+__all__ = [
+    "METHODS",
+    "UNIT_MASS_RATIO",
+    "InitialState",
+    "Oscillator",
+    "contact_forces",
+    "drawn_spacing",
+    "energies",
+    "first_to_slip",
+    "ground_positions",
+    "ground_velocities",
+    "largest_compression",
+    "mass_ratio_for",
+    "momenta",
+    "motion",
+    "normal_forces",
+    "normalized_frequency_squared",
+    "pushed",
+    "relative_positions",
+    "relative_velocities",
+    "released",
+    "required_friction",
+    "trajectory",
+    "travel_amplitude",
+]
+
+
+def __getattr__(name: str) -> object:
+    """Load a room when one of its names is first asked for (PEP 562)."""
+    if name not in _LOADED_WHEN_ASKED_FOR:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_LOADED_WHEN_ASKED_FOR[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,103 +1,159 @@
-"""The five rolling contacts: the forces in them, the friction they need, and the motion at which one slips.
+r"""The five rolling contacts: the forces in them, the friction they need, and the motion at which one slips.
 
-Lives here: contact, normal and spring forces along a motion that rolls, and the limit of that assumption.
-Does not live here: what happens after a slip; the machine of this package always rolls.
+The forces are those of a machine that rolls at every contact; what happens after a slip is not modelled.
+
+                                                   ___
+                                                  / | \      top cylinder, angle Φ
+        ← −2kRφ                                   \_|_/
+     [=========== slab ===========]/\/\/|       f →            f, F, T   forces ON a roller, right positive;
+           T →           T →            |                                the other body feels the opposite
+            ___           ___           |                      L         spacing of the axes, at least 2R
+           / | \         / | \          |                      φ, Φ      count clockwise, X to the left
+           \___/         \_|_/          |
+           F →           F →            |
+     ___________________________________|     block            X ←
+             |←     L     →|
 
 Newton's law for the five bodies, the three torques and the five rolling constraints give, with a = Rφ̈ = −Ω²Rφ, the
-forces ON a lower roller of moment of inertia βm′R² (hoop β = 1, cylinder β = ½), right positive,
+forces on a lower roller of moment of inertia βm′R² (hoop β = 1, cylinder β = ½)
 
-    from the slab   ½m′a (1 + β − κ)          from the block   ½m′a (1 − β − κ)
+    from the slab   T = ½m′a (1 + β − κ)          from the block   F = ½m′a (1 − β − κ)
 
-on the top cylinder −κma/3, and from the spring on the slab −2kRφ. The slab is thin, its centre of mass midway
-between the rollers' axes at φ = 0. It moves twice as far as they do, so its weight shifts onto the roller it moves to:
+The slab is thin, its centre of mass midway between the rollers' axes at φ = 0. It moves twice as far as they do, so
+its weight shifts onto the roller it moves to:
 
-    N_hoop = mg (½ − Rφ/L),   N_cylinder = mg (½ + Rφ/L)        L: spacing of the axes, which exceeds 2R
+    N_hoop = mg (½ − Rφ/L),   N_cylinder = mg (½ + Rφ/L)
 
-The block carries each lower roller's weight m′g besides, and the top cylinder's mg.
+The block carries each lower roller's weight m′g in addition, and the top cylinder's mg.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from fractions import Fraction
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.motion import InitialState, motion
-from ramanujan.oscillator import Oscillator, real_number
+from ramanujan.motion import InitialState
+from ramanujan.oscillator import Oscillator, drawn_spacing
+from ramanujan.quantities import coordinates, instance, positive, real
+from ramanujan.rounding import in_range, nearest, product, square_root
+
+__all__ = [
+    "contact_forces",
+    "drawn_spacing",
+    "first_to_slip",
+    "largest_compression",
+    "normal_forces",
+    "required_friction",
+    "travel_amplitude",
+]
 
 
-def contact_forces(oscillator: Oscillator, initial: InitialState, t: Any) -> dict[str, np.ndarray]:
-    """Return the horizontal force [N], right positive, at every contact and in the spring at the times t.
+def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return the horizontal force [N], right positive, at every contact and in the spring.
 
     Parameters
     ----------
     oscillator : the machine
-    initial : its state at t = 0
-    t : time [s], scalar or array of any shape
+    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ matters
 
-    Returns a dict of arrays of shape (…t): hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block are the
-    forces ON the roller, spring is the force on the slab. The other body of each pair feels the opposite.
+    Returns
+    -------
+    dict of arrays of shape (…t): hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block are the forces ON
+    the roller, spring is the force on the slab; the other body of each pair feels the opposite
 
     Raises
     ------
-    ValueError : a time is not a finite number.
+    ValueError : q does not have three rows of finite numbers, or a force is too large for float64.
 
     Source: Newton's equations with the rolling constraints, as in the module docstring.
+
+    >>> forces = contact_forces(Oscillator(k=10, radius=0.1), [0, 0.4, 0])
+    >>> round(float(forces["spring"]), 12)
+    -0.8
     """
-    travel = _roller_travel(oscillator, initial, t)
-    acceleration = -oscillator.natural_frequency_squared * travel
-    forces = {name: oscillator.m * share * acceleration for name, share in _force_shares(oscillator).items()}
-    return forces | {"spring": -2 * oscillator.k * travel}
+    m, _, k, R = instance("oscillator", oscillator, Oscillator).exact
+    phi = coordinates("q", q)[1]
+    per_angle = -oscillator.exact_frequency_squared * m * R
+    forces = {name: product(f"force {name}", share * per_angle, phi) for name, share in _shares(oscillator).items()}
+    return forces | {"spring": product("force spring", -2 * k * R, phi)}
 
 
 def normal_forces(
-    oscillator: Oscillator, initial: InitialState, t: Any, g: float = 9.81, spacing: float = math.inf
-) -> dict[str, np.ndarray]:
-    """Return the normal force [N] at the five contacts at the times t: the load shifts as the slab moves.
+    oscillator: Oscillator, q: ArrayLike, g: float = 9.81, spacing: float = math.inf
+) -> dict[str, NDArray[np.float64]]:
+    """Return the normal force [N] at the five contacts: the load shifts as the slab moves.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ matters
+    g : gravitational acceleration [m/s²]
+    spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
+
+    Returns
+    -------
+    dict of arrays of shape (…t) with the keys of `required_friction`
+
+    Raises
+    ------
+    ValueError : q does not have three rows of finite numbers, g is not positive, spacing is less than 2R, or the slab
+        tips off its rollers in one of the states.
+
+    Source: balance of moments of a thin slab, module docstring.
+
+    >>> loads = normal_forces(Oscillator(m=1, radius=0.1), [0, 0.4, 0], g=10, spacing=0.4)
+    >>> {name: round(float(load), 9) for name, load in loads.items()}["cylinder_slab"]
+    6.0
+    """
+    instance("oscillator", oscillator, Oscillator)
+    travel = product("travel of a roller", oscillator.radius, coordinates("q", q)[1])
+    weight = positive("g", g)
+    distance = _spacing_beyond(oscillator, Fraction(float(np.abs(travel).max(initial=0.0))) * 2, spacing)
+    if math.isinf(distance):
+        on_hoop = on_cylinder = np.full(travel.shape, 0.5)
+    else:
+        # Near tipping this difference is exact; ½ − Rφ/L would lose its digits.
+        on_hoop, on_cylinder = (distance / 2 - travel) / distance, (distance / 2 + travel) / distance
+    slab, roller = product("load", oscillator.m, weight), product("load", oscillator.m_prime, weight)
+    with np.errstate(over="ignore"):
+        return {
+            "hoop_slab": slab * on_hoop,
+            "cylinder_slab": slab * on_cylinder,
+            "hoop_block": in_range("load", slab * on_hoop + roller),
+            "cylinder_block": in_range("load", slab * on_cylinder + roller),
+            "top_block": np.full(travel.shape, slab),
+        }
+
+
+def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
+    """Return A = R √(φ₀² + (φ̇₀/Ω)²) [m], how far the lower rollers move relative to the block to either side.
+
+    Every contact force depends on the initial state through A alone: the friction that a motion needs in the long run
+    is that after a release with the compression 2A.
 
     Parameters
     ----------
     oscillator : the machine
     initial : its state at t = 0
-    t : time [s], scalar or array of any shape
-    g : gravitational acceleration [m/s²]
-    spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
 
-    Returns a dict of arrays of shape (…t) with the keys of `required_friction`.
+    Returns
+    -------
+    A [m]
 
     Raises
     ------
-    ValueError : g or spacing is not positive, or the slab tips off its rollers at some time in this motion.
+    ValueError : A is too large for float64.
 
-    Source: balance of moments of a thin slab, module docstring.
+    >>> round(travel_amplitude(Oscillator(radius=0.1), InitialState(phi=0.4)), 12)
+    0.04
     """
-    weight = oscillator.m * _finite_positive("g", g)
-    distance = _spacing_beyond(2 * travel_amplitude(oscillator, initial), spacing)
-    shift = _roller_travel(oscillator, initial, t) / distance
-    loads = _loads(oscillator, 0.5 - shift, 0.5 + shift)
-    return {name: weight * np.broadcast_to(load, shift.shape) for name, load in loads.items()}
-
-
-def friction_demand(
-    oscillator: Oscillator, initial: InitialState, t: Any, g: float = 9.81, spacing: float = math.inf
-) -> dict[str, np.ndarray]:
-    """Return |horizontal force|/normal force at the five contacts at the times t: a contact rolls while it is ≤ μ.
-
-    Parameters, keys and errors are those of `normal_forces`; the values are dimensionless.
-    """
-    normals = normal_forces(oscillator, initial, t, g, spacing)
-    forces = contact_forces(oscillator, initial, t)
-    return {name: np.abs(forces[name]) / normal for name, normal in normals.items()}
-
-
-def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
-    """Return A = R √(φ₀² + (φ̇₀/Ω)²) [m], how far the lower rollers move over the block to either side.
-
-    Every contact force depends on the initial state through A alone: the friction that a motion needs in the long run
-    is that after a release with the compression 2A.
-    """
-    return oscillator.radius * math.hypot(initial.phi, initial.phi_dot / oscillator.natural_frequency)
+    R = instance("oscillator", oscillator, Oscillator).exact[3]
+    phi, phi_dot = Fraction(instance("initial", initial, InitialState).phi), Fraction(initial.phi_dot)
+    squared = phi**2 + phi_dot**2 / oscillator.exact_frequency_squared
+    return nearest("travel_amplitude", R * square_root(squared))
 
 
 def required_friction(
@@ -119,18 +175,25 @@ def required_friction(
     g : gravitational acceleration [m/s²]
     spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
 
-    Returns a dict with the keys hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block, dimensionless.
+    Returns
+    -------
+    dict with the keys hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block, dimensionless
 
     Raises
     ------
-    ValueError : compression is not finite, g or spacing is not positive, or spacing does not exceed |compression|,
-        so that the slab would tip off its rollers.
+    ValueError : compression is not finite, g is not positive, spacing is less than 2R or does not exceed |compression|,
+        so that the slab would tip off its rollers, or a coefficient is too large for float64.
 
-    Source: module docstring; the largest value of `friction_demand` over one period.
+    Source: module docstring; the largest value of |horizontal force|/normal force over one period.
+
+    >>> needed = required_friction(Oscillator(m=1, m_prime=1, k=10), 0.08)
+    >>> max(needed, key=needed.get)
+    'hoop_slab'
     """
-    demands = _demand_per_pull(oscillator, compression, spacing)
-    pull = oscillator.natural_frequency_squared * (abs(float(compression)) / 2 / _finite_positive("g", g))
-    return {name: demand * pull for name, demand in demands.items()}
+    demands = _demands(oscillator, compression, spacing)
+    amplitude = abs(Fraction(real("compression", compression))) / 2
+    pull = oscillator.exact_frequency_squared * amplitude / Fraction(positive("g", g))
+    return {name: nearest(f"friction at {name}", demand * pull) for name, demand in demands.items()}
 
 
 def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: float = math.inf) -> str:
@@ -145,15 +208,20 @@ def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: flo
     compression : x₀ [m]; 0 stands for the limit of a small one. It matters only if spacing is finite.
     spacing : L, distance between the axes of hoop and lower cylinder [m]
 
-    Returns a key of `required_friction`.
+    Returns
+    -------
+    a key of `required_friction`
 
     Raises
     ------
-    ValueError : compression is not finite, spacing is not positive or does not exceed |compression|.
+    ValueError : compression is not finite, spacing is less than 2R or does not exceed |compression|.
 
     Source: the largest entry of `required_friction`, in which g is a common factor.
+
+    >>> first_to_slip(Oscillator(m=1, m_prime=0.2))
+    'top_block'
     """
-    demands = _demand_per_pull(oscillator, compression, spacing)
+    demands = _demands(oscillator, compression, spacing)
     return max(demands, key=demands.__getitem__)
 
 
@@ -170,31 +238,41 @@ def largest_compression(
     oscillator : the machine
     friction_coefficient : μ, coefficient of static friction, the same at all contacts, dimensionless
     g : gravitational acceleration [m/s²]
-    spacing : L, distance between the axes of hoop and lower cylinder [m]; the result never exceeds it
+    spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
+
+    Returns
+    -------
+    x₀ [m], less than the spacing; it is rounded down, so that no contact slips at this very x₀
 
     Raises
     ------
-    ValueError : friction_coefficient, g or spacing is not positive, or only spacing may be infinite.
+    ValueError : friction_coefficient or g is not positive, spacing is less than 2R, or x₀ is too large for float64.
 
     Source: `required_friction`, solved for the compression.
+
+    >>> round(largest_compression(Oscillator(m=1, m_prime=1, k=10), 0.3), 6)
+    0.52028
     """
-    mu = _finite_positive("friction_coefficient", friction_coefficient)
-    gravity = _finite_positive("g", g)
-    distance = _spacing_beyond(0.0, spacing)
-    loads = _loads(oscillator, 0.5, 0.5)
-    amplitudes = []
-    for name, share in _force_shares(oscillator).items():
-        load_lost = 0.0 if name == "top_block" else mu / distance
-        force_grown = abs(share) * oscillator.natural_frequency_squared / gravity
-        amplitudes.append(mu * loads[name] / (force_grown + load_lost))
-    return 2 * min(amplitudes)
+    instance("oscillator", oscillator, Oscillator)
+    mu = Fraction(positive("friction_coefficient", friction_coefficient))
+    pull = oscillator.exact_frequency_squared / Fraction(positive("g", g))
+    distance = _spacing_beyond(oscillator, Fraction(0), spacing)
+    shifted = Fraction(0) if math.isinf(distance) else mu / Fraction(distance)
+    loads = _loads(oscillator, Fraction(1, 2))
+    exact = 2 * min(
+        mu * loads[name] / (abs(share) * pull + (0 if name == "top_block" else shifted))
+        for name, share in _shares(oscillator).items()
+    )
+    largest = nearest("the largest compression", exact)
+    # Rounded up, it would slip, or tip.
+    return largest if Fraction(largest) <= exact else math.nextafter(largest, 0.0)
 
 
-def _force_shares(oscillator: Oscillator) -> dict[str, float]:
+def _shares(oscillator: Oscillator) -> dict[str, Fraction]:
     """Return each contact's force on its roller divided by m·Rφ̈, dimensionless."""
-    kappa = oscillator.block_coupling
-    half = oscillator.mass_ratio / 2
-    hoop, cylinder = 1.0, 0.5
+    m, m_prime, _, _ = oscillator.exact
+    kappa, half = oscillator.exact_block_coupling, m_prime / m / 2
+    hoop, cylinder = Fraction(1), Fraction(1, 2)
     return {
         "hoop_slab": half * (1 + hoop - kappa),
         "cylinder_slab": half * (1 + cylinder - kappa),
@@ -204,52 +282,34 @@ def _force_shares(oscillator: Oscillator) -> dict[str, float]:
     }
 
 
-def _loads(oscillator: Oscillator, on_hoop: Any, on_cylinder: Any) -> dict[str, Any]:
-    """Return each contact's normal force divided by mg, from the fractions of the slab's weight on the two rollers."""
-    roller = oscillator.mass_ratio
-    return {
-        "hoop_slab": on_hoop,
-        "cylinder_slab": on_cylinder,
-        "hoop_block": on_hoop + roller,
-        "cylinder_block": on_cylinder + roller,
-        "top_block": 1.0,
-    }
+def _loads(oscillator: Oscillator, on_roller: Fraction) -> dict[str, Fraction]:
+    """Return each contact's normal force divided by mg, from the part of the slab's weight on its roller."""
+    m, m_prime, _, _ = oscillator.exact
+    slab, block = dict.fromkeys(("hoop_slab", "cylinder_slab"), on_roller), on_roller + m_prime / m
+    return slab | dict.fromkeys(("hoop_block", "cylinder_block"), block) | {"top_block": Fraction(1)}
 
 
-def _demand_per_pull(oscillator: Oscillator, compression: float, spacing: float) -> dict[str, float]:
+def _demands(oscillator: Oscillator, compression: float, spacing: float) -> dict[str, Fraction]:
     """Return the friction required divided by Ω²A/g: each contact at its own worst instant."""
-    deformation = abs(real_number(compression))
-    if not math.isfinite(deformation):
-        raise ValueError(f"compression must be a finite number, not {compression!r:.60}")
-    distance = _spacing_beyond(deformation, spacing)
-    # The difference first: near tipping it is exact, while 1 − x₀/L would lose its digits.
-    least = 0.5 if math.isinf(distance) else (distance - deformation) / distance / 2
-    loads = _loads(oscillator, least, least)
-    return {name: abs(share) / loads[name] for name, share in _force_shares(oscillator).items()}
+    instance("oscillator", oscillator, Oscillator)
+    deformation = abs(Fraction(real("compression", compression)))
+    distance = _spacing_beyond(oscillator, deformation, spacing)
+    least = Fraction(1, 2) if math.isinf(distance) else (1 - deformation / Fraction(distance)) / 2
+    loads = _loads(oscillator, least)
+    return {name: abs(share) / loads[name] for name, share in _shares(oscillator).items()}
 
 
-def _roller_travel(oscillator: Oscillator, initial: InitialState, t: Any) -> np.ndarray:
-    """Return Rφ(t) [m], the lower rollers' displacement over the block, right positive."""
-    q, _ = motion(oscillator, initial, t)
-    return oscillator.radius * q[1]
-
-
-def _spacing_beyond(compression: float, spacing: float) -> float:
-    """Return spacing as a float, or raise ValueError unless both rollers carry the slab at that compression, x₀ < L."""
-    distance = real_number(spacing)
-    if not distance > 0:
-        raise ValueError(f"spacing must be a positive number or infinity, not {spacing!r:.60}")
-    if not distance > compression:
+def _spacing_beyond(oscillator: Oscillator, compression: Fraction, spacing: float) -> float:
+    """Return spacing as a float, or raise ValueError unless both rollers find room, and carry the slab: x₀ < L."""
+    distance = positive("spacing", spacing, infinite=True)
+    if math.isinf(distance):
+        return distance
+    if distance <= compression:
         raise ValueError(
-            f"spacing must exceed the largest compression of the spring, {compression:.6g} m, "
+            f"spacing must exceed the largest compression of the spring, {float(compression):.6g} m, "
             f"or the slab tips off its rollers; it is {distance:.6g} m"
         )
+    if distance < 2 * oscillator.exact[3]:
+        least = f"{2 * oscillator.radius:.6g} m"
+        raise ValueError(f"spacing must be at least 2R, {least}, or the rollers overlap; it is {distance:.6g} m")
     return distance
-
-
-def _finite_positive(name: str, value: Any) -> float:
-    """Return value as a float, or raise ValueError naming it unless it is a finite positive number."""
-    number = real_number(value)
-    if not 0 < number < math.inf:
-        raise ValueError(f"{name} must be a finite positive number, not {value!r:.60}")
-    return number

@@ -1,7 +1,6 @@
 """Energies and momenta of a state: where the energy sits at an instant, and what the motion conserves.
 
-Lives here: functions of a state (q, q̇), whatever produced it, the closed form or an integrator.
-Does not live here: time and velocities (`motion`), forces (`contact`).
+Each is a function of a state (q, q̇), whatever produced it, the closed form or an integrator.
 
     E   = Σ ½ m v² + Σ ½ I ω² + ½k (2Rφ)²      I = m′R² (hoop), ½m′R² (lower cylinder), ½mR² (top cylinder)
     p_X = (3m + 2m′) Ẋ − 2(m + m′) Rφ̇ − mRΦ̇
@@ -12,58 +11,63 @@ Neither X nor Φ enters the Lagrangian, so E, p_X and p_Φ are constant.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import ground_velocities, relative_positions, relative_velocities
 from ramanujan.oscillator import Oscillator
+from ramanujan.quantities import coordinates
+from ramanujan.rounding import in_range, product
 
 
-def energies(oscillator: Oscillator, q: Any, q_dot: Any) -> dict[str, np.ndarray]:
-    """Return the energy [J] of each body by kind: ½mv² over the ground, ½Iω², and the spring's ½k(2Rφ)².
+def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return the energy [J] of each body by kind: ½mv² relative to the ground, ½Iω², and the spring's ½k(2Rφ)².
 
     Parameters
     ----------
     oscillator : the machine
     q, q_dot : (X, φ, Φ) and its time derivative, each of shape (3, …t)
 
-    Returns a dict with the keys block_translation, hoop_translation, hoop_rotation, cylinder_translation,
-    cylinder_rotation, slab_translation, top_translation, top_rotation and spring, each of shape (…t).
+    Returns
+    -------
+    dict with the keys block_translation, hoop_translation, hoop_rotation, cylinder_translation, cylinder_rotation,
+    slab_translation, top_translation, top_rotation and spring, each of shape (…t); their sum is E
 
     Raises
     ------
-    ValueError : q or q_dot does not have three rows of finite numbers.
+    ValueError : q or q_dot does not have three rows of finite numbers, their shapes differ, or an energy is too large
+        for float64.
 
     Source: paper, section 2, the terms of the Lagrangian.
+
+    >>> stored = energies(Oscillator(k=10, radius=0.1), [0, 0.4, 0], [0, 0, 0])
+    >>> round(float(sum(stored.values())), 12)
+    0.032
     """
-    m, m_prime = oscillator.m, oscillator.m_prime
+    q, q_dot = coordinates("q", q), coordinates("q_dot", q_dot)
+    if q.shape != q_dot.shape:
+        raise ValueError(f"q_dot must have the shape of q, {q.shape}, not {q_dot.shape}")
     deformation = relative_positions(oscillator, q)["slab"]
     velocity = ground_velocities(oscillator, q_dot)
-    # A rolling body's rim moves at Rω about its axis: its velocity over the block.
+    # A rolling body's rim moves at Rω about its axis: its velocity relative to the block.
     rim = relative_velocities(oscillator, q_dot)
-    return {
-        "block_translation": m * velocity["block"] ** 2 / 2,
-        "hoop_translation": m_prime * velocity["hoop"] ** 2 / 2,
-        "hoop_rotation": m_prime * rim["hoop"] ** 2 / 2,
-        "cylinder_translation": m_prime * velocity["cylinder"] ** 2 / 2,
-        "cylinder_rotation": m_prime * rim["cylinder"] ** 2 / 4,
-        "slab_translation": m * velocity["slab"] ** 2 / 2,
-        "top_translation": m * velocity["top"] ** 2 / 2,
-        "top_rotation": m * rim["top"] ** 2 / 4,
-        "spring": oscillator.k * deformation**2 / 2,
+    m, m_prime = oscillator.m, oscillator.m_prime
+    hoop, solid = 1 / 2, 1 / 4  # half the shape factor β, since ½Iω² = ½βm(Rω)²
+    terms = {
+        "block_translation": (0.5, m, velocity["block"]),
+        "hoop_translation": (0.5, m_prime, velocity["hoop"]),
+        "hoop_rotation": (hoop, m_prime, rim["hoop"]),
+        "cylinder_translation": (0.5, m_prime, velocity["cylinder"]),
+        "cylinder_rotation": (solid, m_prime, rim["cylinder"]),
+        "slab_translation": (0.5, m, velocity["slab"]),
+        "top_translation": (0.5, m, velocity["top"]),
+        "top_rotation": (solid, m, rim["top"]),
+        "spring": (0.5, oscillator.k, deformation),
     }
+    return {name: product(f"energy {name}", factor, constant, x, x) for name, (factor, constant, x) in terms.items()}
 
 
-def total_energy(oscillator: Oscillator, q: Any, q_dot: Any) -> np.ndarray:
-    """Return E = ½ q̇ᵀMq̇ + ½ qᵀKq [J], the sum of all `energies`, of shape (…t).
-
-    Parameters and errors are those of `energies`. Released at rest, E = ½kx₀².
-    """
-    return sum(energies(oscillator, q, q_dot).values())
-
-
-def momenta(oscillator: Oscillator, q_dot: Any) -> dict[str, np.ndarray]:
+def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
     """Return the two conserved momenta: p_X = ∂L/∂Ẋ [kg·m/s] and p_Φ = ∂L/∂Φ̇ [kg·m²/s].
 
         p_X = −Σ m v            the whole machine's linear momentum, to the left as X counts
@@ -74,17 +78,49 @@ def momenta(oscillator: Oscillator, q_dot: Any) -> dict[str, np.ndarray]:
     oscillator : the machine
     q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
 
-    Returns a dict with the keys p_X and p_Phi, each of shape (…t).
+    Returns
+    -------
+    dict with the keys p_X and p_Phi, each of shape (…t)
 
     Raises
     ------
-    ValueError : q_dot does not have three rows of finite numbers.
+    ValueError : q_dot does not have three rows of finite numbers, or a momentum is too large for float64.
 
     Source: paper, eq. of motion for the cyclic coordinates X and Φ.
+
+    >>> float(momenta(Oscillator(m=1, m_prime=1), [1, 0, 0])["p_X"])
+    5.0
     """
-    m, m_prime = oscillator.m, oscillator.m_prime
+    bodies = body_momenta(oscillator, q_dot)
+    R = oscillator.radius
+    rim = relative_velocities(oscillator, q_dot)["top"]
+    with np.errstate(over="ignore"):
+        p_X = in_range("p_X", -sum(bodies.values()))
+        p_Phi = in_range("p_Phi", product("p_Phi", R, bodies["top"]) + product("p_Phi", 0.5, oscillator.m, R, rim))
+    return {"p_X": p_X, "p_Phi": p_Phi}
+
+
+def body_momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return each body's linear momentum mv relative to the ground [kg·m/s], right positive.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+
+    Returns
+    -------
+    dict with the keys block, hoop, cylinder, slab and top, each of shape (…t)
+
+    Raises
+    ------
+    ValueError : q_dot does not have three rows of finite numbers, or a momentum is too large for float64.
+
+    >>> float(body_momenta(Oscillator(m=2), [1, 0, 0])["block"])
+    -2.0
+    """
     velocity = ground_velocities(oscillator, q_dot)
-    rim = relative_velocities(oscillator, q_dot)
-    to_the_right = m * (velocity["block"] + velocity["slab"] + velocity["top"])
-    to_the_right = to_the_right + m_prime * (velocity["hoop"] + velocity["cylinder"])
-    return {"p_X": -to_the_right, "p_Phi": m * oscillator.radius * (velocity["top"] + rim["top"] / 2)}
+    rollers = dict.fromkeys(("hoop", "cylinder"), oscillator.m_prime)
+    return {
+        body: product(f"momentum of the {body}", rollers.get(body, oscillator.m), v) for body, v in velocity.items()
+    }

@@ -1,7 +1,6 @@
 """Numerical integrators for x″ = a(x): one pure step function each, and the registry METHODS.
 
-Lives here: step functions, what is known about each (order, cost, stability), and the loop that drives them.
-Does not live here: any oscillator, any measurement (`accuracy`), any exact solution (`motion`).
+They know no oscillator. What is known of each (order, cost, stability) stands beside it.
 
 Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
 
@@ -14,8 +13,8 @@ Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
  5. A method that ends with a(q) returns that very object q, and one that begins with a(q) asks for it at the object
     that it was given: `trajectory` then evaluates it once for both. `Method.evaluations` counts with that saving;
     called by itself, a velocity Verlet step evaluates twice.
- 6. An implicit method may take the acceleration for linear, a(q) = −ω²q with one ω² per run. It reads ω² off
-    as −a(1) and solves its equation in closed form: no iteration, no tolerance.
+ 6. An implicit method solves its equation for any acceleration, by iteration to the last digits, and raises
+    `ValueError` where the iteration does not converge. It stops run by run, so that runs stay independent.
 
 References
 ----------
@@ -29,13 +28,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeAlias
 
 import numpy as np
 from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
 
-Acceleration = Callable[[Any], Any]
-Step = Callable[[Acceleration, Any, Any, Any], tuple[Any, Any]]
+from ramanujan.quantities import finite_array, function, instance
+
+Runs: TypeAlias = float | NDArray[np.floating]
+"""One number for each independent run: an array of any shape, or a float for a single run."""
+
+_MOST_ITERATIONS = 50
+_RESIDUAL_ULPS = 4
+"""Residual of an implicit equation, in roundings of its terms, below which it counts as solved."""
+
+Acceleration: TypeAlias = Callable[[Runs], Runs]
+Step: TypeAlias = Callable[[Acceleration, Runs, Runs, Runs], tuple[Runs, Runs]]
 
 _YOSHIDA_4_OUTER = 1 / (2 - 2 ** (1 / 3))
 YOSHIDA_4_WEIGHTS = (_YOSHIDA_4_OUTER, -(2 ** (1 / 3)) * _YOSHIDA_4_OUTER, _YOSHIDA_4_OUTER)
@@ -47,21 +56,32 @@ YOSHIDA_6_WEIGHTS = (*_YOSHIDA_6_SIDE, 1 - 2 * sum(_YOSHIDA_6_SIDE), *reversed(_
 """Verlet steps that make up one Yoshida 6 step, in units of h; they are symmetric and sum to 1."""
 
 
-def explicit_euler(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
-    """Advance by q ← q + hv, v ← v + ha(q), both with the old values. [2] section I.7."""
+def explicit_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+    """Advance by q ← q + hv, v ← v + ha(q), both with the old values. [2] section I.7.
+
+    >>> explicit_euler(lambda q: -q, 1.0, 0.0, 0.5)
+    (1.0, -0.5)
+    """
     return q + h * v, v + h * acceleration(q)
 
 
-def symplectic_euler(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
-    """Advance by v ← v + ha(q), then q ← q + hv with the new velocity. [1] eq. (I.1.9)."""
+def symplectic_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+    """Advance by v ← v + ha(q), then q ← q + hv with the new velocity. [1] eq. (I.1.9).
+
+    >>> symplectic_euler(lambda q: -q, 1.0, 0.0, 0.5)
+    (0.75, -0.5)
+    """
     v = v + h * acceleration(q)
     return q + h * v, v
 
 
-def velocity_verlet(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+def velocity_verlet(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
     """Advance by half a kick, a drift and half a kick: v_½ = v + ½ha(q), q ← q + hv_½, v ← v_½ + ½ha(q).
 
     Source: [1] eq. (I.1.17).
+
+    >>> velocity_verlet(lambda q: -q, 1.0, 0.0, 0.5)
+    (0.875, -0.46875)
     """
     half = h / 2
     v = v + half * acceleration(q)
@@ -69,8 +89,12 @@ def velocity_verlet(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple
     return q, v + half * acceleration(q)
 
 
-def rk4(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
-    """Advance (q, v)′ = (v, a(q)) by the classical Runge–Kutta method: weights 1/6, 1/3, 1/3, 1/6. [2] table II.1.2."""
+def rk4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+    """Advance (q, v)′ = (v, a(q)) by the classical Runge–Kutta method: weights 1/6, 1/3, 1/3, 1/6. [2] table II.1.2.
+
+    >>> [round(x, 6) for x in rk4(lambda q: -q, 1.0, 0.0, 0.5)]
+    [0.877604, -0.479167]
+    """
     half = h / 2
     a_1 = acceleration(q)
     v_2, a_2 = v + half * a_1, acceleration(q + half * v)
@@ -79,26 +103,59 @@ def rk4(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
     return q + h / 6 * (v + 2 * (v_2 + v_3) + v_4), v + h / 6 * (a_1 + 2 * (a_2 + a_3) + a_4)
 
 
-def yoshida4(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
-    """Advance by three velocity Verlet steps w₁h, w₀h, w₁h, the middle one backwards. [3] eq. (2.11)."""
+def yoshida4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+    """Advance by three velocity Verlet steps w₁h, w₀h, w₁h, the middle one backwards. [3] eq. (2.11).
+
+    >>> [round(x, 6) for x in yoshida4(lambda q: -q, 1.0, 0.0, 0.5)]
+    [0.878616, -0.478891]
+    """
     return _composed(YOSHIDA_4_WEIGHTS, acceleration, q, v, h)
 
 
-def yoshida6(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
-    """Advance by seven velocity Verlet steps, symmetric, two of them backwards. [3] solution A."""
+def yoshida6(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+    """Advance by seven velocity Verlet steps, symmetric, two of them backwards. [3] solution A.
+
+    >>> [round(x, 6) for x in yoshida6(lambda q: -q, 1.0, 0.0, 0.5)]
+    [0.877568, -0.479436]
+    """
     return _composed(YOSHIDA_6_WEIGHTS, acceleration, q, v, h)
 
 
-def implicit_midpoint(acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
-    """Advance by q ← q + h(v + v_new)/2, v ← v + ha((q + q_new)/2), solved exactly for a linear acceleration.
+def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
+    """Advance by q ← q + h(v + v_new)/2, v ← v + ha(y) with the middle y = (q + q_new)/2.
 
-        (q + q_new)/2 = (q + ½hv)/(1 + ¼h²ω²),    ω² = −a(1)
+        y = q + ½hv + ¼h²a(y)
+
+    This equation is solved by the secant method, from y = q + ½hv and one fixed-point step on. For a linear
+    acceleration that is three evaluations, the last of which confirms the solution.
+
+    Raises
+    ------
+    ValueError : the iteration does not converge, as can happen for a nonlinear force and a large step.
 
     Source: [1] eq. (I.1.7); item 6 of the contract.
+
+    >>> [round(float(x), 6) for x in implicit_midpoint(lambda q: -q, 1.0, 0.0, 0.5)]
+    [0.882353, -0.470588]
     """
-    omega_squared = -acceleration(0 * q + 1)
-    middle = (q + h / 2 * v) / (1 + h * h / 4 * omega_squared)
-    return 2 * middle - q, v - h * omega_squared * middle
+    start, quarter = q + h / 2 * v, h * h / 4
+    before, a_before = start, acceleration(start)
+    middle, slope = start + quarter * a_before, 0.0
+    tolerance = _RESIDUAL_ULPS * float(np.finfo(np.asarray(middle).dtype).eps)
+    with np.errstate(all="ignore"):
+        for _ in range(_MOST_ITERATIONS):
+            a = acceleration(middle)
+            residual = (middle - start) - quarter * a
+            # What the rounding of each term, and of the middle itself, can leave of the residual.
+            scale = abs(start) + abs(middle) + abs(quarter * a) + abs(quarter * slope * middle)
+            solved = abs(residual) <= tolerance * scale
+            if np.all(solved):
+                return 2 * middle - q, v + h * a
+            slope = (a - a_before) / (middle - before)
+            before, a_before = middle, a
+            # A run that is solved stays as it is, whatever the others need.
+            middle = np.where(solved, middle, middle - residual / (1 - quarter * slope))[()]
+    raise ValueError("h is too large for this acceleration: the implicit midpoint equation was not solved")
 
 
 @dataclass(frozen=True)
@@ -109,7 +166,8 @@ class Method:
     ----------
     title : the name that a reader knows
     order : p, so that the error after a fixed time falls like h^p
-    evaluations : evaluations of a(q) per step within a `trajectory`; the first step may take one more
+    evaluations : evaluations of a(q) per step within a `trajectory`, for a linear a(q); the first step may take one
+        more, and an implicit method more for a nonlinear a(q). What a run really takes, `accuracy` counts.
     stability_limit : the largest hΩ at which x″ = −Ω²x stays bounded; 0 for never, ∞ for always
     symplectic : whether the step preserves area in the phase plane, so that the energy error stays bounded
     source : reference, numbered as in the module docstring
@@ -125,19 +183,45 @@ class Method:
     step: Step
 
 
-def trajectory(method: Method, acceleration: Acceleration, q: Any, v: Any, h: Any) -> Iterator[tuple[Any, Any]]:
-    """Yield the state (q, v) after 1, 2, 3, … steps, without end; take what you need with `itertools.islice`.
+def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
+    """Return an iterator over the states (q, v) after 1, 2, 3, … steps, without end; `itertools.islice` cuts it off.
 
     Parameters
     ----------
     method : one of METHODS
     acceleration : a(q), see items 1 and 2 of the contract
-    q, v : positions [m or rad] and velocities at the start, shape (…runs)
+    q, v : positions [m or rad] and velocities at the start, of one shape (…runs)
     h : step [s], scalar or shape (…runs)
+
+    Returns
+    -------
+    iterator over (q, v); float32 stays float32
+
+    Raises
+    ------
+    ValueError : an argument is not what it should be, at once; a step of an implicit method cannot be solved, later.
+
+    >>> from itertools import islice
+    >>> for q, v in islice(trajectory(METHODS["velocity_verlet"], lambda q: -q, 1.0, 0.0, 0.5), 2):
+    ...     print(q, v)
+    0.875 -0.46875
+    0.53125 -0.8203125
     """
-    remembered = _remembering(acceleration)
+    instance("method", method, Method)
+    function("acceleration", acceleration)
+    shape = finite_array("q", q).shape
+    if finite_array("v", v).shape != shape:
+        raise ValueError(f"v must have the shape of q, {shape}, not {np.shape(v)}")
+    if finite_array("h", h).shape not in ((), shape):
+        raise ValueError(f"h must be one number or have the shape of q, {shape}, not {np.shape(h)}")
+    q, v = (x if isinstance(x, float | np.ndarray) else np.asarray(x, dtype=float)[()] for x in (q, v))
+    h = float(h) if np.ndim(h) == 0 else np.asarray(h, dtype=np.asarray(q).dtype)
+    return _steps(method.step, _remembering(acceleration), q, v, h)
+
+
+def _steps(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
     while True:
-        q, v = method.step(remembered, q, v, h)
+        q, v = step(acceleration, q, v, h)
         yield q, v
 
 
@@ -145,7 +229,7 @@ def _remembering(acceleration: Acceleration) -> Acceleration:
     """Return the acceleration with a memory of one: asked again at the same object, it does not evaluate again."""
     last_q = last_a = None
 
-    def remembered(q: Any) -> Any:
+    def remembered(q: Runs) -> Runs:
         nonlocal last_q, last_a
         if q is not last_q:
             last_q, last_a = q, acceleration(q)
@@ -154,7 +238,7 @@ def _remembering(acceleration: Acceleration) -> Acceleration:
     return remembered
 
 
-def _composed(weights: Sequence[float], acceleration: Acceleration, q: Any, v: Any, h: Any) -> tuple[Any, Any]:
+def _composed(weights: Sequence[float], acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
     """Take one velocity Verlet step of length wh for each weight w."""
     for weight in weights:
         q, v = velocity_verlet(acceleration, q, v, weight * h)
@@ -185,6 +269,6 @@ METHODS: dict[str, Method] = {
     "rk4": Method("Runge–Kutta 4", 4, 4, 2 * math.sqrt(2), False, "[2] table II.1.2", rk4),
     "yoshida4": Method("Yoshida 4", 4, 3, _stability_limit(yoshida4), True, "[3] eq. (2.11)", yoshida4),
     "yoshida6": Method("Yoshida 6", 6, 7, _stability_limit(yoshida6), True, "[3] solution A", yoshida6),
-    "implicit_midpoint": Method("implicit midpoint", 2, 1, math.inf, True, "[1] eq. (I.1.7)", implicit_midpoint),
+    "implicit_midpoint": Method("implicit midpoint", 2, 3, math.inf, True, "[1] eq. (I.1.7)", implicit_midpoint),
 }
 """Every integrator by its name, the simplest first."""

@@ -1,13 +1,12 @@
 """The machine in time: from an initial state to the exact state at any time, in closed form.
 
-Lives here: `InitialState`, the general solution, and where each body then is and how fast it moves.
-Does not live here: energies and momenta (`energy`), forces (`contact`), how densely to draw (`sampling`), integrators.
-
 Both momenta are conserved, so X and Φ are a steady drift plus a copy of the oscillation of φ:
 
-    φ(t) = φ₀ cos Ωt + (φ̇₀/Ω) sin Ωt
-    X(t) = X₀ + (Ẋ₀ − κRφ̇₀) t + κR (φ(t) − φ₀)
-    Φ(t) = Φ₀ + (Φ̇₀ − λφ̇₀) t + λ (φ(t) − φ₀)
+    φ(t) = φ₀ cos Ωt + φ̇₀ S              S = (sin Ωt)/Ω,  C = 1 − cos Ωt = 2 sin²(Ωt/2)
+    X(t) = X₀ + (Ẋ₀ − κRφ̇₀) t + κR (φ̇₀ S − φ₀ C)
+    Φ(t) = Φ₀ + (Φ̇₀ − λφ̇₀) t + λ (φ̇₀ S − φ₀ C)
+
+Written with S and C, no two nearly equal numbers are subtracted for a machine released at rest, however short t is.
 
 The phase Ωt is reduced in turns, with Ω/2π carried as the sum of two doubles: after n periods a plain product
 fl(Ω)·t is wrong by about n·1e-15 rad, the reduced one by 1e-15 rad however large n is (up to 1e15).
@@ -17,17 +16,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from decimal import Context, Decimal, localcontext
+from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.oscillator import Oscillator, real_number
-
-_TWO_PI = Decimal("6.28318530717958647692528676655900576839433879875021")
-_SPLITTER = 2.0**27 + 1
-"""Veltkamp's constant: it cuts a double into two halves whose products are exact."""
+from ramanujan.oscillator import TWO_PI, Oscillator
+from ramanujan.quantities import coordinates, finite_array, instance, real
+from ramanujan.rounding import in_range, nearest, product, product_error, square_root
 
 FARTHEST = 1e18
 """Periods up to which the phase is right to 1e-12 rad: Ω/2π is known to two doubles, 106 bits."""
@@ -39,13 +36,16 @@ class InitialState:
 
     Parameters
     ----------
-    X, X_dot : the block's displacement over the ground, counted to the LEFT [m], and velocity [m/s]
+    X, X_dot : the block's displacement relative to the ground, counted to the LEFT [m], and velocity [m/s]
     phi, phi_dot : φ, angle of hoop and lower cylinder, clockwise [rad], and angular velocity [rad/s]
     Phi, Phi_dot : Φ, angle of the top cylinder, clockwise [rad], and angular velocity [rad/s]
 
     Raises
     ------
     ValueError : a field is not a finite number; the message names it.
+
+    >>> InitialState(phi=0.4).phi_dot
+    0.0
     """
 
     X: float = 0.0
@@ -57,7 +57,7 @@ class InitialState:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            object.__setattr__(self, field.name, _finite(field.name, getattr(self, field.name)))
+            object.__setattr__(self, field.name, real(field.name, getattr(self, field.name)))
 
 
 def released(oscillator: Oscillator, compression: float) -> InitialState:
@@ -68,17 +68,54 @@ def released(oscillator: Oscillator, compression: float) -> InitialState:
     oscillator : the machine
     compression : x₀ [m]; negative means a stretched spring
 
+    Returns
+    -------
+    the initial state, in which only φ₀ differs from zero
+
     Raises
     ------
-    ValueError : the compression is not a finite number.
+    ValueError : the compression is not a finite number, or φ₀ is too large for float64.
 
     Source: paper, section 1 (x = 2Rφ).
+
+    >>> released(Oscillator(radius=0.25), 0.1).phi
+    0.2
     """
-    return InitialState(phi=_finite("compression", compression) / (2 * oscillator.radius))
+    return pushed(oscillator, compression)
 
 
-def motion(oscillator: Oscillator, initial: InitialState, t: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return the exact state (q, q̇) at the times t, each of shape (3, …t), in the order X, φ, Φ.
+def pushed(oscillator: Oscillator, compression: float, glide: float = 0.0, spin: float = 0.0) -> InitialState:
+    """Return the state of a release with a push along each zero mode: φ₀ = x₀/(2R), Ẋ₀ = −glide, Φ̇₀ = spin.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    compression : x₀ [m]; negative means a stretched spring
+    glide : velocity that the whole machine gets, to the RIGHT [m/s]
+    spin : angular velocity that the top cylinder gets in addition, clockwise [rad/s]
+
+    Returns
+    -------
+    the initial state
+
+    Raises
+    ------
+    ValueError : a value is not a finite number, or φ₀ is too large for float64.
+
+    Source: the null space of K, spanned by (1, 0, 0) and (0, 0, 1).
+
+    >>> pushed(Oscillator(radius=0.1), 0.08, glide=0.5, spin=2).X_dot
+    -0.5
+    """
+    radius = instance("oscillator", oscillator, Oscillator).exact[3]
+    angle = Fraction(real("compression", compression)) / (2 * radius)
+    return InitialState(phi=nearest("phi", angle), X_dot=-real("glide", glide), Phi_dot=real("spin", spin))
+
+
+def motion(
+    oscillator: Oscillator, initial: InitialState, t: ArrayLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the exact state (q, q̇) at the times t, in the order X, φ, Φ.
 
     Parameters
     ----------
@@ -86,154 +123,192 @@ def motion(oscillator: Oscillator, initial: InitialState, t: Any) -> tuple[np.nd
     initial : its state at t = 0
     t : time [s], scalar or array of any shape, either sign
 
+    Returns
+    -------
+    q, q_dot : (X, φ, Φ) [m, rad, rad] and its time derivative, each of shape (3, …t)
+
     Raises
     ------
-    ValueError : a time is not a finite number, or farther away than `FARTHEST` periods.
+    ValueError : a time is not a finite number, or farther away than `FARTHEST` periods; or a part of the state is too
+        large for float64.
 
     Source: module docstring; the equations (11) of the paper, integrated with both conserved momenta.
+
+    >>> machine = Oscillator(radius=0.1)
+    >>> q, q_dot = motion(machine, released(machine, 0.08), [0, machine.period])
+    >>> q.shape
+    (3, 2)
+    >>> q[1].round(12)
+    array([0.4, 0.4])
     """
-    times = _times(t)
-    cosine, sine = _cosine_sine(oscillator, times)
-    omega = oscillator.natural_frequency
-    kappa_R, _, lambda_ = oscillator.mode_shape
+    instance("oscillator", oscillator, Oscillator)
+    instance("initial", initial, InitialState)
+    times = finite_array("t", t)
+    cosine, versine, sine_over_omega = _oscillation(oscillator, times)
+    omega_squared = oscillator.exact_frequency_squared
+    kappa, R = oscillator.exact_block_coupling, oscillator.exact[3]
+    start, rate = initial.phi, initial.phi_dot
 
-    phi = initial.phi * cosine + initial.phi_dot / omega * sine
-    phi_dot = initial.phi_dot * cosine - initial.phi * omega * sine
-    drift_X = initial.X_dot - kappa_R * initial.phi_dot
-    drift_Phi = initial.Phi_dot - lambda_ * initial.phi_dot
-    swing = phi - initial.phi
+    def follows(name: str, shape: Fraction, position: float, velocity: float) -> tuple[NDArray, NDArray]:
+        """Return X or Φ and its rate: a drift, and `shape` times φ − φ₀ = φ̇₀ S − φ₀ C."""
+        drift = product(name, Fraction(velocity) - shape * Fraction(rate), times)
+        swing = product(name, shape, rate, sine_over_omega) - product(name, shape, start, versine)
+        name_dot = f"{name}_dot"
+        slower = product(name_dot, shape, rate, versine)
+        slower = slower + product(name_dot, shape, start, omega_squared, sine_over_omega)
+        return in_range(name, position + drift + swing), in_range(name_dot, velocity - slower)
 
-    q = np.stack(
-        [initial.X + drift_X * times + kappa_R * swing, phi, initial.Phi + drift_Phi * times + lambda_ * swing]
-    )
-    q_dot = np.stack([drift_X + kappa_R * phi_dot, phi_dot, drift_Phi + lambda_ * phi_dot])
-    return q, q_dot
+    with np.errstate(over="ignore"):
+        phi = in_range("phi", start * cosine + product("phi", rate, sine_over_omega))
+        slowed = product("phi_dot", start, omega_squared, sine_over_omega)
+        phi_dot = in_range("phi_dot", rate * cosine - slowed)
+        X, X_dot = follows("X", kappa * R, initial.X, initial.X_dot)
+        Phi, Phi_dot = follows("Phi", kappa * 2 / 3, initial.Phi, initial.Phi_dot)
+    return np.stack([X, phi, Phi]), np.stack([X_dot, phi_dot, Phi_dot])
 
 
-def relative_positions(oscillator: Oscillator, q: Any) -> dict[str, np.ndarray]:
-    """Return how far each body has moved over the block [m], right positive: Rφ, Rφ, 2Rφ and RΦ.
+def relative_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return how far each body has moved relative to the block [m], right positive: Rφ, Rφ, 2Rφ and RΦ.
 
     Parameters
     ----------
     oscillator : the machine
     q : (X, φ, Φ), shape (3, …t); the displacements count from q = 0, where the spring is not deformed
 
-    Returns a dict with the keys hoop, cylinder, slab and top, each of shape (…t); the slab's entry is the deformation
-    of the spring.
+    Returns
+    -------
+    dict with the keys hoop, cylinder, slab and top, each of shape (…t); the slab's entry is the deformation of the
+    spring
 
     Raises
     ------
-    ValueError : q does not have three rows of finite numbers.
+    ValueError : q does not have three rows of finite numbers, or a position is too large for float64.
 
     Source: the rolling constraints, paper section 2.
+
+    >>> float(relative_positions(Oscillator(radius=0.1), [0, 0.5, 0])["slab"])
+    0.1
     """
-    return _over_block(oscillator, _rows("q", q))
+    return _over_block(oscillator, coordinates("q", q), "position")
 
 
-def relative_velocities(oscillator: Oscillator, q_dot: Any) -> dict[str, np.ndarray]:
-    """Return each body's velocity over the block [m/s], right positive: Rφ̇, Rφ̇, 2Rφ̇ and RΦ̇.
+def relative_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return each body's velocity relative to the block [m/s], right positive: Rφ̇, Rφ̇, 2Rφ̇ and RΦ̇.
 
-    Parameters, keys and errors are those of `relative_positions`, with q̇ in place of q.
+    Parameters
+    ----------
+    oscillator : the machine
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+
+    Returns
+    -------
+    dict with the keys of `relative_positions`, each of shape (…t)
+
+    Raises
+    ------
+    ValueError : q_dot does not have three rows of finite numbers, or a velocity is too large for float64.
+
+    >>> float(relative_velocities(Oscillator(radius=0.1), [0, 0, 5])["top"])
+    0.5
     """
-    return _over_block(oscillator, _rows("q_dot", q_dot))
+    return _over_block(oscillator, coordinates("q_dot", q_dot), "velocity")
 
 
-def ground_positions(oscillator: Oscillator, q: Any) -> dict[str, np.ndarray]:
-    """Return how far each body has moved over the ground [m], right positive: −X, Rφ − X, Rφ − X, 2Rφ − X and RΦ − X.
+def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return how far each body has moved relative to the ground [m], right positive.
+
+        block −X,   hoop and cylinder Rφ − X,   slab 2Rφ − X,   top RΦ − X
 
     Parameters
     ----------
     oscillator : the machine
     q : (X, φ, Φ), shape (3, …t); the displacements count from q = 0, where the spring is not deformed
 
-    Returns a dict with the keys block, hoop, cylinder, slab and top, each of shape (…t).
+    Returns
+    -------
+    dict with the keys block, hoop, cylinder, slab and top, each of shape (…t)
 
     Raises
     ------
-    ValueError : q does not have three rows of finite numbers.
+    ValueError : q does not have three rows of finite numbers, or a position is too large for float64.
 
     Source: the rolling constraints, paper section 2; X counts to the left.
+
+    >>> float(ground_positions(Oscillator(radius=0.1), [0.25, 0, 0])["block"])
+    -0.25
     """
-    return _over_ground(oscillator, _rows("q", q))
+    return _over_ground(oscillator, coordinates("q", q), "position")
 
 
-def ground_velocities(oscillator: Oscillator, q_dot: Any) -> dict[str, np.ndarray]:
-    """Return each body's velocity over the ground [m/s], right positive: −Ẋ, Rφ̇ − Ẋ, Rφ̇ − Ẋ, 2Rφ̇ − Ẋ and RΦ̇ − Ẋ.
+def ground_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
+    """Return each body's velocity relative to the ground [m/s], right positive.
 
-    Parameters, keys and errors are those of `ground_positions`, with q̇ in place of q.
+        block −Ẋ,   hoop and cylinder Rφ̇ − Ẋ,   slab 2Rφ̇ − Ẋ,   top RΦ̇ − Ẋ
+
+    Parameters
+    ----------
+    oscillator : the machine
+    q_dot : (Ẋ, φ̇, Φ̇), shape (3, …t)
+
+    Returns
+    -------
+    dict with the keys of `ground_positions`, each of shape (…t)
+
+    Raises
+    ------
+    ValueError : q_dot does not have three rows of finite numbers, or a velocity is too large for float64.
+
+    >>> float(ground_velocities(Oscillator(radius=0.1), [0.25, 0, 5])["top"])
+    0.25
     """
-    return _over_ground(oscillator, _rows("q_dot", q_dot))
+    return _over_ground(oscillator, coordinates("q_dot", q_dot), "velocity")
 
 
-def _over_block(oscillator: Oscillator, q: np.ndarray) -> dict[str, np.ndarray]:
-    """Map (X, φ, Φ), or its time derivative, to the four bodies' motion over the block."""
+def _over_block(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> dict[str, NDArray[np.float64]]:
+    """Map (X, φ, Φ), or its time derivative, to the four bodies' motion relative to the block."""
+    R = instance("oscillator", oscillator, Oscillator).radius
     _, phi, Phi = q
-    R = oscillator.radius
-    return {"hoop": R * phi, "cylinder": R * phi, "slab": 2 * R * phi, "top": R * Phi}
+    return {
+        "hoop": product(f"{what} of the hoop", R, phi),
+        "cylinder": product(f"{what} of the cylinder", R, phi),
+        "slab": product(f"{what} of the slab", 2.0, R, phi),
+        "top": product(f"{what} of the top cylinder", R, Phi),
+    }
 
 
-def _over_ground(oscillator: Oscillator, q: np.ndarray) -> dict[str, np.ndarray]:
-    """Map (X, φ, Φ), or its time derivative, to the five bodies' motion over the ground."""
-    over_block = _over_block(oscillator, q)
-    return {"block": -q[0]} | {body: relative - q[0] for body, relative in over_block.items()}
+def _over_ground(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> dict[str, NDArray[np.float64]]:
+    """Map (X, φ, Φ), or its time derivative, to the five bodies' motion relative to the ground."""
+    over_block = _over_block(oscillator, q, what)
+    with np.errstate(over="ignore"):
+        return {"block": -q[0]} | {
+            body: in_range(f"{what} of the {body}", relative - q[0]) for body, relative in over_block.items()
+        }
 
 
-def _cosine_sine(oscillator: Oscillator, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return cos Ωt and sin Ωt from the phase reduced in turns (Dekker's exact product of Ω/2π and t)."""
-    high, low = _frequency_in_turns(oscillator)
-    if np.any(np.abs(times) > FARTHEST / high):
-        raise ValueError(f"t must stay within {FARTHEST:g} periods: beyond, no phase is certain")
-    turns = high * times
-    remainder = _product_error(high, times, turns) + low * times
-    angle = 2 * math.pi * ((turns - np.rint(turns)) + remainder)
-    return np.cos(angle), np.sin(angle)
-
-
-def _product_error(a: float, b: np.ndarray, product: np.ndarray) -> np.ndarray:
-    """Return a·b − fl(a·b) exactly, for operands far from the ends of the range (Dekker 1971, Veltkamp's split)."""
-    a_high, b_high = _SPLITTER * a - (_SPLITTER * a - a), _SPLITTER * b - (_SPLITTER * b - b)
-    a_low, b_low = a - a_high, b - b_high
-    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+def _oscillation(
+    oscillator: Oscillator, times: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return cos Ωt, 1 − cos Ωt and (sin Ωt)/Ω from the phase reduced in turns (Dekker's exact product)."""
+    high, low, exponent = _frequency_in_turns(oscillator)
+    with np.errstate(over="ignore", under="ignore"):
+        scaled = np.ldexp(times, exponent)
+        if np.any(np.abs(scaled) > FARTHEST / high):
+            raise ValueError(f"t must stay within {FARTHEST:g} periods: beyond, no phase is certain")
+        turns = high * scaled
+        whole = np.rint(turns)
+        fraction = (turns - whole) + (product_error(high, scaled, turns) + low * scaled)
+        angle = 2 * math.pi * fraction
+        # In the first half turn the sine may be too small for float64, where t itself is not.
+        first = times * np.sinc(2 * fraction)
+        sine_over_omega = np.where(whole == 0, first, np.sin(angle) / oscillator.natural_frequency)
+        return np.cos(angle), 2 * np.sin(angle / 2) ** 2, sine_over_omega
 
 
 @lru_cache(maxsize=256)
-def _frequency_in_turns(oscillator: Oscillator) -> tuple[float, float]:
-    """Return Ω/2π [1/s] as an unevaluated sum of two doubles, from 45-digit decimals: Ω² is rational in the inputs."""
-    with localcontext(Context(prec=45)):
-        m, m_prime, k = map(Decimal, (oscillator.m, oscillator.m_prime, oscillator.k))
-        squared = 8 * k * (7 * m + 6 * m_prime) / (32 * m * m + 49 * m * m_prime + 18 * m_prime * m_prime)
-        frequency = squared.sqrt() / _TWO_PI
-        high = float(frequency)
-        return high, float(frequency - Decimal(high))
-
-
-def _times(t: Any) -> np.ndarray:
-    """Return t as a float64 array, or raise ValueError."""
-    try:
-        times = np.asarray(t, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ValueError("t must be a number or an array of numbers") from None
-    if not np.all(np.isfinite(times)):
-        raise ValueError("t must be finite")
-    return times
-
-
-def _rows(name: str, coordinates: Any) -> np.ndarray:
-    """Return coordinates as a float64 array whose rows belong to X, φ and Φ, or raise ValueError."""
-    try:
-        rows = np.asarray(coordinates, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise ValueError(f"{name} must be an array of numbers") from None
-    if rows.ndim == 0 or len(rows) != 3:
-        raise ValueError(f"{name} must have three rows, for X, φ and Φ, not the shape {rows.shape}")
-    if not np.all(np.isfinite(rows)):
-        raise ValueError(f"{name} must be finite")
-    return rows
-
-
-def _finite(name: str, value: Any) -> float:
-    """Return value as a float, or raise ValueError naming it unless it is a finite number."""
-    number = real_number(value)
-    if not math.isfinite(number):
-        raise ValueError(f"{name} must be a finite number, not {value!r:.60}")
-    return number
+def _frequency_in_turns(oscillator: Oscillator) -> tuple[float, float, int]:
+    """Return Ω/2π [1/s] as (high + low)·2^exponent, the sum of two doubles that are far from the ends of the range."""
+    frequency = square_root(oscillator.exact_frequency_squared) / TWO_PI
+    exponent = frequency.numerator.bit_length() - frequency.denominator.bit_length()
+    scaled = frequency / Fraction(2) ** exponent
+    high = float(scaled)
+    return high, float(scaled - Fraction(high)), exponent

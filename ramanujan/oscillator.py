@@ -1,8 +1,5 @@
 """The machine as numbers: four parameters in; matrices, natural frequency and mode shape out.
 
-Lives here: `Oscillator` and the two pure functions that relate its mass ratio to its frequency.
-Does not live here: time (`motion`), forces (`contact`), symbols (`derivation`).
-
 The machine has three degrees of freedom, q = (X, φ, Φ), and one spring:
 
     M q̈ + K q = 0,    K = 4kR² e_φ e_φᵀ  (rank one)
@@ -11,91 +8,53 @@ so it has one oscillating mode and two zero-frequency modes. Everything that osc
 
     Ω² = k / M_x,    M_x/m = 3ε/8 + 7/12 − 1/(12(7 + 6ε)),    ε = m′/m,
 
-where M_x is the mass that the spring feels. This partial-fraction form is the one that is evaluated: it has no
-large intermediate value, so it cannot overflow where the result does not (the paper's form fails beyond 1e153).
+where M_x is the mass that the spring feels. Every number is computed exactly from the four doubles and rounded once
+(`rounding`), so it is the nearest double, or an error that says what leaves the range of float64.
 """
 
 from __future__ import annotations
 
-import math
-import sys
+from contextlib import suppress
 from dataclasses import dataclass, fields
+from decimal import Decimal
+from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-UNIT_MASS_RATIO = 48 / (1 + math.sqrt(1729))
-"""ε* = (√1729 − 1)/36, where Ω² = k/m exactly; written without the subtraction, it rounds to the nearest double."""
+from ramanujan.frequency import frequency_squared
+from ramanujan.quantities import positive
+from ramanujan.rounding import nearest, normal, square_root
 
-_LIGHT_ROLLERS_LIMIT = 7 / 4
-"""Ω²m/k for ε → 0, the least upper bound of the normalized frequency squared."""
-
-
-def _effective_mass_ratio(mass_ratio: Any) -> Any:
-    """M_x/m = 3ε/8 + 7/12 − 1/(84 + 72ε) for a float or array ε ≥ 0; ε = ∞ only ever meets the last term."""
-    return mass_ratio * 0.375 + _bound_mass_ratio(mass_ratio)
+TWO_PI = Fraction(Decimal("6.28318530717958647692528676655900576839433879875021164194988918"))
+"""2π to 60 digits."""
 
 
-def _bound_mass_ratio(mass_ratio: Any) -> Any:
-    """(M_x − 3m′/8)/m = 7/12 − 1/(84 + 72ε), the part of M_x that does not grow with the rollers."""
-    return 7 / 12 - 1 / (mass_ratio * 72 + 84)
+def drawn_spacing(radius: float) -> float:
+    """Return L [m], the distance between the axes of hoop and lower cylinder in every picture of the machine.
 
+        L = 2.4R + 5 cm
 
-def normalized_frequency_squared(mass_ratio: Any) -> Any:
-    """Return Ω²m/k, the square of the natural frequency in units of √(k/m).
-
-        Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32) = 1/(3ε/8 + 7/12 − 1/(12(7 + 6ε)))
-
-    It falls from 7/4 at ε = 0 like 8/(3ε) for heavy rollers, and is 1 at ε = UNIT_MASS_RATIO.
+    It leaves a gap between the two rollers of every size. No frequency depends on it; the shifting load of the slab,
+    and so the friction that the contacts need, does.
 
     Parameters
     ----------
-    mass_ratio : ε = m′/m, dimensionless, scalar or array of any shape; float32 in gives float32 out.
+    radius : R, radius of the rollers [m]
+
+    Returns
+    -------
+    L : distance of the axes [m], at least 2R
 
     Raises
     ------
-    ValueError : a mass ratio is negative, infinite or not a number.
+    ValueError : radius is not a finite positive number.
 
-    Source: paper, section 2, the equation of motion before eq. (10), in partial fractions.
+    >>> round(drawn_spacing(0.1), 3)
+    0.29
     """
-    ratio = _as_floats("mass_ratio", mass_ratio)
-    # One comparison per side finds every bad value: NaN fails both.
-    if not (np.all(ratio >= 0) and np.all(ratio < np.inf)):
-        raise ValueError("mass_ratio must be finite and not negative")
-    with np.errstate(over="ignore"):
-        return 1 / _effective_mass_ratio(ratio)
-
-
-def mass_ratio_for(normalized_frequency_squared: Any) -> Any:
-    """Return the one mass ratio ε > 0 at which Ω²m/k has the given value w; the inverse of the function above.
-
-        18w ε² + (49w − 48) ε + (32w − 56) = 0
-
-    With b = 49w − 48 and d = √(b² + 72w(56 − 32w)) = hypot(7w − 48, √48 w), the positive root is
-    16(7 − 4w)/(b + d) for b ≥ 0 and (d − b)/(36w) otherwise: neither form subtracts nearly equal numbers.
-
-    Parameters
-    ----------
-    normalized_frequency_squared : w = Ω²m/k, dimensionless, scalar or array; float32 in gives float32 out.
-
-    Raises
-    ------
-    ValueError : w is outside 0 < w < 7/4, or so small that ε leaves the floating-point range.
-
-    Source: physics of the unit-frequency condition, paper section 2, for a general target.
-    """
-    w = _as_floats("normalized_frequency_squared", normalized_frequency_squared)
-    if not np.all((w > 0) & (w < _LIGHT_ROLLERS_LIMIT)):
-        raise ValueError("normalized_frequency_squared must lie strictly between 0 and 7/4")
-    b = 49 * w - 48
-    d = np.hypot(7 * w - 48, math.sqrt(48) * w)
-    # Where a branch is not taken it may divide by a tiny number; its value is thrown away.
-    with np.errstate(over="ignore", divide="ignore"):
-        ratio = np.where(b >= 0, 16 * (7 - 4 * w) / (b + d), (d - b) / 36 / w)[()]
-    if not np.all(np.isfinite(ratio)):
-        raise ValueError("normalized_frequency_squared is too small: its mass ratio exceeds the floating-point range")
-    return ratio
+    return nearest("spacing", Fraction(12, 5) * Fraction(positive("radius", radius)) + Fraction(1, 20))
 
 
 @dataclass(frozen=True)
@@ -111,10 +70,16 @@ class Oscillator:
 
     Raises
     ------
-    ValueError : a parameter is not a finite positive number (the message names it), or a derived value
-        leaves the range of normal float64 numbers, where it would be silently wrong.
+    ValueError : a parameter is not a finite positive number (the message names it), or a derived value is too large
+        for float64, or so small that it would lose digits.
 
     Source: paper, figure 1 and section 2; coordinates q = (X, φ, Φ) with X counted to the left.
+
+    >>> machine = Oscillator(m=2, m_prime=2, k=10)
+    >>> machine.normalized_frequency_squared == 104 / 99
+    True
+    >>> machine.natural_frequency
+    2.291838836507762
     """
 
     m: float = 1.0
@@ -124,108 +89,107 @@ class Oscillator:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = _positive(field.name, getattr(self, field.name))
-            object.__setattr__(self, field.name, value)
+            object.__setattr__(self, field.name, positive(field.name, getattr(self, field.name)))
+
+    @cached_property
+    def exact(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """(m, m′, k, R) as the fractions that these doubles are [kg, kg, N/m, m]."""
+        return Fraction(self.m), Fraction(self.m_prime), Fraction(self.k), Fraction(self.radius)
+
+    @cached_property
+    def exact_frequency_squared(self) -> Fraction:
+        """Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²], as a fraction."""
+        m, m_prime, k, _ = self.exact
+        return frequency_squared(m, m_prime, k)
+
+    @cached_property
+    def exact_block_coupling(self) -> Fraction:
+        """κ = 6(m + m′)/(7m + 6m′), dimensionless, as a fraction."""
+        m, m_prime, _, _ = self.exact
+        return 6 * (m + m_prime) / (7 * m + 6 * m_prime)
 
     @property
     def mass_ratio(self) -> float:
         """ε = m′/m, dimensionless."""
-        return self._representable("mass_ratio", self.m_prime / self.m)
+        return self._rounded("mass_ratio", Fraction(self.m_prime) / Fraction(self.m))
 
     @cached_property
     def effective_mass(self) -> float:
         """M_x = 3m′/8 + (m/2)(8m + 7m′)/(7m + 6m′) [kg], the mass that the spring feels; Ω² = k/M_x."""
-        # An overflow or underflow of m′/m is harmless here: its term then is 0 or 1/84 to the last digit.
-        bound = self.m * _bound_mass_ratio(self.m_prime / self.m)
-        return self._representable("effective_mass", self.m_prime * 0.375 + bound)
+        return self._rounded("effective_mass", Fraction(self.k) / self.exact_frequency_squared)
 
-    @property
+    @cached_property
     def natural_frequency_squared(self) -> float:
-        """Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²]."""
-        return self._representable("natural_frequency_squared", self.k / self.effective_mass)
+        """Ω² = k/M_x = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²]."""
+        return self._rounded("natural_frequency_squared", self.exact_frequency_squared)
 
-    @property
+    @cached_property
     def natural_frequency(self) -> float:
         """Ω [rad/s], the angular frequency of the one oscillating mode."""
-        return math.sqrt(self.natural_frequency_squared)
+        return self._rounded("natural_frequency", square_root(self.exact_frequency_squared))
 
-    @property
+    @cached_property
     def period(self) -> float:
         """T = 2π/Ω [s]."""
-        return 2 * math.pi / self.natural_frequency
+        return self._rounded("period", TWO_PI / square_root(self.exact_frequency_squared))
 
-    @property
+    @cached_property
     def normalized_frequency_squared(self) -> float:
         """Ω²m/k, dimensionless; it depends on ε alone and is 1 at ε = UNIT_MASS_RATIO."""
-        return float(normalized_frequency_squared(self.mass_ratio))
+        m, _, k, _ = self.exact
+        return self._rounded("normalized_frequency_squared", self.exact_frequency_squared * m / k)
 
     @property
     def block_coupling(self) -> float:
         """κ = 6(1 + ε)/(7 + 6ε), dimensionless: in the oscillating mode the block moves by X = κRφ."""
-        return 1 - 1 / (7 + 6 * (self.m_prime / self.m))
+        return float(self.exact_block_coupling)
 
     @property
-    def mass_matrix(self) -> np.ndarray:
+    def mass_matrix(self) -> NDArray[np.float64]:
         """M, shape (3, 3): T = ½ q̇ᵀMq̇ for q = (X, φ, Φ); units kg, kg·m and kg·m² by row and column."""
-        m, mp, R = self.m, self.m_prime, self.radius
-        return self._representable(
-            "mass_matrix",
-            np.array(
-                [
-                    [3 * m + 2 * mp, -2 * (m + mp) * R, -m * R],
-                    [-2 * (m + mp) * R, (4 * m + 3.5 * mp) * R * R, 0.0],
-                    [-m * R, 0.0, 1.5 * m * R * R],
-                ]
-            ),
-        )
+        m, m_prime, _, R = self.exact
+        zero = Fraction(0)
+        rows = [
+            [3 * m + 2 * m_prime, -2 * (m + m_prime) * R, -m * R],
+            [-2 * (m + m_prime) * R, (4 * m + m_prime * 7 / 2) * R * R, zero],
+            [-m * R, zero, m * R * R * 3 / 2],
+        ]
+        return np.array([[self._rounded("mass_matrix", entry) for entry in row] for row in rows])
 
     @property
-    def stiffness_matrix(self) -> np.ndarray:
+    def stiffness_matrix(self) -> NDArray[np.float64]:
         """K, shape (3, 3): U = ½ qᵀKq; its one entry 4kR² [N·m] belongs to φ."""
+        _, _, k, R = self.exact
         stiffness = np.zeros((3, 3))
-        stiffness[1, 1] = self._representable("stiffness_matrix", 4 * self.k * self.radius * self.radius)
+        stiffness[1, 1] = self._rounded("stiffness_matrix", 4 * k * R * R)
         return stiffness
 
     @property
-    def mode_shape(self) -> np.ndarray:
+    def mode_shape(self) -> NDArray[np.float64]:
         """The oscillating mode (κR, 1, λ), shape (3,), for q = (X, φ, Φ): metres, radians, radians; λ = 2κ/3."""
-        kappa = self.block_coupling
-        return np.array([kappa * self.radius, 1.0, 2 * kappa / 3])
+        kappa, R = self.exact_block_coupling, self.exact[3]
+        return np.array([self._rounded("mode_shape", kappa * R), 1.0, float(2 * kappa / 3)])
 
-    def _representable(self, name: str, value: Any) -> Any:
-        """Return the value, or raise ValueError where overflow or underflow has made it wrong."""
-        size = np.abs(np.asarray(value))
-        diagonal = size.diagonal() if size.ndim == 2 else size
-        if np.all(np.isfinite(size)) and np.all(diagonal >= sys.float_info.min):
-            return value
-        raise ValueError(
-            f"{name} leaves the range of float64 for m={self.m!r}, m_prime={self.m_prime!r}, "
-            f"k={self.k!r}, radius={self.radius!r}"
+    def _rounded(self, name: str, exact: Fraction) -> float:
+        """Return the nearest double, or raise ValueError that names the value and the machine."""
+        try:
+            return normal(name, exact)
+        except ValueError as error:
+            raise ValueError(f"{error} for {self!r}") from None
+
+    def _repr_markdown_(self) -> str:
+        """Show the machine in a notebook: its parameters, and the two numbers that everybody asks for."""
+        shown = (
+            ("m", "block, slab and top cylinder", "m", "kg"),
+            ("m′", "hoop and lower cylinder", "m_prime", "kg"),
+            ("k", "stiffness of the spring", "k", "N/m"),
+            ("R", "radius of the rollers", "radius", "m"),
+            ("Ω", "natural frequency", "natural_frequency", "rad/s"),
+            ("Ω²m/k", "normalized frequency squared", "normalized_frequency_squared", ""),
         )
-
-
-def real_number(value: Any) -> float:
-    """Return value as a float, or NaN for whatever is no real number (text included, since "1" is not 1)."""
-    try:
-        return math.nan if isinstance(value, str | bytes) else float(value)
-    except (TypeError, ValueError, OverflowError):
-        return math.nan
-
-
-def _positive(name: str, value: Any) -> float:
-    """Return value as a float, or raise ValueError naming the parameter unless it is a finite positive number."""
-    number = real_number(value)
-    if not 0 < number < math.inf:
-        raise ValueError(f"{name} must be a finite positive number, not {value!r:.60}")
-    return number
-
-
-def _as_floats(name: str, values: Any) -> Any:
-    """Return values as a NumPy scalar or array of floats, keeping float32; ValueError names what is no number."""
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind in "fiuO":
-            return (array if array.dtype in (np.float32, np.float64) else array.astype(np.float64))[()]
-    except (TypeError, ValueError, OverflowError):
-        pass
-    raise ValueError(f"{name} must be a real number or an array of real numbers")
+        rows = ["| | Ramanujan’s oscillator | |", "|---|---|---|"]
+        for symbol, meaning, name, unit in shown:
+            # A machine with a frequency beyond float64 still shows its parameters.
+            with suppress(ValueError):
+                rows.append(f"| {symbol} | {meaning} | {getattr(self, name):.6g} {unit} |")
+        return "\n".join(rows)

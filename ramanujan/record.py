@@ -1,7 +1,6 @@
 """One motion, recorded: everything that is known of it at equal steps of time, and as a table.
 
-Lives here: which series belong together and what they are called. Does not live here: the physics of any of them
-(`motion`, `energy`, `contact`), how many steps a screen needs (`sampling`), the table's format (`table`).
+This module says which series belong together and what they are called; `motion`, `energy` and `contact` compute them.
 """
 
 from __future__ import annotations
@@ -9,19 +8,26 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ramanujan.contact import contact_forces, largest_compression, normal_forces, required_friction
-from ramanujan.energy import energies, momenta
+from ramanujan.contact import contact_forces, largest_compression, normal_forces, required_friction, travel_amplitude
+from ramanujan.energy import body_momenta, energies, momenta
 from ramanujan.motion import (
     InitialState,
     ground_positions,
     ground_velocities,
     motion,
+    pushed,
     relative_positions,
     relative_velocities,
 )
 from ramanujan.oscillator import Oscillator
+from ramanujan.quantities import instance, integer, positive
+from ramanujan.rounding import in_range
 from ramanujan.table import csv_table
+
+MOST_POINTS = 10**7
+"""Times that a record may hold: with all its series it is then some gigabytes large."""
 
 
 @dataclass(frozen=True)
@@ -36,42 +42,23 @@ class Record:
     compression: float
     initial: InitialState
     spacing: float
-    t: np.ndarray
-    q: np.ndarray
-    q_dot: np.ndarray
-    over_ground: dict[str, np.ndarray]
-    over_block: dict[str, np.ndarray]
-    velocity_over_ground: dict[str, np.ndarray]
-    velocity_over_block: dict[str, np.ndarray]
-    energies: dict[str, np.ndarray]
-    body_momenta: dict[str, np.ndarray]
-    momenta: dict[str, np.ndarray]
-    forces: dict[str, np.ndarray]
-    normal_forces: dict[str, np.ndarray]
+    t: NDArray[np.float64]
+    q: NDArray[np.float64]
+    q_dot: NDArray[np.float64]
+    over_ground: dict[str, NDArray[np.float64]]
+    over_block: dict[str, NDArray[np.float64]]
+    velocity_over_ground: dict[str, NDArray[np.float64]]
+    velocity_over_block: dict[str, NDArray[np.float64]]
+    energies: dict[str, NDArray[np.float64]]
+    body_momenta: dict[str, NDArray[np.float64]]
+    momenta: dict[str, NDArray[np.float64]]
+    forces: dict[str, NDArray[np.float64]]
+    normal_forces: dict[str, NDArray[np.float64]]
 
     @property
-    def total_energy(self) -> np.ndarray:
+    def total_energy(self) -> NDArray[np.float64]:
         """E [J], the sum of all energies."""
         return sum(self.energies.values())
-
-
-def pushed(oscillator: Oscillator, compression: float, glide: float = 0.0, spin: float = 0.0) -> InitialState:
-    """Return the state of a release with a push along each zero mode: φ₀ = x₀/(2R), Ẋ₀ = −glide, Φ̇₀ = spin.
-
-    Parameters
-    ----------
-    oscillator : the machine
-    compression : x₀ [m]
-    glide : velocity that the whole machine gets, to the RIGHT [m/s]
-    spin : angular velocity that the top cylinder gets besides, clockwise [rad/s]
-
-    Raises
-    ------
-    ValueError : a value is not a finite number.
-
-    Source: the null space of K, spanned by (1, 0, 0) and (0, 0, 1).
-    """
-    return InitialState(phi=compression / (2 * oscillator.radius), X_dot=-glide, Phi_dot=spin)
 
 
 def record(
@@ -91,49 +78,77 @@ def record(
     oscillator, compression, glide, spin : as in `pushed`
     spacing : L, distance between the axes of hoop and lower cylinder [m]
     periods : how long, in periods of the machine
-    points : number of times
+    points : number of times, from 2 on
+
+    Returns
+    -------
+    the record; every series in it comes from one evaluation of the motion
 
     Raises
     ------
-    ValueError : a value is not a finite number, or the slab tips off its rollers.
+    ValueError : a value is not what it should be, a series is too large for float64, or the slab tips off its rollers.
+
+    >>> motion = record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5)
+    >>> motion.q.shape
+    (3, 5)
     """
     initial = pushed(oscillator, compression, glide, spin)
-    t = np.linspace(0, periods * oscillator.period, points)
+    points = integer("points", points, 2, MOST_POINTS)
+    with np.errstate(over="ignore"):
+        end = in_range("periods", np.float64(positive("periods", periods)) * oscillator.period)
+    t = np.linspace(0, end, points)
     q, q_dot = motion(oscillator, initial, t)
-    velocity = ground_velocities(oscillator, q_dot)
-    m, m_prime = oscillator.m, oscillator.m_prime
-    masses = {"block": m, "hoop": m_prime, "cylinder": m_prime, "slab": m, "top": m}
+    # The slab must stay on its rollers between the recorded times, too.
+    widest = travel_amplitude(oscillator, initial) / oscillator.radius
+    normal_forces(oscillator, (0.0, widest, 0.0), spacing=spacing)
     return Record(
         oscillator=oscillator,
-        compression=compression,
+        compression=float(compression),
         initial=initial,
-        spacing=spacing,
+        spacing=float(spacing),
         t=t,
         q=q,
         q_dot=q_dot,
         over_ground=ground_positions(oscillator, q),
         over_block=relative_positions(oscillator, q),
-        velocity_over_ground=velocity,
+        velocity_over_ground=ground_velocities(oscillator, q_dot),
         velocity_over_block=relative_velocities(oscillator, q_dot),
         energies=energies(oscillator, q, q_dot),
-        body_momenta={body: mass * velocity[body] for body, mass in masses.items()},
+        body_momenta=body_momenta(oscillator, q_dot),
         momenta=momenta(oscillator, q_dot),
-        forces=contact_forces(oscillator, initial, t),
-        normal_forces=normal_forces(oscillator, initial, t, spacing=spacing),
+        forces=contact_forces(oscillator, q),
+        normal_forces=normal_forces(oscillator, q, spacing=spacing),
     )
 
 
-def columns(motion: Record) -> dict[str, np.ndarray]:
-    """Return every series of a record under a header that tells its unit, time first."""
+def columns(motion: Record) -> dict[str, NDArray[np.float64]]:
+    """Return every series of a record under a header that tells its unit, time first.
+
+    Parameters
+    ----------
+    motion : the record
+
+    Returns
+    -------
+    dict of header → series, each of shape (points,)
+
+    Raises
+    ------
+    ValueError : motion is not a `Record`.
+
+    >>> list(columns(record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5)))[:3]
+    ['t [s]', 'X [m]', 'phi [rad]']
+    """
+    instance("motion", motion, Record)
     series = {"t [s]": motion.t}
     names = (("X", "m"), ("phi", "rad"), ("Phi", "rad"))
     series |= {f"{name} [{unit}]": row for (name, unit), row in zip(names, motion.q, strict=True)}
     series |= {f"{name}_dot [{unit}/s]": row for (name, unit), row in zip(names, motion.q_dot, strict=True)}
     groups = (
-        ("{} over ground [m]", motion.over_ground),
-        ("{} over block [m]", motion.over_block),
-        ("velocity of {} over ground [m/s]", motion.velocity_over_ground),
-        ("velocity of {} over block [m/s]", motion.velocity_over_block),
+        ("{} relative to ground [m]", motion.over_ground),
+        ("{} relative to block [m]", motion.over_block),
+        ("velocity of {} relative to ground [m/s]", motion.velocity_over_ground),
+        ("velocity of {} relative to block [m/s]", motion.velocity_over_block),
         ("energy {} [J]", motion.energies | {"total": motion.total_energy}),
         ("momentum of {} [kg m/s]", motion.body_momenta),
         ("force {} [N]", motion.forces),
@@ -149,12 +164,21 @@ def table(motion: Record, friction_coefficient: float) -> str:
     Parameters
     ----------
     motion : the record
-    friction_coefficient : μ; with it stand the friction that each contact needs and the greatest x₀ without slip
+    friction_coefficient : μ; the comments state the largest x₀ at which no contact slips with it
+
+    Returns
+    -------
+    the table as text
 
     Raises
     ------
-    ValueError : the coefficient is not positive.
+    ValueError : motion is not a `Record`, or the coefficient is not positive.
+
+    >>> text = table(record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5), 0.3)
+    >>> text.splitlines()[2]
+    '# m = 1.0 kg'
     """
+    instance("motion", motion, Record)
     oscillator, initial = motion.oscillator, motion.initial
     needed = required_friction(oscillator, motion.compression, spacing=motion.spacing)
     largest = largest_compression(oscillator, friction_coefficient, spacing=motion.spacing)

@@ -1,13 +1,13 @@
-"""How densely a curve is drawn: as many points as its error on screen requires, and no more.
-
-Lives here: the bound, as a pure function of what is on screen. Does not live here: times, states or figures.
-"""
+"""How densely a curve is drawn: as many points as its error on screen requires, and no more."""
 
 from __future__ import annotations
 
 import math
 
-from ramanujan.oscillator import real_number
+from ramanujan.quantities import positive
+
+MOST_POINTS = 2**53
+"""More points than a float can count are refused."""
 
 
 def points_for_half_pixel(periods: float, height_px: float = 1080) -> int:
@@ -25,18 +25,23 @@ def points_for_half_pixel(periods: float, height_px: float = 1080) -> int:
     height_px : peak to peak height of the curve [px]; for a closed orbit, the larger of its width and height.
         The default is a curve that fills a screen of 1920×1080.
 
-    Returns the number of points, both ends included: at least 2.
+    Returns
+    -------
+    the number of points, both ends included: at least 2
 
     Raises
     ------
-    ValueError : a parameter is not a finite positive number.
+    ValueError : a parameter is not a finite positive number, or the curve needs more than 2⁵³ points.
 
     Source: exact error of linear interpolation of a cosine.
+
+    >>> points_for_half_pixel(periods=2, height_px=450)
+    96
     """
-    for name, value in (("periods", periods), ("height_px", height_px)):
-        if not 0 < real_number(value) < math.inf:
-            raise ValueError(f"{name} must be a finite positive number, not {value!r:.60}")
+    cycles, height = positive("periods", periods), positive("height_px", height_px)
     # 1 − cos δ = 2 sin²(δ/2), solved without the cancellation; a curve under half a pixel high needs no crest at all.
-    half_step = 2 * math.asin(min(1.0, 1 / math.sqrt(2 * height_px)))
-    intervals = math.floor(math.pi * periods / half_step) + 1
-    return intervals + 1
+    half_step = 2 * math.asin(min(1.0, math.sqrt(0.5) / math.sqrt(height)))
+    intervals = math.pi * cycles / half_step
+    if not intervals < MOST_POINTS:
+        raise ValueError(f"periods and height_px are so large that the curve needs more than {MOST_POINTS:.0e} points")
+    return math.floor(intervals) + 2

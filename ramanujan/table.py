@@ -1,7 +1,5 @@
 """Numbers as a table in comma-separated values, which a spreadsheet opens and numpy reads back exactly.
 
-Lives here: the format. Does not live here: which quantities a table has.
-
     # a comment line for each remark and parameter
     t [s],X [m],…            one header line: each name with its unit
     0.0,0.04,…               one line for each row
@@ -12,12 +10,13 @@ A number is written with the fewest digits that give back the very same double.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
-import numpy as np
+from numpy.typing import ArrayLike
+
+from ramanujan.quantities import finite_array, instance, sequence, shown
 
 
-def csv_table(columns: Mapping[str, Any], comments: Iterable[str] = ()) -> str:
+def csv_table(columns: Mapping[str, ArrayLike], comments: Iterable[str] = ()) -> str:
     """Return columns of equal length as comma-separated values, below lines of comment.
 
     Parameters
@@ -25,26 +24,43 @@ def csv_table(columns: Mapping[str, Any], comments: Iterable[str] = ()) -> str:
     columns : header (a name with its unit) → the column, numbers of shape (n,)
     comments : remarks, one for each line, written after a # sign
 
-    The first comment says how many lines numpy has to skip: `numpy.loadtxt(file, delimiter=",", skiprows=…)`.
+    Returns
+    -------
+    the table; its first line says how many lines numpy has to skip: `numpy.loadtxt(file, delimiter=",", skiprows=…)`
 
     Raises
     ------
-    ValueError : there is no column, two differ in length, one is not a row of numbers, or a text would break its line.
+    ValueError : there is no column, two differ in length, one is not a row of finite numbers, or a text would break its
+        line.
+
+    >>> print(csv_table({"t [s]": [0, 0.1]}, ["two times"]), end="")
+    # numbers begin after 3 lines; numpy.loadtxt takes that as skiprows
+    # two times
+    t [s]
+    0.0
+    0.1
     """
-    arrays = {header: np.asarray(column, dtype=float) for header, column in columns.items()}
+    arrays = {
+        header: finite_array(f"columns[{shown(header)}]", column)
+        for header, column in instance("columns", columns, Mapping).items()
+    }
     if not arrays:
         raise ValueError("columns must hold at least one column")
     for header, array in arrays.items():
         if array.ndim != 1 or array.shape != next(iter(arrays.values())).shape:
-            raise ValueError(f"columns must all be rows of numbers of one length; {header!r:.60} is not")
-    texts = [*comments, *arrays]
-    for text in texts:
-        # A comma in a comment would spread it over the cells of a spreadsheet.
-        if set(text) & set(',"\r\n'):
-            raise ValueError(f"a header or comment must be one line without commas and quotes, not {text!r:.60}")
-    notes = texts[: len(texts) - len(arrays)]
-    skipped = len(notes) + 2
-    lines = [f"# numbers begin after {skipped} lines; numpy.loadtxt takes that as skiprows", *map("# {}".format, notes)]
+            raise ValueError(f"columns must all be rows of numbers of one length; {shown(header)} is not")
+    comments = sequence("comments", comments)
+    for name, texts in (("comments", comments), ("columns", arrays)):
+        for text in texts:
+            # A comma in a comment would spread it over the cells of a spreadsheet.
+            if not isinstance(text, str) or set(text) & set(',"') or text.splitlines() not in ([], [text]):
+                raise ValueError(
+                    f"{name} must hold texts: each header or comment is one line without commas and quotes, "
+                    f"unlike {shown(text)}"
+                )
+    skipped = len(comments) + 2
+    comments = [f"numbers begin after {skipped} lines; numpy.loadtxt takes that as skiprows", *comments]
+    lines = list(map("# {}".format, comments))
     lines.append(",".join(arrays))
     rows = zip(*(array.tolist() for array in arrays.values()), strict=True)
     lines.extend(",".join(map(repr, row)) for row in rows)

@@ -11,17 +11,21 @@ import pytest
 from tests.browser import ROOT
 
 CORE = {"oscillator", "motion"}
+CONTRACT = {"quantities", "rounding"}
 ROOMS = {
-    "oscillator": (set(), {"numpy"}),
-    "motion": ({"oscillator"}, {"numpy"}),
-    "energy": (CORE, {"numpy"}),
-    "sampling": ({"oscillator"}, {"numpy"}),
-    "contact": (CORE, {"numpy"}),
-    "record": (CORE | {"energy", "contact", "table"}, {"numpy"}),
-    "table": (set(), {"numpy"}),
-    "integrators": (set(), {"numpy"}),
-    "number_theory": (set(), {"sympy"}),
-    "accuracy": (CORE | {"integrators"}, {"numpy", "mpmath"}),
+    "quantities": (set(), {"numpy"}),
+    "rounding": (set(), {"numpy"}),
+    "frequency": (CONTRACT, {"numpy"}),
+    "oscillator": (CONTRACT | {"frequency"}, {"numpy"}),
+    "motion": (CONTRACT | {"oscillator"}, {"numpy"}),
+    "energy": (CONTRACT | CORE, {"numpy"}),
+    "sampling": ({"quantities"}, set()),
+    "contact": (CONTRACT | CORE, {"numpy"}),
+    "record": (CONTRACT | CORE | {"energy", "contact", "table"}, {"numpy"}),
+    "table": ({"quantities"}, {"numpy"}),
+    "integrators": ({"quantities"}, {"numpy"}),
+    "number_theory": ({"quantities"}, {"sympy"}),
+    "accuracy": (CORE | {"quantities", "frequency", "integrators"}, {"numpy", "mpmath"}),
     "derivation": (set(), {"sympy"}),
     "figures": (set(), {"numpy", "plotly"}),
     "stage": (CORE | {"derivation"}, {"streamlit", "sympy"}),
@@ -67,6 +71,24 @@ def test_a_room_imports_only_what_its_row_allows(graph, room):
 def test_every_room_has_its_row(graph):
     rooms = {room_of(module) for module in graph.modules if module.startswith("ramanujan.")}
     assert rooms - {"scenes"} == set(ROOMS)
+
+
+def test_the_names_of_a_notebook_come_from_the_package_itself():
+    script = f"""
+import sys
+from ramanujan import UNIT_MASS_RATIO, InitialState, Oscillator, motion, pushed, released
+for room in {OTHER_PAGES!r}:
+    assert f"ramanujan.{{room}}" not in sys.modules, room
+import ramanujan
+for name in ramanujan.__all__:
+    assert getattr(ramanujan, name) is not None
+    assert name in dir(ramanujan)
+# Whatever was loaded before, the name is the function.
+from ramanujan import motion as again
+assert again is motion is sys.modules["ramanujan.motion"].motion
+"""
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr[-2000:]
 
 
 def test_the_first_page_loads_nothing_that_only_other_pages_need():

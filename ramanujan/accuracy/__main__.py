@@ -1,6 +1,6 @@
 """The experiments as tables: `python -m ramanujan.accuracy --help`.
 
-Lives here: arguments, the columns of each table, text and CSV. Does not live here: any number.
+This module reads the arguments and writes each table as text or CSV; the numbers come from the experiments.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
 
@@ -31,6 +31,8 @@ from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrec
 from ramanujan.integrators import METHODS
 from ramanujan.oscillator import Oscillator
 
+Cell = str | float | int
+
 
 @dataclass(frozen=True)
 class Table:
@@ -38,11 +40,16 @@ class Table:
 
     title: str
     columns: tuple[str, ...]
-    rows: list[tuple[Any, ...]]
+    rows: list[tuple[Cell, ...]]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the experiments that the arguments name, print each table when it is ready, and return the exit status."""
+    """Run the experiments that the arguments name, print each table when it is ready, and return the exit status.
+
+    >>> main(["--experiment", "phase", "--csv"])  # doctest: +ELLIPSIS
+    table,periods,"fl(Ω)·t, float32 [rad]",...
+    0
+    """
     parser = _parser()
     options = parser.parse_args(arguments)
     write = _write_csv if options.csv else _write_text
@@ -76,7 +83,7 @@ def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iter
         yield Table(title, columns, rows)
 
 
-def _curve_rows(curve: WorkPrecision) -> Iterable[tuple[Any, ...]]:
+def _curve_rows(curve: WorkPrecision) -> Iterable[tuple[Cell, ...]]:
     arrays = (curve.steps_per_period, curve.state_error, curve.phase_error, curve.energy_error)
     arrays += (curve.largest_energy_error, curve.evaluations, curve.seconds, curve.seconds_low, curve.seconds_high)
     return ((METHODS[curve.method].title, curve.dtype, *row) for row in zip(*arrays, strict=True))
@@ -197,7 +204,7 @@ def _write_csv(table: Table) -> None:
     sys.stdout.flush()
 
 
-def _short(cell: Any) -> str:
+def _short(cell: Cell) -> str:
     return f"{cell:.4g}" if isinstance(cell, float | np.floating) else str(cell)
 
 

@@ -1,6 +1,6 @@
 """What the app itself chooses, each choice with its error and its cost: points, closed form, arithmetic, caching.
 
-Lives here: four small experiments. Does not live here: the integrators' diagram (`work_precision`).
+These are four small experiments; the integrators' diagram is `work_precision`.
 """
 
 from __future__ import annotations
@@ -9,15 +9,20 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import count
-from typing import Any
+from typing import TypeAlias
 
 import mpmath
 import numpy as np
 
 from ramanujan.accuracy.phase import largest_phase_error
-from ramanujan.accuracy.progress import Piece, Timing, each, measure, positive_integer
+from ramanujan.accuracy.progress import Piece, Timing, each, measure
+from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared, normalized_frequency_squared
 from ramanujan.motion import InitialState, motion
-from ramanujan.oscillator import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
+from ramanujan.oscillator import Oscillator
+from ramanujan.quantities import instance, integer, real, sequence
+
+Value: TypeAlias = float | np.floating | np.ndarray | Fraction | mpmath.mpf
+"""What one kind of arithmetic returns."""
 
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
 PERIODS = (1, 10, 100, 1000, 10_000)
@@ -80,21 +85,26 @@ class Comparison:
 
 
 def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> Iterator[Piece[CurveSampling]]:
-    """Yield the error on screen of both curves for each number of points.
+    """Return the error on screen of both curves for each number of points.
 
     Parameters
     ----------
     points : numbers of samples, the ends included; at least 2
     height : height of the figure [pixels]
 
+    Returns
+    -------
+    iterator over pieces, each with a `CurveSampling`
+
     Raises
     ------
     ValueError : an argument is outside its range.
+
+    >>> [piece.result.curve for piece in curve_sampling([17])]
+    ['cosine', 'frequency']
     """
-    height = positive_integer("height", height, 100_000)
-    numbers = [positive_integer("points", n, 10_000) for n in points]
-    if min(numbers, default=2) < 2:
-        raise ValueError("points must be at least 2")
+    height = integer("height", height, 1, 100_000)
+    numbers = [integer("points", n, 2, 10_000) for n in sequence("points", points)]
     curves: list[tuple[str, Callable, float]] = [
         ("cosine", np.cos, 2 * np.pi),
         ("frequency", normalized_frequency_squared, LARGEST_MASS_RATIO),
@@ -103,54 +113,83 @@ def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> Iterato
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> Iterator[Piece[ClosedForm]]:
-    """Yield error and cost of `motion.motion` after each number of periods; neither grows.
+    """Return error and cost of `motion.motion` after each number of periods; neither grows.
 
     Parameters
     ----------
     oscillator : the machine
     periods : whole numbers of periods
 
+    Returns
+    -------
+    iterator over pieces, each with a `ClosedForm`
+
     Raises
     ------
-    ValueError : a number of periods is not whole or not positive.
+    ValueError : a number of periods is not an integer from 1 to 10¹⁵.
+
+    >>> [piece.result.periods for piece in closed_form(Oscillator(), [1, 1000])]
+    [1, 1000]
     """
-    return each(lambda n: _closed_form(oscillator, n), [positive_integer("periods", n, 10**15) for n in periods])
+    instance("oscillator", oscillator, Oscillator)
+    wholes = [integer("periods", n, 1, 10**15) for n in sequence("periods", periods)]
+    return each(lambda n: _closed_form(oscillator, n), wholes)
 
 
 def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIGITS) -> Iterator[Piece[Arithmetic]]:
-    """Yield error and cost of Ω²m/k in float32, float64, exact fractions, and mpmath with n digits.
+    """Return error and cost of Ω²m/k in float32, float64, exact fractions, and mpmath with n digits.
 
     Parameters
     ----------
     mass_ratio : ε, taken as exactly this float
     digits : decimal digits that mpmath carries
 
+    Returns
+    -------
+    iterator over pieces, each with an `Arithmetic`
+
     Raises
     ------
     ValueError : the mass ratio is negative or not finite, or a number of digits is not from 1 to 300.
+
+    >>> [piece.result.name for piece in arithmetics(1.0, [30])][-2:]
+    ['fraction', 'mpmath, 30 digits']
     """
-    # The function that is measured also judges the argument.
-    normalized_frequency_squared(mass_ratio)
-    epsilon = float(mass_ratio)
+    epsilon = real("mass_ratio", mass_ratio)
+    # The function that is measured also judges the sign.
+    normalized_frequency_squared(epsilon)
+    wholes = [integer("digits", n, 1, 300) for n in sequence("digits", digits)]
     many, few = np.full(_ARRAY, epsilon), np.float32(epsilon)
-    cases: list[tuple[str, Callable[[], Any], int]] = [
+    cases: list[tuple[str, Callable[[], Value], int]] = [
         ("float32", lambda: normalized_frequency_squared(few), 1),
         ("float64", lambda: normalized_frequency_squared(epsilon), 1),
         (f"float64, one of {_ARRAY}", lambda: normalized_frequency_squared(many), _ARRAY),
-        ("fraction", lambda: _rational_form(Fraction(epsilon)), 1),
+        ("fraction", lambda: _at(Fraction(epsilon)), 1),
     ]
-    cases += [(f"mpmath, {n} digits", _with_digits(positive_integer("digits", n, 300), epsilon), 1) for n in digits]
-    exact = _rational_form(Fraction(epsilon))
+    cases += [(f"mpmath, {n} digits", _with_digits(n, epsilon), 1) for n in wholes]
+    exact = _at(Fraction(epsilon))
     return each(lambda case: _arithmetic(*case, exact), cases)
 
 
 def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
-    """Yield what is saved where the app keeps a result, or asks once for many.
+    """Return what is saved where the app keeps a result, or asks once for many.
 
     Parameters
     ----------
     oscillator : the machine that is asked again; the cold calls use machines with a slightly different spring
+
+    Returns
+    -------
+    iterator over pieces, each with a `Comparison`
+
+    Raises
+    ------
+    ValueError : oscillator is not an `Oscillator`.
+
+    >>> next(caching(Oscillator())).result.fast
+    'Ω asked again'
     """
+    instance("oscillator", oscillator, Oscillator)
     return each(lambda compare: compare(oscillator), [_frequency_again, _motion_again, _motion_at_once])
 
 
@@ -172,25 +211,26 @@ def _closed_form(oscillator: Oscillator, periods: int) -> ClosedForm:
     return ClosedForm(periods, largest_phase_error(oscillator, times), measure(lambda: motion(oscillator, initial, t)))
 
 
-def _arithmetic(name: str, evaluate: Callable[[], Any], values: int, exact: Fraction) -> Arithmetic:
+def _arithmetic(name: str, evaluate: Callable[[], Value], values: int, exact: Fraction) -> Arithmetic:
     value, timing = np.ravel(evaluate())[0], measure(evaluate)
     per_value = Timing(timing.median / values, timing.low / values, timing.high / values)
     return Arithmetic(name, float(abs(_fraction(value) / exact - 1)), per_value)
 
 
-def _rational_form(epsilon: Any) -> Any:
-    """Ω²m/k as the quotient of two polynomials with integer coefficients: exact for a Fraction."""
-    return 8 * (7 + 6 * epsilon) / ((18 * epsilon + 49) * epsilon + 32)
+def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
+    """Return Ω²m/k in the arithmetic of ε."""
+    one = type(epsilon)(1)
+    return frequency_squared(one, epsilon, one)
 
 
-def _with_digits(digits: int, epsilon: float) -> Callable[[], Any]:
+def _with_digits(digits: int, epsilon: float) -> Callable[[], mpmath.mpf]:
     """Return the evaluation of Ω²m/k in an mpmath context of its own, with that many digits."""
     context = mpmath.MPContext()
     context.dps = digits
-    return lambda: _rational_form(context.mpf(epsilon))
+    return lambda: _at(context.mpf(epsilon))
 
 
-def _fraction(value: Any) -> Fraction:
+def _fraction(value: Value) -> Fraction:
     """Return a float, a Fraction or an mpf (mantissa times a power of two) as exactly the same Fraction."""
     if hasattr(value, "man_exp"):
         mantissa, exponent = value.man_exp
@@ -219,5 +259,5 @@ def _motion_at_once(oscillator: Oscillator) -> Comparison:
 
 
 def _new_machines(oscillator: Oscillator) -> Iterator[Oscillator]:
-    """Yield machines that were never asked for anything: the spring of each is softer by one part in 1e12."""
+    """Yield new machines: the spring of each is softer by one part in 1e12."""
     return (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))

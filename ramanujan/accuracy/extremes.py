@@ -1,22 +1,24 @@
 """Ω² where numbers are very large or very small: each formula's error in ulp, and what it returns when it fails.
 
-Lives here: the algebraically equal FORMS of Ω², two sweeps over the range of floating point, and the general
-eigen-solvers beside them. Does not live here: the form that the app uses (`oscillator`; it is one of those measured).
-
-All forms are exact in exact arithmetic. Sweeps: "mass ratio", m = k = 1 and m′ = ε; "scale", m = m′ = k = s, where
-Ω² = 104/99 for every s. The truth is computed with 50 digits from the very numbers that the form was given.
+These are the algebraically equal FORMS of Ω², two sweeps over the range of floating point, and the general
+eigen-solvers. All forms are exact in exact arithmetic. Sweeps: "mass ratio", m = k = 1 and m′ = ε; "scale",
+m = m′ = k = s, where Ω² = 104/99 for every s. The truth is computed with 50 digits from the very numbers that the form
+was given.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
+import mpmath
 import numpy as np
+from numpy.typing import NDArray
 
-from ramanujan.accuracy.progress import REFERENCE, Piece, float_type, frequency_squared, positive_integer
-from ramanujan.oscillator import Oscillator, normalized_frequency_squared
+from ramanujan.accuracy.progress import REFERENCE, Piece, exact_frequency_squared, float_type
+from ramanujan.frequency import frequency_squared, normalized_frequency_squared
+from ramanujan.oscillator import Oscillator
+from ramanujan.quantities import integer, sequence, some_of
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow/nan", "zero", "plausible wrong"
 RIGHT_ULP = 4.0
@@ -28,6 +30,9 @@ DECADES = {"float32": 37, "float64": 300}
 
 _CHUNK = 100
 
+Values = NDArray[np.floating]
+Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
+
 
 @dataclass(frozen=True)
 class Form:
@@ -35,7 +40,7 @@ class Form:
 
     title: str
     formula: str
-    evaluate: Callable[[Any, Any, Any], Any]
+    evaluate: Callable[[Values, Values, Values], Values]
 
 
 @dataclass(frozen=True)
@@ -113,7 +118,7 @@ class EigenSweep:
 def extremes(
     forms: Iterable[str] | None = None, dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 3
 ) -> Iterator[Piece[Sweep]]:
-    """Yield one `Sweep` per sweep, dtype and form.
+    """Return an iterator over the sweeps: one `Sweep` per sweep, dtype and form.
 
     Parameters
     ----------
@@ -121,71 +126,80 @@ def extremes(
     dtypes : "float32", "float64"
     samples_per_decade : samples between two powers of ten, from 1 to 20
 
+    Returns
+    -------
+    iterator over pieces of work, some of which carry a `Sweep`
+
     Raises
     ------
     ValueError : an argument is outside its range.
+
+    >>> [sweep] = [piece.result for piece in extremes(["paper"], ["float32"], 1) if piece.result][:1]
+    >>> [stretch.verdict for stretch in sweep.stretches]
+    ['right', 'zero']
     """
-    names = list(FORMS if forms is None else forms)
-    for name in names:
-        if name not in FORMS:
-            raise ValueError(f"forms must be among {', '.join(FORMS)}, not {name!r:.60}")
-    kinds = [(dtype, float_type("dtypes", dtype)) for dtype in dtypes]
-    density = positive_integer("samples_per_decade", samples_per_decade, 20)
+    names = list(FORMS) if forms is None else some_of("forms", forms, FORMS)
+    kinds = [(dtype, float_type("dtypes", dtype)) for dtype in sequence("dtypes", dtypes)]
+    density = integer("samples_per_decade", samples_per_decade, 1, 20)
     return _sweeps(names, kinds, density)
 
 
 def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 1) -> Iterator[Piece[EigenSweep]]:
-    """Yield one `EigenSweep` per dtype and solver, for m = k = R = 1 and m′ = ε.
+    """Return an iterator over the eigen-solvers: one `EigenSweep` per dtype and solver, for m = k = R = 1 and m′ = ε.
 
     Parameters
     ----------
     dtypes : "float32", "float64"
     samples_per_decade : samples between two powers of ten, from 1 to 20
 
+    Returns
+    -------
+    iterator over pieces of work, some of which carry an `EigenSweep`
+
     Raises
     ------
     ValueError : an argument is outside its range.
+
+    >>> sweeps = [piece.result for piece in eigen_solvers(["float32"]) if piece.result]
+    >>> len(sweeps) == len(SOLVERS)
+    True
     """
-    kinds = [(dtype, float_type("dtypes", dtype)) for dtype in dtypes]
-    density = positive_integer("samples_per_decade", samples_per_decade, 20)
+    kinds = [(dtype, float_type("dtypes", dtype)) for dtype in sequence("dtypes", dtypes)]
+    density = integer("samples_per_decade", samples_per_decade, 1, 20)
     return _eigen_sweeps(kinds, density)
 
 
-def _paper(m: Any, m_prime: Any, k: Any) -> Any:
+def _paper(m: Values, m_prime: Values, k: Values) -> Values:
     return 8 * k / (7 * m_prime + 8 * m - 8 * (m_prime + m) ** 2 / (7 * m / 3 + 2 * m_prime))
 
 
-def _polynomial(m: Any, m_prime: Any, k: Any) -> Any:
-    return 8 * k * (7 * m + 6 * m_prime) / (32 * m * m + 49 * m * m_prime + 18 * m_prime * m_prime)
-
-
-def _scaled(m: Any, m_prime: Any, k: Any) -> Any:
+def _scaled(m: Values, m_prime: Values, k: Values) -> Values:
     r, inverse = m_prime / m, m / m_prime
     light = k / m * (8 * (7 + 6 * r) / (32 + r * (49 + 18 * r)))
     heavy = k / m_prime * (8 * (6 + 7 * inverse) / (18 + inverse * (49 + 32 * inverse)))
     return np.where(m >= m_prime, light, heavy)
 
 
-def _effective_mass(m: Any, m_prime: Any, k: Any) -> Any:
+def _effective_mass(m: Values, m_prime: Values, k: Values) -> Values:
     return k / (3 * m_prime / 8 + m / 2 * ((8 * m + 7 * m_prime) / (7 * m + 6 * m_prime)))
 
 
-def _app(m: Any, m_prime: Any, k: Any) -> Any:
+def _app(m: Values, m_prime: Values, k: Values) -> Values:
     return k / m * normalized_frequency_squared(m_prime / m)
 
 
 FORMS: dict[str, Form] = {
     "paper": Form("the paper's", "8k/(7m′ + 8m − 8(m′ + m)²/(7m/3 + 2m′))", _paper),
-    "polynomial": Form("two polynomials", "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)", _polynomial),
+    "polynomial": Form("two polynomials", "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)", frequency_squared),
     "scaled": Form(
         "scaled by the larger mass",
         "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); else r = m/m′: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
         _scaled,
     ),
     "effective mass": Form("effective mass", "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
-    "partial fractions": Form("the app's", "(k/m)/(3ε/8 + 7/12 − 1/(84 + 72ε)), ε = m′/m", _app),
+    "partial fractions": Form("the app's", "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _app),
 }
-"""The forms of Ω² by name; the last one is evaluated by `oscillator.normalized_frequency_squared`."""
+"""The forms of Ω² by name; the last one is evaluated by `normalized_frequency_squared`."""
 
 
 # q = (X, φ, Φ) from the displacements over the ground (block, slab, top cylinder), right positive, for R = 1.
@@ -208,7 +222,7 @@ def _eigh_cholesky(M: np.ndarray, K: np.ndarray) -> np.ndarray:
     return np.linalg.eigvalsh((reduced + reduced.T) / 2)
 
 
-SOLVERS: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
+SOLVERS: dict[str, Eigenvalues] = {
     "eigvals of M⁻¹K": _eigvals,
     "eigvals of M⁻¹K, ground displacements": _eigvals_over_ground,
     "eigh after Cholesky": _eigh_cholesky,
@@ -227,10 +241,10 @@ def _sweeps(names: list[str], kinds: list[tuple[str, type[np.floating]]], densit
             x = _samples(dtype, kind, density)
             one = np.ones_like(x)
             m, m_prime, k = (one, x, one) if along == "mass ratio" else (x, x, x)
-            truth: list[Any] = []
+            truth: list[mpmath.mpf] = []
             for start in range(0, x.size, _CHUNK):
                 chunk = slice(start, start + _CHUNK)
-                truth += map(frequency_squared, m[chunk], m_prime[chunk], k[chunk])
+                truth += map(exact_frequency_squared, m[chunk], m_prime[chunk], k[chunk])
                 yield Piece((done + DECADES[dtype] * len(truth) / x.size) / work)
             done += DECADES[dtype]
             for name in names:
@@ -246,7 +260,7 @@ def _eigen_sweeps(kinds: list[tuple[str, type[np.floating]]], density: int) -> I
     done, work = 0, sum(DECADES[dtype] for dtype, _ in kinds) * len(SOLVERS)
     for dtype, kind in kinds:
         ratios = _samples(dtype, kind, density)
-        truth = [frequency_squared(1, ratio, 1) for ratio in ratios]
+        truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]
         machines = [Oscillator(m_prime=float(ratio), radius=1.0) for ratio in ratios]
         for name, solver in SOLVERS.items():
             modes, zeros = np.full(ratios.size, np.nan, kind), np.full((ratios.size, 2), np.nan, complex)
@@ -258,7 +272,7 @@ def _eigen_sweeps(kinds: list[tuple[str, type[np.floating]]], density: int) -> I
             yield Piece(done / work, EigenSweep(name, dtype, ratios, _errors(modes, truth, kind)[0], zeros))
 
 
-def _sorted_modes(solver: Callable, machine: Oscillator, kind: type[np.floating]) -> tuple[float, np.ndarray]:
+def _sorted_modes(solver: Eigenvalues, machine: Oscillator, kind: type[np.floating]) -> tuple[float, np.ndarray]:
     """Return the oscillating mode's eigenvalue, the largest, and the other two; NaN where the solver gives up."""
     try:
         values = solver(machine.mass_matrix.astype(kind), machine.stiffness_matrix.astype(kind))
@@ -274,14 +288,14 @@ def _samples(dtype: str, kind: type[np.floating], density: int) -> np.ndarray:
     return (10.0 ** (np.arange(-decades * density, decades * density + 1) / density)).astype(kind)
 
 
-def _errors(value: np.ndarray, truth: list[Any], kind: type[np.floating]) -> tuple[np.ndarray, np.ndarray]:
+def _errors(value: np.ndarray, truth: list[mpmath.mpf], kind: type[np.floating]) -> tuple[np.ndarray, np.ndarray]:
     """Return |value − truth| in ulp of the truth and relative to it; NaN and ∞ pass through."""
     ulps = np.spacing(np.array([float(t) for t in truth]).astype(kind))
     errors = [_error(float(v), t, float(ulp)) for v, t, ulp in zip(value, truth, ulps, strict=True)]
     return tuple(np.array(errors).T)
 
 
-def _error(value: float, truth: Any, ulp: float) -> tuple[float, float]:
+def _error(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float, float]:
     """Return the two errors of one value; they are divided with 50 digits, since an ulp may be subnormal."""
     if not np.isfinite(value):
         return abs(value), abs(value)

@@ -1,6 +1,6 @@
 """The phase Ωt after very many periods: a plain product against the reduced phase of `motion`.
 
-Lives here: that one experiment. A plain product fl(Ω)·t carries the relative rounding error of Ω into the phase, so
+A plain product fl(Ω)·t carries the relative rounding error of Ω into the phase, so
 its error grows with t; `motion` carries Ω/2π as two doubles and takes the whole turns off exactly.
 """
 
@@ -9,13 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
+import mpmath
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.accuracy.progress import REFERENCE, Piece, each, frequency_squared, positive_integer
+from ramanujan.accuracy.progress import REFERENCE, Piece, each, exact_frequency_squared
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
+from ramanujan.quantities import finite_array, instance, integer
 
 LARGEST_DECADE = 15
 """Beyond 1e15 periods neighbouring doubles t lie a quarter of a period apart: t itself no longer names a phase."""
@@ -37,7 +39,7 @@ class PhaseErrors:
 def phase_errors(
     oscillator: Oscillator, largest_decade: int = LARGEST_DECADE, samples: int = 16
 ) -> Iterator[Piece[PhaseErrors]]:
-    """Yield the phase errors after 1, 10, 100, … 10^largest_decade periods, against 50-digit arithmetic.
+    """Return the phase errors after 1, 10, 100, … 10^largest_decade periods, against 50-digit arithmetic.
 
     Parameters
     ----------
@@ -45,17 +47,45 @@ def phase_errors(
     largest_decade : from 1 to LARGEST_DECADE
     samples : times per decade, each a whole number of periods plus a fraction of one; the largest error counts
 
+    Returns
+    -------
+    iterator over pieces, each with the `PhaseErrors` of one decade
+
     Raises
     ------
     ValueError : an argument is outside its range.
+
+    >>> [piece.result.periods for piece in phase_errors(Oscillator(), 2)]
+    [1.0, 10.0, 100.0]
     """
-    last = positive_integer("largest_decade", largest_decade, LARGEST_DECADE)
-    fractions = np.arange(positive_integer("samples", samples, 1000)) / samples
+    instance("oscillator", oscillator, Oscillator)
+    last = integer("largest_decade", largest_decade, 1, LARGEST_DECADE)
+    fractions = np.arange(integer("samples", samples, 1, 1000)) / samples
     return each(lambda decade: _errors_near(oscillator, 10.0**decade, fractions), range(last + 1))
 
 
-def largest_phase_error(oscillator: Oscillator, times: np.ndarray) -> float:
-    """Return the largest phase error [rad] of `motion` at the given times [s], against 50-digit arithmetic."""
+def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
+    """Return the largest phase error [rad] of `motion` at the given times, against 50-digit arithmetic.
+
+    Parameters
+    ----------
+    oscillator : the machine
+    times : times [s], shape (n,)
+
+    Returns
+    -------
+    the largest of the n errors [rad]
+
+    Raises
+    ------
+    ValueError : times is not a row of finite numbers.
+
+    >>> largest_phase_error(Oscillator(), [1.0, 1e6]) < 1e-15
+    True
+    """
+    times = finite_array("times", times)
+    if times.ndim != 1 or times.size == 0:
+        raise ValueError(f"times must be a row of numbers, not of the shape {times.shape}")
     q, q_dot = motion(oscillator, InitialState(phi=1.0), times)
     sines = -q_dot[1] / oscillator.natural_frequency
     return max(
@@ -64,7 +94,7 @@ def largest_phase_error(oscillator: Oscillator, times: np.ndarray) -> float:
     )
 
 
-def _errors_near(oscillator: Oscillator, periods: float, fractions: np.ndarray) -> PhaseErrors:
+def _errors_near(oscillator: Oscillator, periods: float, fractions: NDArray[np.float64]) -> PhaseErrors:
     times = oscillator.period * (periods + fractions)
     exact = _exact_phases(oscillator, times)
     omega = oscillator.natural_frequency
@@ -76,12 +106,12 @@ def _errors_near(oscillator: Oscillator, periods: float, fractions: np.ndarray) 
     )
 
 
-def _exact_phases(oscillator: Oscillator, times: np.ndarray) -> list[Any]:
-    omega = REFERENCE.sqrt(frequency_squared(oscillator.m, oscillator.m_prime, oscillator.k))
+def _exact_phases(oscillator: Oscillator, times: NDArray[np.float64]) -> list[mpmath.mpf]:
+    omega = REFERENCE.sqrt(exact_frequency_squared(oscillator.m, oscillator.m_prime, oscillator.k))
     return [omega * REFERENCE.mpf(float(t)) for t in times]
 
 
-def _largest_gap(phases: np.ndarray, exact: list[Any]) -> float:
+def _largest_gap(phases: NDArray[np.floating], exact: list[mpmath.mpf]) -> float:
     """Return the largest distance of two phases on the circle [rad], at most π."""
     gaps = (float(REFERENCE.mpf(float(phase)) - truth) for phase, truth in zip(phases, exact, strict=True))
     return max(abs(math.remainder(gap, 2 * math.pi)) for gap in gaps)

@@ -1,7 +1,4 @@
-"""What every experiment shares: pieces of work, measured seconds, the reference arithmetic, checks of arguments.
-
-Does not live here: any experiment.
-"""
+"""What every experiment shares: pieces of work, measured seconds, the reference arithmetic."""
 
 from __future__ import annotations
 
@@ -9,12 +6,18 @@ import math
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 import mpmath
 import numpy as np
 
+from ramanujan.frequency import frequency_squared
+from ramanujan.quantities import function, instance, integer, one_of, positive, sequence
+
+S = TypeVar("S")
 T = TypeVar("T")
+
+_LONGEST_BATCH = 60
 
 REFERENCE = mpmath.MPContext()
 """50-digit arithmetic with an exponent of any size; a context of our own, since mpmath.mp belongs to everybody."""
@@ -39,61 +42,92 @@ class Timing:
 
 
 def results(pieces: Iterable[Piece[T]]) -> list[T]:
-    """Run an experiment to its end and return its results in order."""
+    """Run an experiment to its end and return its results in order.
+
+    >>> results([Piece(0.5), Piece(1.0, "done")])
+    ['done']
+    """
+    pieces = (instance("pieces", piece, Piece) for piece in sequence("pieces", pieces))
     return [piece.result for piece in pieces if piece.result is not None]
 
 
-def each(function: Callable[[Any], T], arguments: Sequence[Any]) -> Iterator[Piece[T]]:
-    """Yield one piece per argument, with the function's value as its result."""
-    for number, argument in enumerate(arguments, start=1):
-        yield Piece(number / len(arguments), function(argument))
+def each(experiment: Callable[[S], T], arguments: Sequence[S]) -> Iterator[Piece[T]]:
+    """Return an iterator with one piece per argument, whose result is the experiment's value.
+
+    >>> list(each(abs, [-1, -2]))
+    [Piece(done=0.5, result=1), Piece(done=1.0, result=2)]
+    """
+    function("experiment", experiment)
+    arguments = sequence("arguments", arguments)
+    return (Piece(number / len(arguments), experiment(argument)) for number, argument in enumerate(arguments, start=1))
 
 
-def measure(function: Callable[[], Any], repeats: int = 7, shortest: float = 1e-3) -> Timing:
+def measure(call: Callable[[], object], repeats: int = 7, shortest: float = 1e-3) -> Timing:
     """Return the seconds that a call takes, with its spread.
 
     Parameters
     ----------
-    function : called without arguments, many times
+    call : called without arguments, many times
     repeats : number of batches; the median and the quartiles are taken over them
-    shortest : seconds that a batch lasts at least, so that the clock's resolution does not count
+    shortest : seconds that a batch lasts at least, so that the clock's resolution does not count; up to a minute
+
+    Returns
+    -------
+    median and quartiles [s]
+
+    Raises
+    ------
+    ValueError : call is not a function, repeats is not an integer from 1 to 1000, or shortest is out of its range.
+
+    >>> measure(lambda: sum(range(100)), repeats=3, shortest=1e-4).median > 0
+    True
     """
+    function("call", call)
+    integer("repeats", repeats, 1, 1000)
+    if positive("shortest", shortest) > _LONGEST_BATCH:
+        raise ValueError(f"shortest must be at most {_LONGEST_BATCH} s")
     calls = 1
-    while (seconds := _batch(function, calls)) < shortest:
+    while (seconds := _batch(call, calls)) < shortest:
         calls = max(2 * calls, math.ceil(calls * shortest / max(seconds, 1e-7)))
-    per_call = [_batch(function, calls) / calls for _ in range(repeats)]
+    per_call = [_batch(call, calls) / calls for _ in range(repeats)]
     low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
     return Timing(median, low, high)
 
 
-def frequency_squared(m: Any, m_prime: Any, k: Any) -> Any:
-    """Return Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) to 50 digits for the given numbers, taken as exact."""
-    m, m_prime, k = (REFERENCE.mpf(float(value)) for value in (m, m_prime, k))
-    return 8 * k * (7 * m + 6 * m_prime) / (32 * m * m + 49 * m * m_prime + 18 * m_prime * m_prime)
+def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
+    """Return Ω² [rad²/s²] to 50 digits for the given numbers, taken as exact.
+
+    Parameters
+    ----------
+    m, m_prime, k : m, m′ [kg], k [N/m]
+
+    Returns
+    -------
+    a number of `REFERENCE`
+
+    Raises
+    ------
+    ValueError : a parameter is not a finite positive number.
+
+    >>> round(float(exact_frequency_squared(1, 1, 99)), 9)
+    104.0
+    """
+    given = (("m", m), ("m_prime", m_prime), ("k", k))
+    return frequency_squared(*(REFERENCE.mpf(positive(name, value)) for name, value in given))
 
 
-def positive_integer(name: str, value: Any, largest: int) -> int:
-    """Return value as an int, or raise ValueError naming it unless it is a whole number from 1 to largest."""
-    try:
-        number = int(value)
-        whole = number == value
-    except (TypeError, ValueError, OverflowError):
-        whole = False
-    if not whole or not 1 <= number <= largest:
-        raise ValueError(f"{name} must be a whole number from 1 to {largest}, not {value!r:.60}")
-    return number
+def float_type(name: str, value: str) -> type[np.floating]:
+    """Return np.float32 or np.float64 for its name, or raise ValueError.
 
-
-def float_type(name: str, value: Any) -> type[np.floating]:
-    """Return np.float32 or np.float64 for its name, or raise ValueError."""
+    >>> float_type("dtype", "float32")
+    <class 'numpy.float32'>
+    """
     kinds = {"float32": np.float32, "float64": np.float64}
-    if value not in kinds:
-        raise ValueError(f"{name} must be float32 or float64, not {value!r:.60}")
-    return kinds[value]
+    return kinds[one_of(name, value, kinds)]
 
 
-def _batch(function: Callable[[], Any], calls: int) -> float:
+def _batch(call: Callable[[], object], calls: int) -> float:
     start = time.perf_counter()
     for _ in range(calls):
-        function()
+        call()
     return time.perf_counter() - start

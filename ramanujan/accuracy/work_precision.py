@@ -1,7 +1,6 @@
 """The integrators on the machine's oscillating mode: error against cost, and how the error grows.
 
-Lives here: the work-precision diagram as data, the history of one run, the choice of the cheapest method.
-Does not live here: the methods themselves (`integrators`) and any drawing.
+This module holds the work-precision diagram as data, the history of one run, and the choice of the cheapest method.
 
 Only the oscillating mode φ″ = −Ω²φ is integrated: X and Φ are a steady drift, which every method here follows
 exactly, plus a copy of φ. A run starts at φ = 1, φ′ = 0 and lasts a whole number of periods T, so that the exact final
@@ -16,14 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import islice
-from typing import Any
 
 import numpy as np
 
-from ramanujan.accuracy.progress import Piece, Timing, float_type, measure, positive_integer
-from ramanujan.integrators import METHODS, Acceleration, Method, trajectory
+from ramanujan.accuracy.progress import Piece, Timing, float_type, measure
+from ramanujan.integrators import METHODS, Acceleration, Method, Runs, trajectory
 from ramanujan.oscillator import Oscillator
+from ramanujan.quantities import instance, integer, one_of, positive, sequence
 
 STEPS_PER_PERIOD: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
 DTYPES = ("float32", "float64")
@@ -45,7 +43,7 @@ class WorkPrecision:
     steps_per_period : n, so that h = T/n
     state_error, phase_error, energy_error : see the module docstring; NaN or ∞ where the run left the range
     largest_energy_error : the largest |energy error| at any step of the run
-    evaluations : evaluations of the acceleration in the run
+    evaluations : evaluations of the acceleration until the run ended, counted one by one
     seconds, seconds_low, seconds_high : the run's steps times the measured seconds per step: median and quartiles
     """
 
@@ -79,7 +77,8 @@ class Choice:
 class History:
     """One run beside the truth; each array has one element per recorded step, the start included.
 
-    t [s]; q and q_exact, φ over its amplitude; phase_error [rad] and energy_error as in the module docstring.
+    t [s]; q and q_exact, φ over its amplitude; phase_error [rad] and energy_error as in the module docstring;
+    evaluations : evaluations of the acceleration in the run, counted one by one
     """
 
     method: str
@@ -89,6 +88,7 @@ class History:
     q_exact: np.ndarray
     phase_error: np.ndarray
     energy_error: np.ndarray
+    evaluations: int
 
 
 def work_precision(
@@ -98,9 +98,9 @@ def work_precision(
     methods: Iterable[str] = tuple(METHODS),
     dtypes: Iterable[str] = DTYPES,
 ) -> Iterator[Piece[WorkPrecision]]:
-    """Yield the work-precision diagram piece by piece: one `WorkPrecision` per method and dtype.
+    """Return an iterator over the work-precision diagram: one `WorkPrecision` per method and dtype.
 
-    All runs of one method are one array program: they step together, and a run that has ended leaves the array.
+    All runs of one method are one array program: they step together until the longest has ended.
 
     Parameters
     ----------
@@ -109,23 +109,33 @@ def work_precision(
     steps_per_period : n of every run, whole numbers from 3 on, so that a step turns less than half a circle
     methods, dtypes : names in METHODS; "float32", "float64"
 
+    Returns
+    -------
+    iterator over pieces of work, some of which carry a `WorkPrecision`
+
     Raises
     ------
     ValueError : an argument is outside its range, or a run would take more than LONGEST_RUN steps.
+
+    >>> pieces = work_precision(Oscillator(), 10, [20], ["velocity_verlet"], ["float64"])
+    >>> [curve] = [piece.result for piece in pieces if piece.result]
+    >>> curve.evaluations
+    array([201])
     """
-    periods = positive_integer("periods", periods, LONGEST_RUN // 3)
-    steps = np.unique([_steps(n, periods) for n in steps_per_period])
+    instance("oscillator", oscillator, Oscillator)
+    periods = integer("periods", periods, 1, LONGEST_RUN // 3)
+    steps = np.unique([_steps(n, periods) for n in sequence("steps_per_period", steps_per_period)])
     if steps.size == 0:
         raise ValueError("steps_per_period must not be empty")
-    chosen = [(name, _method(name)) for name in methods]
-    kinds = [(name, float_type("dtypes", name)) for name in dtypes]
+    chosen = [(name, _method("methods", name)) for name in sequence("methods", methods)]
+    kinds = [(name, float_type("dtypes", name)) for name in sequence("dtypes", dtypes)]
     return _diagram(oscillator, periods, steps, chosen, kinds)
 
 
 def error_history(
     oscillator: Oscillator, method: str, steps_per_period: int, periods: int, dtype: str = "float64", every: int = 1
 ) -> Iterator[Piece[History]]:
-    """Yield one run piece by piece; the last piece carries its `History`.
+    """Return an iterator over one run; its last piece carries the `History`.
 
     Parameters
     ----------
@@ -136,14 +146,25 @@ def error_history(
     dtype : "float32" or "float64"
     every : a step is recorded when its number is a multiple of this
 
+    Returns
+    -------
+    iterator over pieces of work
+
     Raises
     ------
     ValueError : an argument is outside its range.
+
+    >>> *_, last = error_history(Oscillator(), "rk4", 20, 10)
+    >>> last.result.evaluations
+    800
     """
-    periods = positive_integer("periods", periods, LONGEST_RUN // 3)
+    instance("oscillator", oscillator, Oscillator)
+    periods = integer("periods", periods, 1, LONGEST_RUN // 3)
     n = _steps(steps_per_period, periods)
-    every = positive_integer("every", every, n * periods)
-    return _history(oscillator, (method, _method(method)), n, periods, (dtype, float_type("dtype", dtype)), every)
+    every = integer("every", every, 1, n * periods)
+    return _history(
+        oscillator, (method, _method("method", method)), n, periods, (dtype, float_type("dtype", dtype)), every
+    )
 
 
 def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[Choice]:
@@ -155,14 +176,23 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
     tolerance : largest allowed state error, relative to the amplitude, and phase error [rad]
     by : the cost that counts, "evaluations" or "seconds"
 
+    Returns
+    -------
+    at most one choice for each curve; a curve without such a run has none
+
     Raises
     ------
-    ValueError : the tolerance is not positive, or the cost has another name.
+    ValueError : curves are not results of `work_precision`, the tolerance is not a finite positive number, or the cost
+        has another name.
+
+    >>> pieces = work_precision(Oscillator(), 10, [20, 100], ["rk4"], ["float64"])
+    >>> [choice] = cheapest([piece.result for piece in pieces if piece.result], tolerance=1e-3)
+    >>> choice.steps_per_period
+    100
     """
-    if by not in ("evaluations", "seconds"):
-        raise ValueError(f"by must be evaluations or seconds, not {by!r:.60}")
-    if not tolerance > 0:
-        raise ValueError(f"tolerance must be a positive number, not {tolerance!r:.60}")
+    one_of("by", by, ("evaluations", "seconds"))
+    tolerance = positive("tolerance", tolerance)
+    curves = [instance("curves", curve, WorkPrecision) for curve in sequence("curves", curves)]
     found = [choice for curve in curves if (choice := _cheapest_run(curve, tolerance))]
     return sorted(found, key=lambda choice: getattr(choice, by))
 
@@ -196,11 +226,12 @@ def _diagram(
     for dtype, kind in kinds:
         for name, method in methods:
             phase, energy, largest = np.zeros((3, steps.size))
-            state = np.zeros(steps.size)
-            for number, s in _blocks(oscillator, method, kind, steps, periods):
+            state, evaluations = np.zeros(steps.size), np.zeros(steps.size, int)
+            for number, s, so_far in _blocks(oscillator, method, kind, steps, periods):
                 running = slice(steps.size - s.shape[1], None)
                 phases, energies = _errors(number, s, steps[running], phase[running])
                 phase[running], energy[running], state[running] = phases[-1], energies[-1], np.abs(s[-1] - 1)
+                evaluations[running] = so_far
                 largest[running] = np.maximum(largest[running], np.abs(energies).max(axis=0))
                 yield Piece((finished + method.evaluations * number[-1] / (steps[-1] * periods)) / work)
             finished += method.evaluations
@@ -217,7 +248,7 @@ def _diagram(
                     phase_error=phase,
                     energy_error=energy,
                     largest_energy_error=largest,
-                    evaluations=total * method.evaluations,
+                    evaluations=evaluations,
                     seconds=total * timing.median,
                     seconds_low=total * timing.low,
                     seconds_high=total * timing.high,
@@ -235,7 +266,8 @@ def _history(
 ) -> Iterator[Piece[History]]:
     steps, phase = np.array([n]), np.zeros(1)
     numbers, states, phases, energies = [np.zeros(1, int)], [np.ones(1, complex)], [np.zeros(1)], [np.zeros(1)]
-    for number, s in _blocks(oscillator, named_method[1], named_kind[1], steps, periods):
+    evaluations = 0
+    for number, s, evaluations in _blocks(oscillator, named_method[1], named_kind[1], steps, periods):  # noqa: B007
         phase_block, energy_block = _errors(number, s, steps, phase)
         phase = phase_block[-1]
         recorded = number % every == 0
@@ -254,36 +286,43 @@ def _history(
             q_exact=_exact(number, steps)[:, 0].real,
             phase_error=np.concatenate(phases),
             energy_error=np.concatenate(energies),
+            evaluations=evaluations,
         ),
     )
 
 
 def _blocks(
     oscillator: Oscillator, method: Method, kind: type[np.floating], steps: np.ndarray, periods: int
-) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Yield blocks of steps: their numbers (rows,) and the states s = φ − iφ′/Ω, complex, shape (rows, runs).
+) -> Iterator[tuple[np.ndarray, np.ndarray, int]]:
+    """Yield blocks of steps: their numbers (rows,), the states s = φ − iφ′/Ω, complex, shape (rows, runs still under
+    way), and how often the acceleration has been evaluated so far.
 
-    `steps` ascends. A block ends where the shortest run ends, which then leaves: the last row is a final state.
+    `steps` ascends. A block ends where the shortest run under way ends: its last row is that run's final state.
     """
     omega = oscillator.natural_frequency
-    acceleration = _harmonic(oscillator, kind)
+    harmonic, evaluations = _harmonic(oscillator, kind), 0
+
+    def acceleration(q: Runs) -> Runs:
+        nonlocal evaluations
+        evaluations += 1
+        return harmonic(q)
+
     with np.errstate(over="ignore"):
         h = (oscillator.period / steps).astype(kind)
-    q, v = np.ones(steps.size, kind), np.zeros(steps.size, kind)
+    states = trajectory(method, acceleration, np.ones(steps.size, kind), np.zeros(steps.size, kind), h)
     done = 0
-    for total in (steps * periods).tolist():
+    for ended, total in enumerate((steps * periods).tolist()):
         while done < total:
             rows = min(_BLOCK, total - done)
-            s = np.empty((rows, q.size), complex)
-            states = islice(trajectory(method, acceleration, q, v, h), rows)
+            s = np.empty((rows, steps.size - ended), complex)
             # A run that blows up is a result here, not a fault.
             with np.errstate(over="ignore", invalid="ignore"):
-                for row, (q, v) in enumerate(states):
-                    s.real[row], s.imag[row] = q, v
+                for row in range(rows):
+                    q, v = next(states)
+                    s.real[row], s.imag[row] = q[ended:], v[ended:]
                 s.imag /= -omega
-            yield np.arange(done + 1, done + rows + 1), s
+            yield np.arange(done + 1, done + rows + 1), s, evaluations
             done += rows
-        q, v, h = q[1:], v[1:], h[1:]
 
 
 def _errors(
@@ -319,16 +358,11 @@ def _seconds_per_step(oscillator: Oscillator, method: Method, kind: type[np.floa
         return measure(lambda: next(states))
 
 
-def _method(name: Any) -> Method:
+def _method(parameter: str, name: object) -> Method:
     """Return the method of that name, or raise ValueError with the names that exist."""
-    if name not in METHODS:
-        raise ValueError(f"methods must be among {', '.join(METHODS)}, not {name!r:.60}")
-    return METHODS[name]
+    return METHODS[one_of(parameter, name, METHODS)]
 
 
-def _steps(n: Any, periods: int) -> int:
+def _steps(n: object, periods: int) -> int:
     """Return n steps per period as an int from 3 on, or raise ValueError."""
-    steps = positive_integer("steps_per_period", n, LONGEST_RUN // periods)
-    if steps < 3:
-        raise ValueError(f"steps_per_period must be at least 3, not {steps}")
-    return steps
+    return integer("steps_per_period", n, 3, LONGEST_RUN // periods)

@@ -24,6 +24,7 @@ from math import gcd, lcm
 from types import MappingProxyType
 
 from ramanujan.number_theory import integers
+from ramanujan.quantities import one_of, rational
 
 BODIES = MappingProxyType(
     {"hoop": Fraction(1), "shell": Fraction(2, 3), "cylinder": Fraction(1, 2), "sphere": Fraction(2, 5)}
@@ -58,7 +59,7 @@ def normalized_frequency_squared_exact(
     Source: paper, section 2, with general shape factors; module docstring.
     """
     s, gamma = _inertia(beta_a, beta_b, beta_c)
-    epsilon = integers.rational("ratio", ratio, LARGEST_RATIO_PART)
+    epsilon = rational("ratio", ratio, LARGEST_RATIO_PART)
     if epsilon < 0:
         raise ValueError("ratio must not be negative")
     return _normalized_frequency_squared(s, gamma, epsilon)
@@ -88,7 +89,7 @@ def unit_quadratic(
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     if s == 0:
         raise ValueError("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear")
-    w = integers.rational("target", target, LARGEST_PART)
+    w = rational("target", target, LARGEST_PART)
     limit = (2 + gamma) / (1 + gamma)
     if not 0 < w < limit:
         raise ValueError(f"target must lie strictly between 0 and {limit}, the value for very light rollers")
@@ -118,7 +119,7 @@ class Machine:
     def __post_init__(self) -> None:
         for place in ("left", "right", "top"):
             _shape_factor(place, getattr(self, place))
-        object.__setattr__(self, "target", integers.rational("target", self.target, LARGEST_PART))
+        object.__setattr__(self, "target", rational("target", self.target, LARGEST_PART))
         # Asking for it here lets no machine exist that has no quadratic.
         _ = self.quadratic
 
@@ -216,7 +217,7 @@ def practical_ratios(
     quotients = integers.continued_fraction(*unit_quadratic(*bodies, target), terms)
     ratios = integers.convergents(quotients)
     inertia = _inertia(*bodies)
-    w = integers.rational("target", target, LARGEST_PART)
+    w = rational("target", target, LARGEST_PART)
     return [PracticalRatio(ratio, _normalized_frequency_squared(*inertia, ratio) - w) for ratio in ratios if ratio]
 
 
@@ -234,10 +235,8 @@ def _inertia(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> t
 def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
     """Return β of a body given by name or number."""
     if isinstance(body, str):
-        if body not in BODIES:
-            raise ValueError(f"{name} must be one of {', '.join(BODIES)}, or an exact number from 0 to 1")
-        return BODIES[body]
-    beta = integers.rational(name, body, LARGEST_PART)
+        return BODIES[one_of(name, body, BODIES)]
+    beta = rational(name, body, LARGEST_PART)
     if not 0 <= beta <= 1:
         raise ValueError(f"{name} must lie between 0 and 1")
     return beta

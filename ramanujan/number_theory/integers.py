@@ -12,9 +12,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import count
 from math import isqrt, prod
-from numbers import Integral, Rational
 
 from sympy.ntheory import factorint
+
+from ramanujan.quantities import integer, sequence
 
 LARGEST_NUMBER = 10**12
 """The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""
@@ -170,7 +171,8 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
 
     Source: H. Davenport, The Higher Arithmetic, chapter IV.
     """
-    if not isinstance(quotients, Sequence) or len(quotients) > MOST_TERMS:
+    quotients = sequence("quotients", quotients)
+    if len(quotients) > MOST_TERMS:
         raise ValueError(f"quotients must be a list of at most {MOST_TERMS} integers")
     fractions: list[Fraction] = []
     before, last = (0, 1), (1, 0)
@@ -201,26 +203,3 @@ def _coefficients(a: int, b: int, c: int) -> Quadratic:
 def _number(n: int) -> int:
     """Return n, or raise ValueError unless it is an integer from 1 to LARGEST_NUMBER."""
     return integer("n", n, 1, LARGEST_NUMBER)
-
-
-def integer(name: str, value: object, low: int, high: int) -> int:
-    """Return value as an int, or raise ValueError naming it unless it is an integer from low to high."""
-    if isinstance(value, Integral) and not isinstance(value, bool) and low <= value <= high:
-        return int(value)
-    # The value itself is not shown: Python refuses to print an integer of more than 4300 digits.
-    raise ValueError(f"{name} must be an integer from {_readable(low)} to {_readable(high)}")
-
-
-def rational(name: str, value: object, largest: int) -> Fraction:
-    """Return value as a Fraction, or raise ValueError naming it unless it is exact and its parts are small enough."""
-    if not isinstance(value, Rational) or isinstance(value, bool):
-        raise ValueError(f"{name} must be an exact number, an integer or a Fraction")
-    if max(abs(value.numerator), value.denominator) > largest:
-        raise ValueError(f"{name} must have a numerator and a denominator up to {_readable(largest)}")
-    return Fraction(int(value.numerator), int(value.denominator))
-
-
-def _readable(bound: int) -> str:
-    """Return a bound as text, a large power of ten as such."""
-    sign = "−" if bound < 0 else ""
-    return str(bound) if abs(bound) < 10**4 else f"{sign}10^{len(str(abs(bound))) - 1}"

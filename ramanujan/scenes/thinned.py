@@ -44,6 +44,7 @@ class Run:
     reach : where each error curve has its points [periods], shape (points,)
     phase, energy : the largest |phase error| [rad] and |energy error| so far, shape (points,)
     phase_at_end, energy_at_end : the errors at the end, with their signs
+    evaluations : evaluations of the force in the run
     """
 
     method: str
@@ -57,6 +58,7 @@ class Run:
     energy: np.ndarray
     phase_at_end: float
     energy_at_end: float
+    evaluations: int
 
 
 def run_pieces(oscillator: Oscillator, method: str, steps: int, periods: int, dtype: str) -> Iterator[Piece[Run]]:
@@ -136,4 +138,5 @@ def _thinned(history: History, steps: int, periods: int) -> Run:
         energy=np.fmax.accumulate(np.abs(history.energy_error))[ends],
         phase_at_end=float(history.phase_error[-1]),
         energy_at_end=float(history.energy_error[-1]),
+        evaluations=history.evaluations,
     )

@@ -80,9 +80,8 @@ def method_facts(method: Method, steps: int) -> str:
 
 def errors_of(run: Run) -> str:
     """Say how far a run is off at its end, and whether it shows."""
-    method = METHODS[run.method]
     worst = float(np.max(run.energy))
-    evaluations = number(run.steps * run.periods * method.evaluations, 3)
+    evaluations = number(run.evaluations, 3)
     if not math.isfinite(run.energy_at_end) or worst > 1e6:
         return f"After {run.periods} periods and {evaluations} evaluations the energy has grown beyond all measure."
     if worst > 1:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import plotly.graph_objects as go
 import streamlit as st
 
-from ramanujan import Oscillator
+from ramanujan import Oscillator, drawn_spacing
 from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
@@ -39,11 +39,6 @@ _CM = 100.0
 # Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it.
 _LINES = {"hoop": {"width": 5.0}, "cylinder": {"dash": "6px 6px"}}
 _KINDS = {"translation": "travels", "rotation": "turns"}
-
-
-def drawn_spacing(radius: float) -> float:
-    """Return the distance between the axes of the lower rollers [m] at which the stage draws them."""
-    return 2.4 * radius + 0.05
 
 
 @st.cache_resource(show_spinner=False, max_entries=128)
