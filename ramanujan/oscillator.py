@@ -191,5 +191,6 @@ class Oscillator:
         for symbol, meaning, name, unit in shown:
             # A machine with a frequency beyond float64 still shows its parameters.
             with suppress(ValueError):
-                rows.append(f"| {symbol} | {meaning} | {getattr(self, name):.6g} {unit} |")
+                value = f"{getattr(self, name):.6g} {unit}".rstrip()
+                rows.append(f"| {symbol} | {meaning} | {value} |")
         return "\n".join(rows)

@@ -159,3 +159,82 @@ def test_matrices_out_of_range_are_refused_not_wrong():
         with pytest.raises(ValueError, match="stiffness_matrix"):
             _ = Oscillator(radius=radius).stiffness_matrix
     assert Oscillator(radius=1e200).natural_frequency_squared == Oscillator().natural_frequency_squared
+
+
+# --- the curve's marked values, and its fall -------------------------------------------------------------------------
+
+MARKED = [0.0, 1.0, 5 / 6, UNIT_MASS_RATIO, 2.0**-53, 2.0**-52, 2.0**-51, 32 / 21, 64 / 21, 48 / 49]
+
+
+def neighbours(center, dtype, count):
+    """The floats next to a number, `count` to either side, without a gap."""
+    integer = {np.float32: np.uint32, np.float64: np.uint64}[dtype]
+    middle = int(np.array(center, dtype).view(integer))
+    values = np.arange(max(middle - count, 0), middle + count, dtype=integer).view(dtype)
+    return values[np.isfinite(values)]
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_the_marked_values_are_exact(dtype):
+    f = normalized_frequency_squared
+    assert f(dtype(0)) == 7 / 4
+    assert f(dtype(1)) == dtype(104 / 99)
+    assert f(dtype(UNIT_MASS_RATIO)) == 1
+    assert f(dtype(5 / 6)) == dtype(9 / 8)
+    assert mass_ratio_for(dtype(1)) == dtype(UNIT_MASS_RATIO)
+    assert mass_ratio_for(dtype(9 / 8)) == dtype(5 / 6)
+    # The other machine of the same ratio, whose ratio is not a double: Ω is computed from the masses themselves.
+    assert Oscillator(3.0, 3 * UNIT_MASS_RATIO).normalized_frequency_squared == 1
+    assert Oscillator(7.0, 7.0, 99.0).normalized_frequency_squared == 104 / 99
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_it_never_rises_and_never_exceeds_its_limit(dtype):
+    f = normalized_frequency_squared
+    smallest, largest = (-149, 127) if dtype is np.float32 else (-1074, 1023)
+    powers = [2.0**n for n in range(smallest, largest + 1, 1 if dtype is np.float32 else 7)]
+    # Where the sum of the two doubles in the denominator changes its leading one: 1 + 21ε/32 a power of two.
+    switches = [32 / 21 * (2.0**n - 1) for n in range(1, 60)]
+    for center in [*MARKED, *powers, *switches, *(10.0**n for n in range(-37, 38))]:
+        values = f(neighbours(center, dtype, 300))
+        assert np.all(np.diff(values) <= 0), center
+        assert values[0] <= 7 / 4
+    rng = np.random.default_rng(7)
+    for exponents in (rng.uniform(-20, 20, 200_000), rng.uniform(-1, 1, 200_000), rng.uniform(-17, -15, 200_000)):
+        assert np.all(np.diff(f(np.sort(10.0**exponents).astype(dtype))) <= 0)
+
+
+def test_the_shorter_form_would_exceed_the_limit():
+    """Negative control: the partial fractions, evaluated as they are written, exceed 7/4 in float32."""
+
+    def shorter(ratio):
+        return 1 / (ratio * 0.375 + (7 / 12 - 1 / (ratio * 72 + 84)))
+
+    assert np.any(shorter((10.0 ** np.arange(-37.0, 0)).astype(np.float32)) > 7 / 4)
+
+
+@settings(deadline=None, max_examples=600)
+@given(st.one_of(st.floats(0, 1.7e308), st.floats(-20, 20).map(lambda x: 10.0**x)))
+@example(5e-324)
+@example(1.7976931348623157e308)
+def test_the_curve_is_right_to_half_an_ulp_and_a_bit(ratio):
+    exact = 8 * (7 + 6 * mpmath.mpf(ratio)) / (18 * mpmath.mpf(ratio) ** 2 + 49 * mpmath.mpf(ratio) + 32)
+    value = float(normalized_frequency_squared(ratio))
+    # Below the normal numbers it is rounded a second time.
+    assert abs(value - exact) <= 0.52 * math.ulp(value) + (0.5 * 5e-324 if value < SMALLEST else 0)
+    # Every ε of float32 is a double, so that its value is rounded only once more.
+    small = np.float32(min(ratio, 3e38))
+    exact = 8 * (7 + 6 * mpmath.mpf(float(small))) / (18 * mpmath.mpf(float(small)) ** 2 + 49 * float(small) + 32)
+    found = normalized_frequency_squared(small)
+    assert found.dtype == np.float32
+    assert abs(float(found) - exact) <= 0.51 * float(np.spacing(found))
+
+
+def test_an_oscillator_shows_itself_in_a_notebook():
+    shown = Oscillator(1, UNIT_MASS_RATIO, 10)._repr_markdown_()
+    assert "| k | stiffness of the spring | 10 N/m |" in shown
+    assert "| Ω²m/k | normalized frequency squared | 1 |" in shown
+    # A machine whose frequency is beyond float64 still shows its parameters.
+    too_fast = Oscillator(5e-324, 5e-324, 1e308)._repr_markdown_()
+    assert "| Ω |" not in too_fast
+    assert "| Ω²m/k |" in too_fast
