@@ -140,7 +140,7 @@ def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> 
     """
     start, quarter = q + h / 2 * v, h * h / 4
     before, a_before = start, acceleration(start)
-    middle, slope = start + quarter * a_before, 0.0
+    middle, slope, solved = start + quarter * a_before, 0.0, False
     tolerance = _RESIDUAL_ULPS * float(np.finfo(np.asarray(middle).dtype).eps)
     with np.errstate(all="ignore"):
         for _ in range(_MOST_ITERATIONS):
@@ -148,12 +148,12 @@ def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> 
             residual = (middle - start) - quarter * a
             # What the rounding of each term, and of the middle itself, can leave of the residual.
             scale = abs(start) + abs(middle) + abs(quarter * a) + abs(quarter * slope * middle)
-            solved = abs(residual) <= tolerance * scale
+            solved = solved | (np.isfinite(scale) & (abs(residual) <= tolerance * scale))
             if np.all(solved):
                 return 2 * middle - q, v + h * a
-            slope = (a - a_before) / (middle - before)
-            before, a_before = middle, a
             # A run that is solved stays as it is, whatever the others need.
+            slope = np.where(solved, slope, (a - a_before) / (middle - before))[()]
+            before, a_before = middle, a
             middle = np.where(solved, middle, middle - residual / (1 - quarter * slope))[()]
     raise ValueError("h is too large for this acceleration: the implicit midpoint equation was not solved")
 

@@ -247,3 +247,60 @@ def test_yoshida_6_weights_are_the_root_to_the_last_digit():
     with mpmath.workdps(60):
         root = mpmath.findroot(conditions, YOSHIDA_6_WEIGHTS[:3])
         assert tuple(float(w) for w in root) == YOSHIDA_6_WEIGHTS[:3]
+
+
+# --- the implicit equation, for any force ----------------------------------------------------------------------------
+
+FORCES = {
+    "pendulum": lambda q: -np.sin(q),
+    "hard spring": lambda q: -(q**3),
+    "soft spring": lambda q: -np.tanh(5 * q),
+    "Toda": lambda q: 1 - np.exp(q),
+    "off centre": lambda q: -100.0 * (q - 1e6),
+}
+
+
+@pytest.mark.parametrize("force", FORCES)
+@settings(deadline=None, max_examples=60)
+@given(q=st.floats(-2, 2), v=st.floats(-2, 2), h=st.floats(-0.9, 0.9))
+def test_implicit_midpoint_solves_its_equation_for_any_force(force, q, v, h):
+    acceleration = FORCES[force]
+    q_new, v_new = METHODS["implicit_midpoint"].step(acceleration, q, v, h)
+    a = float(acceleration((q + q_new) / 2))
+    slope = 100.0 if force == "off centre" else 20.0
+    # The middle is known to its last digit; what that digit changes in the force is what may be left.
+    rounding = 1e-14 * (abs(q) + abs(q_new) + 1)
+    assert abs(v_new - v - h * a) <= rounding * (1 + abs(h) * slope) + 1e-14 * (abs(v) + abs(h * a))
+    assert abs(q_new - q - h * (v + v_new) / 2) <= rounding + 1e-14 * abs(h) * (abs(v) + abs(v_new))
+
+
+def test_the_linear_solution_would_be_wrong_for_a_pendulum():
+    """Negative control: with one ω² for all q, as for a linear force, the motion is another one."""
+    h, steps = 0.01, 1000
+    q, v = after("implicit_midpoint", pendulum, 2.0, 0.0, h, steps)
+    truth = solve_ivp(lambda t, y: [y[1], -np.sin(y[0])], (0, h * steps), [2.0, 0.0], "DOP853", rtol=1e-12, atol=1e-13)
+    assert (q, v) == pytest.approx(tuple(truth.y[:, -1]), abs=1e-3)
+    linear = after("implicit_midpoint", lambda x: -math.sin(1) * x, 2.0, 0.0, h, steps)
+    assert abs(linear[0] - q) > 0.1
+
+
+@pytest.mark.parametrize("acceleration", [np.exp, lambda q: q * np.nan, lambda q: q**2 + 100])
+def test_what_does_not_converge_is_refused(acceleration):
+    with pytest.raises(ValueError, match=r"^h is too large"):
+        after("implicit_midpoint", acceleration, 1.0, 0.0, 3.0, 50)
+
+
+@pytest.mark.parametrize("force", FORCES)
+def test_nonlinear_runs_stop_one_by_one(force):
+    q, v, h = np.linspace(-1, 1, 9), np.linspace(1, 2, 9), np.geomspace(1e-4, 0.5, 9)
+    together = after("implicit_midpoint", FORCES[force], q, v, h, 20)
+    for i in range(9):
+        alone = after("implicit_midpoint", FORCES[force], q[i : i + 1], v[i : i + 1], h[i : i + 1], 20)
+        assert (together[0][i], together[1][i]) == (alone[0][0], alone[1][0])
+
+
+def test_a_trajectory_takes_whole_numbers_and_lists_too():
+    assert after("rk4", harmonic, 1, 0, 1, 1) == after("rk4", harmonic, 1.0, 0.0, 1.0, 1)
+    assert after("rk4", harmonic, [1, 2], [0, 0], [0.5, 1], 1)[0].tolist() == [
+        after("rk4", harmonic, q, 0, h, 1)[0] for q, h in ((1, 0.5), (2, 1))
+    ]

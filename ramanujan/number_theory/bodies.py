@@ -1,6 +1,6 @@
 """Rolling bodies and the numbers they lead to: the quadratic for the mass ratio, its discriminant, the 40 machines.
 
-Lives here: how the choice of rolling bodies becomes an exact quadratic. Arithmetic that knows no machine: `integers`.
+This module makes an exact quadratic of a choice of rolling bodies; `integers` does the arithmetic.
 
 A rolling body of mass M and radius R has the moment of inertia βMR², where β is its shape factor. With β_a, β_b for the
 two lower rollers, β_c for the top body, s = β_a + β_b and γ = β_c/(1 + β_c), the machine of mass ratio ε = m′/m has
@@ -52,11 +52,18 @@ def normalized_frequency_squared_exact(
     beta_a, beta_b, beta_c : shape factors of the two lower rollers and the top body, from 0 to 1, or names in BODIES
     ratio : ε = m′/m ≥ 0, dimensionless
 
+    Returns
+    -------
+    Ω²m/k as a fraction
+
     Raises
     ------
     ValueError : a shape factor is neither a name nor an exact number from 0 to 1, or the ratio is no exact number ≥ 0.
 
     Source: paper, section 2, with general shape factors; module docstring.
+
+    >>> normalized_frequency_squared_exact("hoop", "cylinder", "cylinder", 1)
+    Fraction(104, 99)
     """
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     epsilon = rational("ratio", ratio, LARGEST_RATIO_PART)
@@ -79,12 +86,19 @@ def unit_quadratic(
     beta_a, beta_b, beta_c : shape factors of the two lower rollers and the top body, from 0 to 1, or names in BODIES
     target : w, dimensionless; 1, the unit frequency, unless given
 
+    Returns
+    -------
+    the integers (a, b, c)
+
     Raises
     ------
     ValueError : a shape factor is neither a name nor an exact number from 0 to 1; both lower ones are 0 (the equation
         is then linear); or the target is not an exact number strictly between 0 and (2 + γ)/(1 + γ).
 
     Source: paper, section 2 (the unit frequency), with general shape factors; module docstring.
+
+    >>> unit_quadratic("hoop", "cylinder", "cylinder")
+    (18, 1, -24)
     """
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     if s == 0:
@@ -109,6 +123,9 @@ class Machine:
     Raises
     ------
     ValueError : as in `unit_quadratic`; a discriminant above 10¹² is neither factored nor searched for cubes.
+
+    >>> Machine().discriminant
+    1729
     """
 
     left: ShapeFactor = "hoop"
@@ -155,13 +172,45 @@ class Machine:
 
 
 def machines(target: int | Fraction = 1) -> list[Machine]:
-    """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES."""
+    """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES.
+
+    Parameters
+    ----------
+    target : w = Ω²m/k, dimensionless
+
+    Returns
+    -------
+    the machines
+
+    Raises
+    ------
+    ValueError : the target is not an exact number that all 40 machines can reach.
+
+    >>> sorted(machine.discriminant for machine in machines() if machine.cubes)
+    [1064, 1729, 5896]
+    """
     pairs = combinations_with_replacement(BODIES, 2)
     return [Machine(left, right, top, target) for left, right in pairs for top in BODIES]
 
 
 def one_change_away(target: int | Fraction = 1) -> list[Machine]:
-    """Return the nine of the 40 machines that differ from the paper's in exactly one body."""
+    """Return the nine of the 40 machines that differ from the paper's in exactly one body.
+
+    Parameters
+    ----------
+    target : w = Ω²m/k, dimensionless
+
+    Returns
+    -------
+    the machines, in the order of `machines`
+
+    Raises
+    ------
+    ValueError : the target is not an exact number that all 40 machines can reach.
+
+    >>> len(one_change_away())
+    9
+    """
     paper = Machine()
     return [machine for machine in machines(target) if _bodies_changed(machine, paper) == 1]
 
@@ -175,11 +224,18 @@ def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
     ----------
     target : w = p/q, dimensionless, strictly between 0 and 7/4
 
+    Returns
+    -------
+    the integers (x, y)
+
     Raises
     ------
     ValueError : the target is not an exact number in that range.
 
     Source: `unit_quadratic` for s = 3/2, γ = 1/3; the square is that of the coefficients' common factor.
+
+    >>> norm_form()
+    (41, 4)
     """
     w = Machine(target=target).target
     return 48 * w.denominator - 7 * w.numerator, 4 * w.numerator
@@ -209,9 +265,16 @@ def practical_ratios(
     beta_a, beta_b, beta_c, target : as in `unit_quadratic`
     terms : how many convergents, from 1 to 100; a first convergent 0 (no rollers) is left out
 
+    Returns
+    -------
+    the ratios, each with its error
+
     Raises
     ------
     ValueError : as in `unit_quadratic`, or for a number of terms that is no such integer.
+
+    >>> practical_ratios(terms=3)[-1].ratio
+    Fraction(9, 8)
     """
     bodies = (beta_a, beta_b, beta_c)
     quotients = integers.continued_fraction(*unit_quadratic(*bodies, target), terms)

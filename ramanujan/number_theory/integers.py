@@ -1,6 +1,6 @@
 """Integers and quadratics with integer coefficients: factors, sums of cubes, and the exact digits of a root.
 
-Lives here: what knows no machine. Integers, `Fraction`s and decimal text only; no float enters, none leaves.
+Nothing here knows a machine. Integers, `Fraction`s and decimal text only; no float enters, none leaves.
 
 A quadratic aε² + bε + c with a > 0 > c has exactly one positive root, ε = (√D − b)/(2a) with D = b² − 4ac. Its digits
 and its continued fraction need nothing but the integer square root of D.
@@ -39,21 +39,66 @@ Quadratic = tuple[int, int, int]
 
 
 def discriminant(a: int, b: int, c: int) -> int:
-    """Return D = b² − 4ac of the quadratic aε² + bε + c; ValueError names a coefficient that is no integer, or a = 0.
+    """Return D = b² − 4ac of the quadratic aε² + bε + c.
 
-    The integers may have up to 30 digits. `discriminant(*quadratic)` takes what `unit_quadratic` returns.
+    Parameters
+    ----------
+    a, b, c : integers of up to 30 digits, a ≠ 0; `discriminant(*quadratic)` takes what `unit_quadratic` returns
+
+    Returns
+    -------
+    D, an integer
+
+    Raises
+    ------
+    ValueError : a coefficient is not such an integer; the message names it.
+
+    >>> discriminant(18, 1, -24)
+    1729
     """
     a, b, c = _coefficients(a, b, c)
     return b * b - 4 * a * c
 
 
 def factorization(n: int) -> tuple[tuple[int, int], ...]:
-    """Return the pairs (prime, exponent) whose product is n, by rising prime; ValueError unless 1 ≤ n ≤ 10¹²."""
+    """Return the pairs (prime, exponent) whose product is n, by rising prime.
+
+    Parameters
+    ----------
+    n : an integer from 1 to LARGEST_NUMBER
+
+    Returns
+    -------
+    the pairs; none for n = 1
+
+    Raises
+    ------
+    ValueError : n is not such an integer.
+
+    >>> factorization(1729)
+    ((7, 1), (13, 1), (19, 1))
+    """
     return tuple(sorted(factorint(_number(n)).items()))
 
 
 def squarefree_part(n: int) -> int:
-    """Return d, where n = d·r² with the largest square r²; ValueError unless 1 ≤ n ≤ 10¹²."""
+    """Return d, where n = d·r² with the largest square r².
+
+    Parameters
+    ----------
+    n : an integer from 1 to LARGEST_NUMBER
+
+    Returns
+    -------
+    d, an integer without a square factor
+
+    Raises
+    ------
+    ValueError : n is not such an integer.
+
+    >>> squarefree_part(72)
+    2
+    """
     return prod(prime for prime, exponent in factorization(n) if exponent % 2)
 
 
@@ -66,18 +111,41 @@ def field_discriminant(n: int) -> int:
     ----------
     n : an integer from 1 to LARGEST_NUMBER, such as the discriminant of a quadratic
 
+    Returns
+    -------
+    the discriminant, an integer
+
     Raises
     ------
     ValueError : n is not such an integer.
 
     Source: D. A. Marcus, Number Fields, chapter 2.
+
+    >>> field_discriminant(4 * 1729)
+    1729
     """
     d = squarefree_part(n)
     return d if d % 4 == 1 else 4 * d
 
 
 def sums_of_two_cubes(n: int) -> list[tuple[int, int]]:
-    """Return all pairs of positive integers (x, y), x ≤ y, with x³ + y³ = n, sorted; ValueError unless 1 ≤ n ≤ 10¹²."""
+    """Return all pairs of positive integers (x, y), x ≤ y, with x³ + y³ = n.
+
+    Parameters
+    ----------
+    n : an integer from 1 to LARGEST_NUMBER
+
+    Returns
+    -------
+    the pairs, sorted
+
+    Raises
+    ------
+    ValueError : n is not such an integer.
+
+    >>> sums_of_two_cubes(1729)
+    [(1, 12), (9, 10)]
+    """
     n = _number(n)
     pairs = []
     for cube, x in _CUBE_ROOTS.items():
@@ -89,14 +157,33 @@ def sums_of_two_cubes(n: int) -> list[tuple[int, int]]:
 
 
 def smallest_taxicab() -> int:
-    """Return the smallest number that is a sum of two positive cubes in two ways, found by trying 1, 2, 3, …"""
+    """Return the smallest number that is a sum of two positive cubes in two ways, found by trying 1, 2, 3, …
+
+    >>> smallest_taxicab()
+    1729
+    """
     return next(n for n in count(1) if len(sums_of_two_cubes(n)) == 2)
 
 
 def represent_x2_plus_3y2(n: int) -> list[tuple[int, int]]:
-    """Return all pairs of integers x, y ≥ 0 with x² + 3y² = n, sorted; ValueError unless 1 ≤ n ≤ 10¹².
+    """Return all pairs of integers x, y ≥ 0 with x² + 3y² = n.
 
     x² + 3y² is the norm of x + y√−3 in ℤ[√−3].
+
+    Parameters
+    ----------
+    n : an integer from 1 to LARGEST_NUMBER
+
+    Returns
+    -------
+    the pairs, sorted
+
+    Raises
+    ------
+    ValueError : n is not such an integer.
+
+    >>> (41, 4) in represent_x2_plus_3y2(1729)
+    True
     """
     n = _number(n)
     candidates = ((isqrt(n - 3 * y * y), y) for y in range(isqrt(n // 3) + 1))
@@ -113,11 +200,18 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
     a, b, c : integers with a > 0 > c, so that exactly one root is positive
     digits : n, how many digits stand after the decimal point, from 1 to 1000
 
+    Returns
+    -------
+    the digits, with a decimal point
+
     Raises
     ------
     ValueError : a coefficient or the number of digits is not such an integer.
 
     Source: integer square root; a floor inside a floor of a quotient by an integer changes nothing.
+
+    >>> positive_root_digits(18, 1, -24, 10)
+    '1.1272568270'
     """
     a, b, c = _one_positive_root(a, b, c)
     digits = integer("digits", digits, 1, MOST_DIGITS)
@@ -138,11 +232,18 @@ def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
     a, b, c : integers with a > 0 > c, so that exactly one root is positive
     terms : how many partial quotients, from 1 to 100
 
+    Returns
+    -------
+    the partial quotients
+
     Raises
     ------
     ValueError : a coefficient or the number of terms is not such an integer.
 
     Source: H. Davenport, The Higher Arithmetic, chapter IV.
+
+    >>> continued_fraction(18, 1, -24, 5)
+    [1, 7, 1, 6, 20]
     """
     a, b, c = _one_positive_root(a, b, c)
     terms = integer("terms", terms, 1, MOST_TERMS)
@@ -165,11 +266,18 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
     ----------
     quotients : at most 100 positive integers; the first may be 0
 
+    Returns
+    -------
+    the fractions in lowest terms
+
     Raises
     ------
     ValueError : quotients is no such list.
 
     Source: H. Davenport, The Higher Arithmetic, chapter IV.
+
+    >>> convergents([1, 7, 1])
+    [Fraction(1, 1), Fraction(8, 7), Fraction(9, 8)]
     """
     quotients = sequence("quotients", quotients)
     if len(quotients) > MOST_TERMS:

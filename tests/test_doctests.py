@@ -1,0 +1,82 @@
+"""Every public name has a docstring that says what comes back, with an example that runs, and types without Any."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import inspect
+import pkgutil
+import re
+
+import pytest
+
+import ramanujan
+
+PAGES = ("ramanujan.scenes",)
+"""A page runs when it is imported."""
+ROOMS = (
+    "quantities",
+    "rounding",
+    "frequency",
+    "oscillator",
+    "motion",
+    "energy",
+    "contact",
+    "sampling",
+    "record",
+    "table",
+    "integrators",
+    "number_theory",
+    "accuracy",
+)
+"""The numeric rooms, in which every public function has an example."""
+
+_FOUND = [module.name for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan.")]
+MODULES = ["ramanujan", *(name for name in _FOUND if not name.startswith(PAGES))]
+
+
+def public():
+    """Every public function and class of the numeric rooms, and the functions that are methods of the classes."""
+    for name in MODULES:
+        if name.split(".")[1:2] and name.split(".")[1] in ROOMS:
+            module = importlib.import_module(name)
+            for attribute, value in vars(module).items():
+                is_public = not attribute.startswith("_") and getattr(value, "__module__", None) == name
+                if is_public and (inspect.isfunction(value) or inspect.isclass(value)):
+                    yield pytest.param(value, id=f"{name}.{attribute}")
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_the_examples_in_the_docstrings_run(name):
+    module = importlib.import_module(name)
+    assert doctest.testmod(module).failed == 0
+
+
+def test_there_are_examples_to_run():
+    finder = doctest.DocTestFinder()
+    examples = sum(len(test.examples) for name in MODULES for test in finder.find(importlib.import_module(name)))
+    assert examples > 100
+
+
+@pytest.mark.parametrize("value", list(public()))
+def test_a_public_name_says_what_it_takes_and_gives(value):
+    text = inspect.getdoc(value)
+    assert text
+    if inspect.isclass(value):
+        return
+    assert ">>> " in text, "an example is missing"
+    signature = inspect.signature(value)
+    annotations = [*(p.annotation for p in signature.parameters.values()), signature.return_annotation]
+    assert inspect.Signature.empty not in annotations
+    assert not any(re.search(r"\bAny\b", str(annotation)) for annotation in annotations)
+    # A long docstring has its sections; a short one says all in its first lines.
+    if "Parameters\n" in text:
+        assert re.search(r"^Returns\n-------$", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("value", [p.values[0] for p in public() if inspect.isclass(p.values[0])])
+def test_no_field_or_method_is_typed_as_anything(value):
+    assert not any(re.search(r"\bAny\b", str(kind)) for kind in getattr(value, "__annotations__", {}).values())
+    for _, function in inspect.getmembers(value, inspect.isfunction):
+        if function.__module__ == value.__module__ and not function.__name__.startswith("__"):
+            assert "Any" not in str(inspect.signature(function))
