@@ -42,6 +42,8 @@ Runs: TypeAlias = float | NDArray[np.floating]
 _MOST_ITERATIONS = 50
 _RESIDUAL_ULPS = 4
 """Residual of an implicit equation, in roundings of its terms, below which it counts as solved."""
+_CLOSE = 1e-3
+"""Relative distance of two points of an iteration from which their secant counts as the tangent."""
 
 Acceleration: TypeAlias = Callable[[Runs], Runs]
 Step: TypeAlias = Callable[[Acceleration, Runs, Runs, Runs], tuple[Runs, Runs]]
@@ -140,20 +142,22 @@ def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> 
     """
     start, quarter = q + h / 2 * v, h * h / 4
     before, a_before = start, acceleration(start)
-    middle, slope, solved = start + quarter * a_before, 0.0, False
+    middle, steepness, solved = start + quarter * a_before, 0.0, False
     tolerance = _RESIDUAL_ULPS * float(np.finfo(np.asarray(middle).dtype).eps)
     with np.errstate(all="ignore"):
         for _ in range(_MOST_ITERATIONS):
             a = acceleration(middle)
-            residual = (middle - start) - quarter * a
-            # What the rounding of each term, and of the middle itself, can leave of the residual.
-            scale = abs(start) + abs(middle) + abs(quarter * a) + abs(quarter * slope * middle)
+            residual, moved = (middle - start) - quarter * a, abs(middle - before)
+            slope = np.divide(a - a_before, middle - before)
+            # What the rounding of each term can leave of the residual, and that of the middle itself; for the latter
+            # only a slope counts that was taken close to the solution.
+            steepness = np.where((moved > 0) & (moved < _CLOSE * abs(middle)), abs(quarter * slope), steepness)[()]
+            scale = abs(start) + abs(middle) + abs(quarter * a) + steepness * abs(middle)
             solved = solved | (np.isfinite(scale) & (abs(residual) <= tolerance * scale))
             if np.all(solved):
                 return 2 * middle - q, v + h * a
-            # A run that is solved stays as it is, whatever the others need.
-            slope = np.where(solved, slope, (a - a_before) / (middle - before))[()]
             before, a_before = middle, a
+            # A run that is solved stays as it is, whatever the others need.
             middle = np.where(solved, middle, middle - residual / (1 - quarter * slope))[()]
     raise ValueError("h is too large for this acceleration: the implicit midpoint equation was not solved")
 
