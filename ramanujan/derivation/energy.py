@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     M_e,
     M_x,
@@ -71,6 +71,7 @@ def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
     return sp.factor(2 * spin / bodies.deformation.diff(t) ** 2)
 
 
+@ROUTES.add("energy")
 def build() -> Route:
     """Return the route: energies, Rayleigh's quotient, its least inertia, Ω², and the clamped block's bound."""
     bodies = machine()
@@ -84,6 +85,7 @@ def build() -> Route:
         "Energy",
         (*_quotient_steps(bodies, result, stiffness), *_frequency_steps(result, stiffness, frequency, lever, spin)),
         frequency,
+        CELLS,
     )
 
 
@@ -161,3 +163,30 @@ def _frequency_steps(
             ),
         ),
     )
+
+
+CELLS = {
+    "quotient": """\
+xi, eta = sp.symbols("xi eta", real=True)
+shares = {X.diff(t): xi * R * phi.diff(t), Phi.diff(t): eta * phi.diff(t)}
+inertia = sp.cancel(2 * T.subs(shares) / (R * phi.diff(t)) ** 2)
+stiffness = sp.cancel(2 * U / (R * phi) ** 2)
+inertia, stiffness""",
+    "least": """\
+least = sp.solve([inertia.diff(xi), inertia.diff(eta)], [xi, eta], dict=True)[0]
+assert sp.hessian(inertia, (xi, eta)).is_positive_definite
+least""",
+    "frequency": """\
+M_e = sp.factor(inertia.subs(least))
+Omega_squared = sp.factor(stiffness / M_e)
+Omega_squared""",
+    "spring_mass": """\
+M_x = sp.apart(M_e / 4, m_prime)
+assert sp.simplify(k / M_x - Omega_squared) == 0
+M_x""",
+    "bound": """\
+clamped = sp.factor(stiffness / inertia.subs({xi: 0, eta: 0}))
+assert sp.factor(Omega_squared - clamped).is_positive
+clamped""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     COORDINATES,
     MOMENTA,
@@ -77,6 +77,7 @@ def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
     )
 
 
+@ROUTES.add("hamilton")
 def build() -> Route:
     """Return the route: Legendre transform, Hamilton's equations, one degree of freedom, Ω²."""
     bodies = machine()
@@ -85,7 +86,7 @@ def build() -> Route:
     reduced = reduce_to_one_degree(transform.hamiltonian)
     acceleration = transform.hamiltonian.diff(p_phi).diff(t).subs(rates)
     frequency = sp.factor(-acceleration / phi)
-    return Route("hamilton", "Hamilton", _steps(bodies, transform, rates, reduced, frequency), frequency)
+    return Route("hamilton", "Hamilton", _steps(bodies, transform, rates, reduced, frequency), frequency, CELLS)
 
 
 def _steps(
@@ -167,3 +168,33 @@ def _one_fraction(form: sp.Expr) -> sp.Expr:
     """Return a form in the momenta over one denominator, the numerator gathered."""
     numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA)))
     return gather(numerator, MOMENTA) / denominator
+
+
+CELLS = {
+    "momenta": """\
+p_X, p_phi, p_Phi = p = sp.symbols("p_X p_varphi p_Phi")
+momenta = [L.diff(v) for v in q_dot]
+momenta""",
+    "velocities": """\
+velocities = sp.solve([symbol - value for symbol, value in zip(p, momenta)], q_dot, dict=True)[0]
+velocities""",
+    "hamiltonian": """\
+H = sp.factor(sum(symbol * v for symbol, v in zip(p, q_dot)).subs(velocities) - L.subs(velocities))
+H""",
+    "motion": """\
+p_dot = {symbol: -sp.cancel(H.diff(x)) for symbol, x in zip(p, q)}
+assert p_dot[p_X] == p_dot[p_Phi] == 0
+phi_dot = sp.factor(H.diff(p_phi))
+p_dot, phi_dot""",
+    "reduction": """\
+M_e = sp.factor(1 / (R**2 * H.diff(p_phi, 2)))
+shift = sp.factor(phi_dot.subs(p_phi, 0) * M_e * R**2)
+H_0 = sp.cancel(H - (p_phi + shift) ** 2 / (2 * M_e * R**2) - U.doit())
+assert not H_0.has(p_phi, phi)
+M_e, shift, sp.factor(H_0)""",
+    "frequency": """\
+phi_ddot = sum(phi_dot.diff(symbol) * p_dot[symbol] for symbol in p)
+Omega_squared = sp.factor(-phi_ddot / phi)
+Omega_squared""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

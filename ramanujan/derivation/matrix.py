@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
     COORDINATES,
@@ -73,12 +73,13 @@ def modes(bodies: Machine) -> Modes:
     )
 
 
+@ROUTES.add("matrix")
 def build() -> Route:
     """Return the route: matrices, determinant, spectrum, rank-one shortcut, mode shapes."""
     bodies = machine()
     result = modes(bodies)
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
-    return Route("matrix", "Matrix", _steps(bodies, result, oscillating), oscillating)
+    return Route("matrix", "Matrix", _steps(bodies, result, oscillating), oscillating, CELLS)
 
 
 def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, ...]:
@@ -168,3 +169,31 @@ def _zero_first(root: tuple[sp.Expr, int]) -> bool:
 
 def _second_derivatives(energy: sp.Expr, variables: tuple[sp.Expr, ...]) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(sp.hessian(energy, variables)).applyfunc(sp.factor)
+
+
+CELLS = {
+    "matrices": """\
+mass_matrix, stiffness_matrix = sp.hessian(T, q_dot).applyfunc(sp.factor), sp.hessian(U, q)
+mass_matrix, stiffness_matrix""",
+    "determinant": """\
+Lambda = sp.Symbol("Lambda")
+determinant = sp.factor((stiffness_matrix - Lambda * mass_matrix).det())
+sp.Eq(determinant, 0)""",
+    "spectrum": """\
+spectrum = sp.roots(determinant, Lambda)
+assert spectrum[sp.S.Zero] == 2
+spectrum""",
+    "zero_modes": """\
+stiffness_matrix.nullspace()""",
+    "shortcut": """\
+assert stiffness_matrix.rank() == 1
+inverse = mass_matrix.inv().applyfunc(sp.factor)
+Omega_squared = sp.factor(stiffness_matrix[1, 1] * inverse[1, 1])
+inverse, Omega_squared""",
+    "mode_shape": """\
+mode_shape = (inverse[:, 1] / inverse[1, 1]).applyfunc(sp.factor)
+residual = (stiffness_matrix - Omega_squared * mass_matrix) * mode_shape
+assert residual.applyfunc(sp.simplify).is_zero_matrix
+mode_shape""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import Body, Machine, Omega_squared, R, k, machine, phi, t
 
 TOP, BOTTOM = 1, -1
@@ -104,6 +104,7 @@ def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
     return {contact.name: _by_acceleration(contact, solution) for contact in CONTACTS}
 
 
+@ROUTES.add("newton")
 def build() -> Route:
     """Return the route: balances, rolling, solution, contact forces, Ω²."""
     cut = free_bodies(machine())
@@ -151,7 +152,7 @@ def build() -> Route:
             (equation(phi.diff(t, 2), cut.solution[roller]), equation(Omega_squared, frequency)),
         ),
     )
-    return Route("newton", "Newton", steps, frequency)
+    return Route("newton", "Newton", steps, frequency, CELLS)
 
 
 def _force_balance(body: Body, bodies: Machine) -> sp.Eq:
@@ -178,3 +179,47 @@ def _rolling(contact: Contact) -> sp.Eq:
 
 def _by_acceleration(contact: Contact, solution: dict[sp.Expr, sp.Expr]) -> sp.Expr:
     return sp.factor(solution[contact.force] / solution[angular_acceleration("hoop")]) * phi.diff(t, 2)
+
+
+CELLS = {
+    "forces": """\
+a = dict(zip(("block", "hoop", "cylinder", "slab", "top"), sp.symbols("a_block a_hoop a_cylinder a_slab a_top")))
+alpha = dict(zip(("hoop", "cylinder", "top"), sp.symbols("alpha_hoop alpha_cylinder alpha_top")))
+# Forces on the rollers, to the right: S from the slab, F from the block.
+S = dict(zip(("hoop", "cylinder"), sp.symbols("S_hoop S_cylinder")))
+F = dict(zip(("hoop", "cylinder", "top"), sp.symbols("F_hoop F_cylinder F_top")))
+spring = k * sp.expand(x_slab - x_block)
+forces = [
+    sp.Eq(m * a["block"], spring - sum(F.values())),
+    sp.Eq(m_prime * a["hoop"], S["hoop"] + F["hoop"]),
+    sp.Eq(m_prime * a["cylinder"], S["cylinder"] + F["cylinder"]),
+    sp.Eq(m * a["slab"], -spring - sum(S.values())),
+    sp.Eq(m * a["top"], F["top"]),
+]
+forces""",
+    "torques": """\
+torques = [
+    sp.Eq(m_prime * R**2 * alpha["hoop"], R * (S["hoop"] - F["hoop"])),
+    sp.Eq(m_prime * R**2 / 2 * alpha["cylinder"], R * (S["cylinder"] - F["cylinder"])),
+    sp.Eq(m * R**2 / 2 * alpha["top"], -R * F["top"]),
+]
+torques""",
+    "rolling": """\
+rolling = [sp.Eq(a[name] - R * alpha[name], a["block"]) for name in F]
+rolling += [sp.Eq(a[name] + R * alpha[name], a["slab"]) for name in S]
+rolling""",
+    "solution": """\
+equations = forces + torques + rolling
+unknowns = [*a.values(), *alpha.values(), *S.values(), *F.values()]
+assert len(equations) == len(unknowns) == 13
+solution = sp.solve(equations, unknowns, dict=True)[0]
+{symbol: sp.factor(solution[symbol]) for symbol in [*a.values(), *alpha.values()]}""",
+    "contact": """\
+phi_ddot = phi.diff(t, 2)
+{force: sp.factor(solution[force] / solution[alpha["hoop"]]) * phi_ddot for force in [*S.values(), *F.values()]}""",
+    "frequency": """\
+assert sp.simplify(solution[alpha["hoop"]] - solution[alpha["cylinder"]]) == 0
+Omega_squared = sp.factor(-solution[alpha["hoop"]] / phi)
+Omega_squared""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

@@ -16,9 +16,12 @@ from typing import Any
 import sympy as sp
 
 m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
-epsilon = sp.Symbol("varepsilon", positive=True)
+epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)
+"""ε = m′/m, and ε*, the mass ratio at which Ω² = k/m."""
 Omega_squared, Omega_clamped_squared = sp.symbols("Omega_squared Omega_clamped_squared", positive=True)
 """Ω² of the machine, and of the machine whose block and top cylinder are held."""
+normalized_frequency_squared = sp.Symbol("normalized_frequency_squared", positive=True)
+"""Ω²m/k as one quantity, for a step that gives its value."""
 
 t = sp.Symbol("t")
 X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
