@@ -6,7 +6,8 @@ It knows nothing of the package or of SymPy. A decimal that ends in dots is read
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 import mpmath
 import numpy as np
@@ -16,116 +17,169 @@ Number = mpmath.mpf | np.ndarray
 
 mpmath.mp.dps = 60
 
-_SPACE = re.compile(r"(?:\\,|\\ |\\quad|\\qquad|\\textstyle|\\cdot(?! 10)|\s)+")
-_NUMBER = re.compile(r"(\d+(?:\.\d+)?)(\\ldots)?(?: \\cdot 10\^\{(-?\d+)\})?")
-_OMEGA = re.compile(r"\\Omega(?:_\{\\mathrm\{clamped\}\})?\^\{2\}|M\^\{-1\}")
-_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|dot|ddot)[a-zA-Z]+|[a-zA-Z])"
-_NAME = re.compile(
-    rf"(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?"
-    r"(?:_\{(?:\\mathrm\{\w+\}|\\?[a-zA-Z0-9*]+)\})?"
+_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|d?dot)[a-zA-Z]+|[a-zA-Z])"
+_TOKEN = re.compile(
+    r"(?P<space>(?:\\,|\\ |\\textstyle|\s)+)"
+    r"|(?P<number>\d+(?:\.\d+)?)(?:\\ldots)?(?: \\cdot 10\^\{(?P<power>-?\d+)\})?"
+    r"|(?P<mark>\\frac|\\sqrt|\\left|\\right|\\begin\{matrix\}|\\end\{matrix\}|\\\\|[-+^{}()\[\]|,&])"
+    r"|(?P<name>\\Omega(?:_\{\\mathrm\{clamped\}\})?\^\{2\}|M\^\{-1\}"
+    rf"|(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?(?:_\{{(?:\\mathrm\{{\w+\}}|\\?[a-zA-Z0-9*]+)\}})?)"
 )
-_MATRIX = re.compile(r"\\left(\[|\|)\{?\\begin\{matrix\}(.*?)\\end\{matrix\}\}?\\right(\]|\|)")
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 
 
-class Reader:
-    """Evaluates one formula.
+def tokens(text: str) -> Iterator[tuple[str, str]]:
+    place = 0
+    while place < len(text):
+        found = _TOKEN.match(text, place)
+        if found is None:
+            raise ValueError(f"not understood: {text[place:]!r} in {text!r}")
+        place = found.end()
+        if found["number"]:
+            yield "number", f"{found['number']}e{found['power'] or 0}"
+        elif not found["space"]:
+            yield ("mark", found["mark"]) if found["mark"] else ("name", found["name"])
+    yield "end", ""
 
-    Parameters
-    ----------
-    values : name as written in LaTeX → number, or matrix as an array of numbers
-    rough : leave every sign out, so that the result bounds the terms of all sums
-    """
 
-    def __init__(self, values: Mapping[str, Number], rough: bool = False) -> None:
-        self.values, self.rough = values, rough
-        self.text, self.place = "", 0
+@lru_cache(maxsize=10_000)
+def formula(text: str) -> Formula:
+    """Return a formula that has been read; many machines share the sides that hold no number."""
+    return Formula(text)
 
-    def read(self, text: str) -> Number:
-        """Return the value of a formula, all of which must be understood."""
-        outer, self.text, self.place = (self.text, self.place), text, 0
-        value = self._sum()
-        if self.place != len(text):
-            raise ValueError(f"not understood: {text[self.place :]!r} in {text!r}")
-        self.text, self.place = outer
-        return value
 
-    def _take(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        if space := _SPACE.match(self.text, self.place):
-            self.place = space.end()
-        if found := pattern.match(self.text, self.place):
-            self.place = found.end()
-        return found
+class Formula:
+    """A formula as a tree; `value` evaluates it."""
 
-    def _eat(self, text: str) -> bool:
-        return bool(self._take(re.compile(re.escape(text))))
+    def __init__(self, text: str) -> None:
+        self._tokens = list(tokens(text))
+        self._place = 0
+        self._tree = self._sum()
+        if self._tokens[self._place][0] != "end":
+            raise ValueError(f"not understood: {self._tokens[self._place :]} in {text!r}")
 
-    def _must(self, text: str) -> None:
-        if not self._eat(text):
-            raise ValueError(f"{text!r} expected at {self.text[self.place :]!r}")
+    def value(self, values: Mapping[str, Number], rough: bool = False) -> Number:
+        """Return the value; a rough one leaves every sign out, so that it bounds the terms of all sums.
 
-    def _sum(self) -> Number:
-        minus = self._eat("-")
-        total = self._signed(self._product(), minus)
-        while sign := self._take(re.compile(r"[+-]")):
-            total = total + self._signed(self._product(), sign[0] == "-")
-        return total
+        Parameters
+        ----------
+        values : name as written in LaTeX → number, or matrix as an array of numbers
+        """
+        return _value(self._tree, values, rough)
 
-    def _signed(self, value: Number, minus: bool) -> Number:
-        return -value if minus and not self.rough else value
+    def _eat(self, *marks: str) -> bool:
+        stretch = self._tokens[self._place : self._place + len(marks)]
+        is_there = stretch == [("mark", mark) for mark in marks]
+        self._place += len(marks) if is_there else 0
+        return is_there
 
-    def _product(self) -> Number:
-        value = self._power()
-        if value is None:
-            raise ValueError(f"a factor expected at {self.text[self.place :]!r} in {self.text!r}")
+    def _must(self, *marks: str) -> None:
+        if not self._eat(*marks):
+            raise ValueError(f"{marks} expected at {self._tokens[self._place :]}")
+
+    def _sum(self) -> tuple:
+        terms = [("minus", self._product()) if self._eat("-") else self._product()]
+        while True:
+            if self._eat("+"):
+                terms.append(self._product())
+            elif self._eat("-"):
+                terms.append(("minus", self._product()))
+            else:
+                return terms[0] if len(terms) == 1 else ("sum", *terms)
+
+    def _product(self) -> tuple:
+        factors = []
         while (factor := self._power()) is not None:
-            both = isinstance(value, np.ndarray) and isinstance(factor, np.ndarray)
-            value = value @ factor if both else value * factor
-        return value
+            factors.append(factor)
+        if not factors:
+            raise ValueError(f"a factor expected at {self._tokens[self._place :]}")
+        return factors[0] if len(factors) == 1 else ("product", *factors)
 
-    def _power(self) -> Number | None:
+    def _power(self) -> tuple | None:
         base = self._atom()
-        if base is not None and self._eat("^{"):
-            exponent = self._sum()
+        if base is not None and self._eat("^", "{"):
+            (_, exponent), self._place = self._tokens[self._place], self._place + 1
             self._must("}")
-            return base ** int(exponent)
+            return "power", base, int(exponent.removesuffix("e0"))
         return base
 
-    def _group(self) -> Number:
+    def _group(self) -> tuple:
         self._must("{")
-        value = self._sum()
+        inside = self._sum()
         self._must("}")
-        return value
+        return inside
 
-    def _atom(self) -> Number | None:
+    def _atom(self) -> tuple | None:
+        kind, text = self._tokens[self._place]
+        if kind in ("number", "name"):
+            self._place += 1
+            return (kind, mpmath.mpf(text)) if kind == "number" else (kind, text)
         if self._eat(r"\frac"):
-            above = self._group()
-            return above / self._group()
+            return "quotient", self._group(), self._group()
         if self._eat(r"\sqrt"):
-            return mpmath.sqrt(self._group())
-        if found := self._take(_MATRIX):
-            rows = [[self.read(cell) for cell in row.split("&")] for row in found[2].split(r"\\")]
-            matrix = np.array(rows, dtype=object)
-            return self._determinant(matrix) if found[1] == "|" else matrix
-        if self._eat(r"\left("):
+            return "root", self._group()
+        if self._eat(r"\left", "["):
+            return self._matrix("]")
+        if self._eat(r"\left", "|", "{"):
+            return "determinant", self._matrix("}", "|")
+        if self._eat(r"\left", "("):
             entries = [self._sum()]
             while self._eat(","):
                 entries.append(self._sum())
-            self._must(r"\right)")
-            return entries[0] if len(entries) == 1 else np.array(entries, dtype=object)
-        if found := self._take(_NUMBER):
-            return mpmath.mpf(f"{found[1]}e{found[3] or 0}")
-        if found := self._take(_OMEGA) or self._take(_NAME):
-            value = self.values[found[0]]
-            return abs(value) if self.rough else value
+            self._must(r"\right", ")")
+            return entries[0] if len(entries) == 1 else ("tuple", *entries)
         return None
 
-    def _determinant(self, matrix: np.ndarray) -> Number:
-        if len(matrix) == 1:
-            return matrix[0, 0]
-        minors = (np.delete(matrix[1:], column, axis=1) for column in range(len(matrix)))
-        terms = [entry * self._determinant(minor) for entry, minor in zip(matrix[0], minors, strict=True)]
-        return sum(term if self.rough or place % 2 == 0 else -term for place, term in enumerate(terms))
+    def _matrix(self, *closing: str) -> tuple:
+        self._must(r"\begin{matrix}")
+        rows = [[self._sum()]]
+        while not self._eat(r"\end{matrix}"):
+            if self._eat("&"):
+                rows[-1].append(self._sum())
+            else:
+                self._must(r"\\")
+                rows.append([self._sum()])
+        *braces, last = closing
+        self._must(*braces, r"\right", last)
+        return "array", *rows
+
+
+def _value(tree: tuple, values: Mapping[str, Number], rough: bool) -> Number:
+    kind, *parts = tree
+    if kind == "number":
+        return parts[0]
+    if kind == "name":
+        return abs(values[parts[0]]) if rough else values[parts[0]]
+    if kind == "array":
+        return np.array([[_value(entry, values, rough) for entry in row] for row in parts], dtype=object)
+    if kind == "power":
+        return _value(parts[0], values, rough) ** parts[1]
+    first, *others = (_value(part, values, rough) for part in parts)
+    if kind == "tuple":
+        return np.array([first, *others], dtype=object)
+    if kind == "minus":
+        return first if rough else -first
+    if kind == "quotient":
+        return first / others[0]
+    if kind == "root":
+        return mpmath.sqrt(first)
+    if kind == "determinant":
+        return _determinant(first, rough)
+    for other in others:
+        if kind == "sum":
+            first = first + other
+        else:
+            both = isinstance(first, np.ndarray) and isinstance(other, np.ndarray)
+            first = first @ other if both else first * other
+    return first
+
+
+def _determinant(matrix: np.ndarray, rough: bool) -> Number:
+    if len(matrix) == 1:
+        return matrix[0, 0]
+    minors = (np.delete(matrix[1:], column, axis=1) for column in range(len(matrix)))
+    terms = [entry * _determinant(minor, rough) for entry, minor in zip(matrix[0], minors, strict=True)]
+    return sum(term if rough or place % 2 == 0 else -term for place, term in enumerate(terms))
 
 
 def equations(display: str) -> list[str]:
@@ -152,11 +206,13 @@ def sides(equation: str) -> tuple[str, str, str]:
 def holds(equation: str, values: Mapping[str, Number]) -> bool:
     """Tell whether an equation is true for some values: to 40 digits, or to the digits of a decimal that is written."""
     left, right, decimal = sides(equation)
-    reader, rough = Reader(values), Reader(values, rough=True)
-    exact = reader.read(right)
-    scale = abs(rough.read(left)) + abs(rough.read(right))
-    tolerance = mpmath.mpf("1e-6" if r"\ldots" in equation else "1e-40")
+    left, right = formula(left), formula(right)
+    exact = right.value(values)
+    difference = np.abs(left.value(values) - exact)
     # What is exactly 0, such as the rate of a conserved momentum, has only its rounding as its scale.
-    if not np.all(np.abs(reader.read(left) - exact) <= tolerance * scale + mpmath.mpf("1e-40")):
-        return False
-    return not decimal or bool(abs(reader.read(decimal) - exact) <= abs(exact) * mpmath.mpf("1e-7"))
+    if not np.all(difference <= mpmath.mpf("1e-40")):
+        scale = abs(left.value(values, rough=True)) + abs(right.value(values, rough=True))
+        tolerance = mpmath.mpf("1e-6" if r"\ldots" in equation else "1e-40")
+        if not np.all(difference <= tolerance * scale):
+            return False
+    return not decimal or bool(abs(formula(decimal).value(values) - exact) <= abs(exact) * mpmath.mpf("1e-7"))

@@ -1,7 +1,7 @@
 """Every quantity of one machine at one moment of an exact motion, under the name that LaTeX gives it.
 
-Mass and stiffness matrix come from Kane's method (`reference`), everything else from definitions: the accelerations from
-Mq̈ = −Kq, the forces from each roller's own balance. All numbers have 60 digits.
+Mass and stiffness matrix come from Kane's method (`reference`), everything else from definitions: the accelerations
+from Mq̈ = −Kq, the forces from each roller's own balance. All numbers have 60 digits.
 """
 
 from __future__ import annotations

@@ -114,9 +114,9 @@ def build() -> Route:
             "velocities",
             "Follow every body relative to the ground",
             "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
-            "with $\\dot X$. The angles $\\varphi$ and $\\Phi$ count clockwise, so a roller’s centre moves to the right "
-            "relative to the block, by $R$ times its angle. The slab lies on top of the lower rollers and moves twice "
-            "as far.",
+            "with $\\dot X$. The angles $\\varphi$ and $\\Phi$ count clockwise, so relative to the block a roller’s centre "
+            "moves to the right by $R$ times its angle. The slab lies on top of the lower rollers and moves twice as "
+            "far.",
             tuple(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
         ),
         Step(
@@ -222,8 +222,8 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None = No
         Step(
             f"{prefix}motion",
             "Write down Lagrange’s equations",
-            "Each coordinate $q$ has its equation of motion, "
-            "$\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}{\\partial\\dot q}-\\frac{\\partial\\mathcal{L}}{\\partial q}=0$. "
+            "Each coordinate $q$ has its equation of motion, $\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}"
+            "{\\partial\\dot q}-\\frac{\\partial\\mathcal{L}}{\\partial q}=0$. "
             f"A factor that all its terms share is cancelled.{here}",
             tuple(equation(result.motion[q], sp.Integer(0)) for q in COORDINATES),
             case,

@@ -14,6 +14,8 @@ from typing import Any
 
 import sympy as sp
 
+_EXACTLY = Context(prec=200)
+
 Rational = Any
 """An element of SymPy's domain ℚ, which has `numerator` and `denominator`; plain integers mix with it."""
 
@@ -171,7 +173,7 @@ def written(number: Rational | Surd) -> Written:
 
 
 def truncated(p: int, q: int) -> str:
-    """Return p/q > 0 as a decimal of eight digits, cut off and followed by dots, so that every digit shown is right.
+    """Return p/q > 0 as a decimal of eight digits; one that goes on is cut off and ends in dots, so that all are right.
 
     >>> truncated(2, 3)
     '0.66666666\\\\ldots'
@@ -201,7 +203,7 @@ def _digits(value: Decimal, rounding: str, below: Decimal = Decimal(1), digits: 
     exponent = quotient.adjusted()
     has_power = not -5 <= exponent < digits
     text = f"{quotient.scaleb(-exponent) if has_power else quotient:f}"
-    if rounding == ROUND_DOWN:
+    if rounding == ROUND_DOWN and _EXACTLY.multiply(quotient, below) != value:
         text += r"\ldots"
     elif "." in text:
         text = text.rstrip("0").rstrip(".")

@@ -52,11 +52,15 @@ def stands_for_the_root(mass: float, roller_mass: float) -> bool:
     >>> stands_for_the_root(1.0, UNIT_MASS_RATIO), stands_for_the_root(1.0, 1.127256827)
     (True, False)
     """
-    root = unit_frequency_condition().root
-    # Fifty digits, so that the fraction is on the same side of every halfway point between floats as ε* is.
-    exact = Fraction(str(sp.N(root, 50)))
-    product = exact * Fraction(repr(float(mass)))
+    root = _root()
+    product = root * Fraction(repr(float(mass)))
     return roller_mass in (float(root) * mass, float(product)) or mass == roller_mass / float(root)
+
+
+@cache
+def _root() -> Fraction:
+    """Return ε* to fifty digits, so that no float, and no point halfway between two, lies between it and ε*."""
+    return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
 
 
 def stated(values: Mapping[sp.Symbol, sp.Expr]) -> str:
