@@ -190,7 +190,7 @@ def equations(display: str) -> list[str]:
         for part in re.split(r"&\\qquad", line):
             text = part.strip()
             if text.startswith(r"&\quad"):
-                found[-1] += " " + text.removeprefix(r"&\quad")
+                found[-1] += " " + text.removeprefix(r"&\quad").strip()
             else:
                 found.append(text.removeprefix("&").replace("&=", "="))
     return [each.strip() for each in found]

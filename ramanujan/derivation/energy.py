@@ -9,7 +9,7 @@ Minimizing a quadratic form over some of its variables is a Schur complement of 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
@@ -95,7 +95,7 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         Step(
             "energies",
             "Add up the energies",
-            "All five bodies share in $T$; only the spring stores $U$.",
+            "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy, $U$.",
             (
                 equation("T", gather(bodies.kinetic_energy)),
                 equation("U", bodies.potential_energy),
@@ -104,9 +104,11 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         Step(
             "quotient",
             "Compare them",
-            "In an oscillation at $\\Omega$ the largest $T$ equals the largest $U$, so $\\Omega^2$ is the quotient of "
-            "these two (Rayleigh); it depends on how far block and top cylinder move along, "
-            "$\\xi=\\dot X/(R\\dot\\varphi)$ and $\\eta=\\dot\\Phi/\\dot\\varphi$.",
+            "In a normal mode the largest kinetic energy equals the largest potential energy. With "
+            "$\\dot\\varphi_{\\max}=\\Omega\\,\\varphi_{\\max}$, $\\Omega^2$ is the first quotient below, at the "
+            "largest $\\varphi$, divided by the second, at the largest $\\dot\\varphi$ (Rayleigh’s quotient). The "
+            "second one, the inertia, depends on how far block and top cylinder move along: $\\xi=\\dot "
+            "X/(R\\dot\\varphi)$ and $\\eta=\\dot\\Phi/\\dot\\varphi$.",
             (
                 equation(2 * sp.Symbol("U") / path**2, stiffness),
                 equation(2 * sp.Symbol("T") / speed**2, result.inertia),
@@ -114,10 +116,11 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         ),
         Step(
             "least",
-            "Let block and top cylinder choose",
-            "$U$ does not depend on $X$ and $\\Phi$, so the quotient is stationary where the inertia is; the second "
-            "derivatives form a positive definite matrix, so that the inertia is least there (a Schur complement of "
-            "the mass matrix).",
+            "Find how block and top cylinder move along",
+            "In a mode, Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the inertia "
+            "depends on them, so its derivatives must vanish. Its second derivatives form the matrix below. The "
+            "upper left entry and the determinant are positive, so the matrix is positive definite and the inertia "
+            "is least there.",
             (
                 *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
                 *(equation(share, result.shares[share]) for share in (xi, eta)),
@@ -130,39 +133,46 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
 def _frequency_steps(
     result: LeastInertia, stiffness: sp.Expr, frequency: sp.Expr, lever: sp.Expr, spin: sp.Expr
 ) -> tuple[Step, ...]:
-    spring_mass = sp.factor(result.least / lever)
     return (
         Step(
             "frequency",
             "Read off the frequency",
-            "The least inertia is the effective mass $M_e$ for the path $R\\varphi$.",
+            "The least inertia is the effective mass $M_e$ for the path $R\\varphi$; $M_eR^2$ is a Schur complement of "
+            "the mass matrix.",
             (
                 equation(M_e, result.least),
                 equation(Omega_squared, stiffness / M_e),
                 equation(Omega_squared, frequency),
             ),
         ),
-        Step(
-            "spring_mass",
-            "Ask what the spring feels",
-            "It is deformed by $2R\\varphi$, and from there the machine is one mass $M_x$; the term in $m'$ alone is "
-            "the spin of the lower rollers.",
-            (
-                equation(M_x, spin + sp.factor(spring_mass - spin)),
-                equation(Omega_squared, stiffness / lever / M_x),
-            ),
-        ),
+        _spring_mass_step(result, stiffness, lever, spin),
         Step(
             "bound",
             "Hold the block",
-            "With block and top cylinder held still, $\\xi=\\eta=0$, the inertia is not the least one, so the clamped "
-            "machine is slower and its frequency is a lower bound.",
+            "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
+            "the clamped machine swings more slowly. Its frequency is a lower bound for $\\Omega$.",
             (
                 equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
                 equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
             ),
         ),
     )
+
+
+def _spring_mass_step(result: LeastInertia, stiffness: sp.Expr, lever: sp.Expr, spin: sp.Expr) -> Step:
+    """Return the step to M_x; with numbers its two terms become one, so nothing can be said of one of them."""
+    spring_mass = sp.factor(result.least / lever)
+    reason = "The spring is deformed by $2R\\varphi$, and for this coordinate the machine acts like one mass $M_x$."
+    step = Step(
+        "spring_mass",
+        "Find the mass that the spring feels",
+        f"{reason} The term that contains $m'$ alone comes from the rotation of the lower rollers.",
+        (
+            equation(M_x, spin + sp.factor(spring_mass - spin)),
+            equation(Omega_squared, stiffness / lever / M_x),
+        ),
+    )
+    return replace(step, present=replace(step, reason=reason))
 
 
 CELLS = {

@@ -114,9 +114,9 @@ def build() -> Route:
             "velocities",
             "Follow every body relative to the ground",
             "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
-            "with $\\dot X$. The angles $\\varphi$ and $\\Phi$ count clockwise, so relative to the block a roller’s centre "
-            "moves to the right by $R$ times its angle. The slab lies on top of the lower rollers and moves twice as "
-            "far.",
+            "with $\\dot X$. The angles $\\varphi$ and $\\Phi$ count clockwise, so relative to the block a roller’s "
+            "centre moves to the right by $R$ times its angle. The slab lies on top of the lower rollers and moves "
+            "twice as far.",
             tuple(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
         ),
         Step(

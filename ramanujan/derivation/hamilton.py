@@ -99,33 +99,34 @@ def _steps(
         Step(
             "lagrangian",
             "Start from the Lagrangian",
-            "$\\mathcal{L}=T-U$ of the five bodies, with the rolling constraints worked in.",
+            "The Lagrangian $\\mathcal{L}=T-U$ of the five bodies already contains the rolling constraints.",
             (equation("L", bodies.lagrangian),),
         ),
         Step(
             "momenta",
             "Find the momenta",
-            "To each coordinate belongs the canonical momentum $p_q=\\partial\\mathcal{L}/\\partial\\dot q$.",
+            "Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal{L}/\\partial\\dot q$.",
             tuple(equation(p, value) for p, value in transform.momenta.items()),
         ),
         Step(
             "velocities",
-            "Turn the relations round",
-            "They are linear in the velocities, so the velocities follow from the momenta.",
+            "Solve for the velocities",
+            "The momenta are linear in the velocities, so these equations can be solved for the velocities.",
             tuple(equation(velocity, value) for velocity, value in transform.velocities.items()),
         ),
         Step(
             "hamiltonian",
             "Write the Hamiltonian",
-            "The Legendre transform $\\mathcal{H}=\\sum p_q\\dot q-\\mathcal{L}$ with every velocity replaced is the "
-            "energy as a function of coordinates and momenta.",
+            "The Hamiltonian is $\\mathcal{H}=\\sum p_q\\dot q-\\mathcal{L}$, with every velocity expressed by the "
+            "momenta. Here it is the energy $T+U$, because $T$ is quadratic in the velocities and $U$ contains none.",
             (equation("H", transform.hamiltonian),),
         ),
         Step(
             "motion",
             "Write down Hamilton’s equations",
-            "$\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ vanishes wherever $\\mathcal{H}$ does not contain the "
-            "coordinate, so those momenta are conserved; $\\dot\\varphi=\\partial\\mathcal{H}/\\partial p_\\varphi$.",
+            "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ and $\\dot "
+            "q=\\partial\\mathcal{H}/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
+            "$p_\\Phi$ are conserved.",
             (
                 *(equation(rate, value) for rate, value in rates.items()),
                 equation(phi.diff(t), transform.velocities[phi.diff(t)]),
@@ -134,8 +135,9 @@ def _steps(
         Step(
             "reduction",
             "Complete the square",
-            "Constant as they are, $p_X$ and $p_\\Phi$ only shift $p_\\varphi$ and add the constant $\\mathcal{H}_0$: "
-            "one degree of freedom is left, a mass $M_e$ that moves by $R\\varphi$.",
+            "Complete the square in $p_\\varphi$. The conserved momenta $p_X$ and $p_\\Phi$ only shift $p_\\varphi$ "
+            "and add a constant $\\mathcal{H}_0$. One degree of freedom is left: a mass $M_e$ that moves by "
+            "$R\\varphi$.",
             (
                 equation("H", one_degree),
                 equation(M_e, reduced.effective_mass),
@@ -145,8 +147,8 @@ def _steps(
         Step(
             "frequency",
             "Read off the frequency",
-            "The shift leaves the frequency as it is; seen from the spring, which is deformed by $2R\\varphi$, the "
-            "same motion is that of a mass $M_x$.",
+            "A constant shift of $p_\\varphi$ does not change the frequency. The spring is deformed by $2R\\varphi$; "
+            "for this coordinate the same motion is that of a mass $M_x$.",
             (
                 equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
                 equation(Omega_squared, stiffness / M_e),

@@ -91,7 +91,8 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "energies",
             "Add up the energies",
-            "Both are quadratic forms, $T$ in the velocities and $U$ in the coordinates.",
+            "The kinetic energy $T$ is a quadratic form in the velocities, the potential energy $U$ is one in the "
+            "coordinates.",
             (
                 equation("T", gather(bodies.kinetic_energy)),
                 equation("U", bodies.potential_energy),
@@ -100,13 +101,14 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "matrices",
             "Take the second derivatives",
-            "In the order $X$, $\\varphi$, $\\Phi$ they are the mass matrix $M$ and the stiffness matrix $K$.",
+            "In the order $X$, $\\varphi$, $\\Phi$, the second derivatives of $T$ with respect to the velocities are "
+            "the mass matrix $M$. Those of $U$ with respect to the coordinates are the stiffness matrix $K$.",
             (equation(_M, result.mass_matrix), equation(_K, result.stiffness_matrix)),
         ),
         Step(
             "motion",
             "Write the equations of motion",
-            "All three in one line: $M\\ddot q=-Kq$, inertia against the restoring force.",
+            "All three equations fit in one line, $M\\ddot q=-Kq$: inertia on the left, restoring force on the right.",
             (
                 equation(
                     sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
@@ -116,8 +118,9 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "determinant",
-            "Ask for a mode",
-            "$q=v\\cos\\Omega t$ with $\\Lambda=\\Omega^2$ needs $(K-\\Lambda M)v=0$, so the determinant must vanish.",
+            "Look for the modes",
+            "Insert $q=v\\cos\\Omega t$ and write $\\Lambda=\\Omega^2$. This gives $(K-\\Lambda M)v=0$, which has a "
+            "solution other than $v=0$ only if the determinant vanishes.",
             (
                 equation(sp.Determinant(result.pencil), sp.S.Zero),
                 equation(result.determinant, sp.S.Zero),
@@ -126,13 +129,15 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "spectrum",
             "Find the three roots",
-            "Each root $\\Lambda$ belongs to one mode; a root at zero is a mode without a restoring force.",
+            "Zero is a double root, so two modes have no restoring force. The third root is the square of the "
+            "natural frequency.",
             (equation(sp.Tuple(*sp.symbols("Lambda_1:4")), eigenvalues), equation(Omega_squared, oscillating)),
         ),
         Step(
             "zero_modes",
-            "Look at the modes without frequency",
-            "They are the vectors $v$ with $Kv=0$: the whole machine glides, or the top cylinder rolls freely.",
+            "Look at the two zero modes",
+            "They are the vectors $v$ with $Kv=0$. In the first one the whole machine glides; in the second the top "
+            "cylinder rolls freely.",
             tuple(
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
                 for mode in result.zero_modes
@@ -141,8 +146,9 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "shortcut",
             "Take the shortcut",
-            "$K$ has rank one, so up to a factor the oscillating mode is $v=M^{-1}e_\\varphi$, and no determinant is "
-            "needed: $\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$.",
+            "The matrix $K$ has rank one: it maps every vector to a multiple of $e_\\varphi$, the unit vector of "
+            "$\\varphi$. So an oscillating mode is a multiple of $M^{-1}e_\\varphi$, and no determinant is needed: "
+            "$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$.",
             (
                 equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
                 equation(_M.I, result.inverse_mass_matrix),
@@ -151,8 +157,8 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "mode_shape",
-            "See how it moves",
-            "The rollers' share is set to one; block and top cylinder move along in proportion.",
+            "Read off the mode shape",
+            "The entry of the rollers is set to one. Block and top cylinder swing in proportion to it.",
             (equation("v", result.mode_shape),),
         ),
     )

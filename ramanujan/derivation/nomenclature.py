@@ -81,7 +81,6 @@ _OTHERS = (
     Entry(M_e, "effective mass for the path $R\\varphi$ [kg]"),
     Entry(M_x, "effective mass for the deformation $2R\\varphi$ of the spring [kg]"),
     Entry(sp.Symbol("M_clamped"), "effective mass for $R\\varphi$ while block and top cylinder are held [kg]"),
-    Entry(sp.Symbol("mu"), "inertia $2T/(R\\dot\\varphi)^2$ [kg]"),
     Entry(sp.Symbol("xi"), "share of the block, $\\dot X/(R\\dot\\varphi)$"),
     Entry(sp.Symbol("eta"), "share of the top cylinder, $\\dot\\Phi/\\dot\\varphi$"),
     Entry(sp.Symbol("M"), "mass matrix, in the order $X$, $\\varphi$, $\\Phi$"),

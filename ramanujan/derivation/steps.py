@@ -14,7 +14,7 @@ import sympy as sp
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.substitution import put_in
 
-_OTHER_CASE = " Your masses are another case, so this step keeps its symbols."
+_OTHER_CASE = " Your machine is another one, so this step stays in symbols."
 
 
 @dataclass(frozen=True)

@@ -90,7 +90,16 @@ class Machine:
     bodies: tuple[Body, ...]
 
     def __getitem__(self, name: str) -> Body:
-        return next(body for body in self.bodies if body.name == name)
+        """Return the body of that name.
+
+        Raises
+        ------
+        ValueError : name is not one of the five.
+        """
+        for body in self.bodies:
+            if body.name == name:
+                return body
+        raise ValueError(f"name must be one of {', '.join(body.name for body in self.bodies)}, not {name!r}")
 
     @property
     def deformation(self) -> sp.Expr:
