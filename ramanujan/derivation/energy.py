@@ -15,6 +15,7 @@ import sympy as sp
 
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
+    M_clamped,
     M_e,
     M_x,
     Machine,
@@ -31,9 +32,6 @@ from ramanujan.derivation.symbols import (
 
 xi, eta = sp.symbols("xi eta", real=True)
 """Shares of block and top cylinder in the motion: ξ = Ẋ/(Rφ̇), η = Φ̇/φ̇."""
-
-M_clamped = sp.Symbol("M_clamped", positive=True)
-"""Effective mass for the path Rφ while block and top cylinder are held."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +50,11 @@ class LeastInertia:
 
 
 def least_inertia(bodies: Machine) -> LeastInertia:
-    """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0."""
+    """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0.
+
+    >>> least_inertia(machine()).shares[eta]
+    4*(m + m_prime)/(7*m + 6*m_prime)
+    """
     phi_dot = phi.diff(t)
     energy = bodies.kinetic_energy.subs({X.diff(t): xi * R * phi_dot, Phi.diff(t): eta * phi_dot})
     inertia = gather(2 * energy / (R * phi_dot) ** 2, (xi, eta))
@@ -66,7 +68,11 @@ def least_inertia(bodies: Machine) -> LeastInertia:
 
 
 def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
-    """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇."""
+    """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇.
+
+    >>> spin_of_lower_rollers(machine())
+    3*m_prime/8
+    """
     spin = bodies["hoop"].rotation + bodies["cylinder"].rotation
     return sp.factor(2 * spin / bodies.deformation.diff(t) ** 2)
 

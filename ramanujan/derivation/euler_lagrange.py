@@ -37,7 +37,11 @@ EQUAL_MASSES = equation(m_prime, m)
 
 
 def euler_lagrange_operator(lagrangian: sp.Expr, q: sp.Expr) -> sp.Expr:
-    """Return Λ_q ℒ = d/dt ∂ℒ/∂q̇ − ∂ℒ/∂q, whose zero is the equation of motion of q.  Source: paper, eq. (3)."""
+    """Return d/dt ∂ℒ/∂q̇ − ∂ℒ/∂q, whose zero is the equation of motion of q.  Source: paper, eq. (3).
+
+    >>> euler_lagrange_operator(m * X.diff(t) ** 2 / 2 - k * X**2 / 2, X)
+    k*X(t) + m*Derivative(X(t), (t, 2))
+    """
     return lagrangian.diff(q.diff(t)).diff(t) - lagrangian.diff(q)
 
 
@@ -60,7 +64,11 @@ class Elimination:
 
 @cache
 def eliminate(bodies: Machine) -> Elimination:
-    """Return the paper's elimination for the machine: the Φ equation into the X equation, both into that of φ."""
+    """Return the paper's elimination for the machine: the Φ equation into the X equation, both into that of φ.
+
+    >>> eliminate(machine(roller_mass=m)).natural_frequency_squared
+    104*k/(99*m)
+    """
     lagrangian = bodies.lagrangian
     motion = {q: _without_common_factor(euler_lagrange_operator(lagrangian, q)) for q in COORDINATES}
     (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
@@ -93,6 +101,9 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     Raises
     ------
     ValueError : not exactly one positive mass ratio fulfils it.
+
+    >>> unit_condition(eliminate(machine()).natural_frequency_squared).completed_square
+    Eq((36*varepsilon + 1)**2, 1729)
     """
     normalized = sp.factor(natural_frequency_squared.subs(m_prime, epsilon * m) * m / k)
     numerator, denominator = sp.fraction(normalized)
@@ -142,8 +153,8 @@ def _close_to_one(normalized: sp.Expr) -> Step:
     step = Step(
         "equal_close",
         "Nearly one",
-        "With equal masses the square of the frequency, in units of $k/m$, is close to 1, but not 1. "
-        "What would make it exactly 1?",
+        "What would make the square of the frequency, in units of $k/m$, exactly 1? It is close to 1 for machines "
+        "whose masses are all equal.",
         (equation(Omega_squared * m / k, normalized),),
         case=EQUAL_MASSES,
     )
@@ -164,7 +175,7 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
     only_ratio = Step(
         "ratio",
         "Only the ratio of the masses matters",
-        "Measured in units of $k/m$, the frequency depends on $\\varepsilon=m'/m$ alone.",
+        "In units of $k/m$, the square of the frequency depends on the mass ratio $\\varepsilon=m'/m$ alone.",
         (equation(epsilon, ratio), equation(Omega_squared * m / k, unit.normalized_frequency_squared)),
     )
     exactly_one = Step(
@@ -210,7 +221,7 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
 
 def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None = None) -> tuple[Step, ...]:
     """Return the four steps from ℒ to Ω², the same for equal masses and for any."""
-    here = "" if case is None else " Here all masses are equal, $m'=m$."
+    here = "" if case is None else " This step is about machines whose masses are all equal, $m'=m$."
     return (
         Step(
             f"{prefix}lagrangian",

@@ -122,7 +122,8 @@ class Written:
     above : the numerator
     factor : the numerator as a factor of something else: a sum in brackets, "" for 1
     below : the denominator, "" for 1
-    is_decimal : whether it is a decimal that ends in dots
+    is_decimal : whether it is a decimal because the fraction is too long
+    negated : the numerator with the opposite signs where that needs no brackets, so that −(√1729 − 37) is 37 − √1729
     """
 
     sign: int
@@ -130,11 +131,20 @@ class Written:
     factor: str
     below: str
     is_decimal: bool = False
+    negated: str = ""
 
     @property
     def alone(self) -> str:
-        """The absolute value by itself."""
-        return rf"\frac{{{self.above}}}{{{self.below}}}" if self.below else self.above
+        """The number by itself, with its sign."""
+        if self.sign < 0 and self.negated:
+            return _quotient(self.negated, self.below)
+        absolute = _quotient(self.above, self.below)
+        # As SymPy does, only a bare integer has its sign close to it.
+        return f"{'-' if absolute.isdigit() else '- '}{absolute}" if self.sign < 0 else absolute
+
+
+def _quotient(above: str, below: str) -> str:
+    return rf"\frac{{{above}}}{{{below}}}" if below else above
 
 
 @lru_cache(maxsize=4096)
@@ -162,14 +172,17 @@ def written(number: Rational | Surd) -> Written:
         decimal = _digits(_surd_value(a, b, number.n), ROUND_DOWN, Decimal(q))
         return Written(sign, decimal, decimal, "", is_decimal=True)
     a, b, p, q = a // p, b // p, p // common, q // common
+    negated = ""
     root = rf"\sqrt{{{number.n}}}" if abs(b) == 1 else rf"{abs(b)}\,\sqrt{{{number.n}}}"
     if not a:
         body = bracketed = root
     else:
         body = f"{root} - {-a}" if a < 0 else f"{a} {'-' if b < 0 else '+'} {root}"
+        if p == 1 and a * b < 0:
+            negated = f"{-a} - {root}" if a < 0 else f"{root} - {a}"
         bracketed = rf"\left({body}\right)"
     factor = bracketed if p == 1 else rf"{p}\,{bracketed}"
-    return Written(sign, body if p == 1 else factor, factor, str(q) if q != 1 else "")
+    return Written(sign, body if p == 1 else factor, factor, str(q) if q != 1 else "", negated=negated)
 
 
 def truncated(p: int, q: int) -> str:

@@ -42,7 +42,11 @@ class Legendre:
 
 
 def legendre_transform(bodies: Machine) -> Legendre:
-    """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ."""
+    """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ.
+
+    >>> legendre_transform(machine()).momenta[MOMENTA[2]]
+    3*R**2*m*Derivative(Phi(t), t)/2 - R*m*Derivative(X(t), t)
+    """
     lagrangian = bodies.lagrangian
     momenta = {p: lagrangian.diff(v) for p, v in zip(MOMENTA, VELOCITIES, strict=True)}
     solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
@@ -67,7 +71,11 @@ class Reduction:
 
 
 def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
-    """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ."""
+    """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ.
+
+    >>> reduce_to_one_degree(legendre_transform(machine()).hamiltonian).effective_mass
+    (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
+    """
     constant, _ = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)
     square, linear = (hamiltonian.diff(p_phi, n).subs(p_phi, 0) / n for n in (2, 1))
     return Reduction(

@@ -55,7 +55,11 @@ class Modes:
 
 
 def modes(bodies: Machine) -> Modes:
-    """Return the matrices as second derivatives of the energies, and the modes that follow."""
+    """Return the matrices as second derivatives of the energies, and the modes that follow.
+
+    >>> modes(machine()).eigenvalues[sp.S.Zero]
+    2
+    """
     mass = _second_derivatives(bodies.kinetic_energy, VELOCITIES)
     stiffness = _second_derivatives(bodies.potential_energy, COORDINATES)
     determinant = _factored((stiffness - Lambda * mass).det())

@@ -93,7 +93,11 @@ def angular_acceleration(name: str) -> sp.Expr:
 
 
 def free_bodies(bodies: Machine) -> FreeBodies:
-    """Return the balances of the five bodies, the five rolling constraints, and their solution."""
+    """Return the balances of the five bodies, the five rolling constraints, and their solution.
+
+    >>> len(free_bodies(machine()).equations)
+    13
+    """
     rollers = tuple(body for body in bodies.bodies if body.angle != 0)
     forces = tuple(_force_balance(body, bodies) for body in bodies.bodies)
     torques = tuple(_torque_balance(body) for body in rollers)
@@ -114,6 +118,9 @@ def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
 
     Keys are hoop_slab, cylinder_slab, hoop_block, cylinder_block, top_block; on the slab and on the block the same
     forces act to the left.
+
+    >>> contact_forces()["top_block"]
+    -2*R*m*(m + m_prime)*Derivative(varphi(t), (t, 2))/(7*m + 6*m_prime)
     """
     solution = free_bodies(bodies or machine()).solution
     return {contact.name: _by_acceleration(contact, solution) for contact in CONTACTS}

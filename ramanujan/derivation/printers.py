@@ -123,6 +123,10 @@ def javascript(formulas: Mapping[str, Any]) -> str:
     Parameters
     ----------
     formulas : name → expression, or name → another such mapping
+
+    >>> from ramanujan.derivation.symbols import k, m
+    >>> javascript({"plain": sp.sqrt(k / m)})
+    '{plain: ({k, m}) => Math.sqrt(k)/Math.sqrt(m)}'
     """
     entries = (
         f"{name}: {javascript(value) if isinstance(value, Mapping) else _arrow(value)}"

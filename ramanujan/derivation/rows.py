@@ -14,15 +14,13 @@ import sympy as sp
 from ramanujan.derivation.exact import rounded
 from ramanujan.derivation.slots import Exact, evaluated, exact, fill, template, written
 from ramanujan.derivation.steps import Step
-from ramanujan.derivation.symbols import M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
+from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 
 _UNITS = {
-    Omega_squared: r"\,\mathrm{s^{-2}}",
-    Omega_clamped_squared: r"\,\mathrm{s^{-2}}",
-    M_e: r"\,\mathrm{kg}",
-    M_x: r"\,\mathrm{kg}",
+    **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
+    **dict.fromkeys((M_e, M_x, M_clamped, M_clamped - M_e), r"\,\mathrm{kg}"),
 }
-"""The unit of a quantity that stands alone on the left."""
+"""The unit of a left side whose right side may become a number."""
 
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|mathcal|d?dot)[a-zA-Z]+")
 _INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
@@ -117,8 +115,8 @@ def _value(equation: sp.Eq, numbers: Exact) -> str:
     (number,) = evaluated(made, numbers)
     shown, unit = written(number), _UNITS.get(equation.lhs, "")
     # A decimal with dots needs no second one, nor does an integer.
-    is_decimal = shown.is_decimal or re.fullmatch(r"\d+", shown.alone)
-    return unit if is_decimal else rf" \approx {rounded(number)}{unit}"
+    needs_none = shown.is_decimal or (shown.above.isdigit() and not shown.below)
+    return unit if needs_none else rf" \approx {rounded(number)}{unit}"
 
 
 def extent(formula: str) -> int:
@@ -126,13 +124,22 @@ def extent(formula: str) -> int:
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
-def aligned(blocks: Iterable[Iterable[Row]], gap: str = ".5em") -> str:
-    """Return blocks of rows as one display: aligned at the equals signs or, where some say … = 0, at the left."""
+def aligned(blocks: Iterable[Iterable[Row]], width: int) -> str:
+    """Return blocks of rows as one display: aligned at the equals signs or, where some say … = 0, at the left.
+
+    Parameters
+    ----------
+    blocks : rows that belong together, with more room between one block and the next
+    width : characters of a right side that fit into a line
+    """
     made = [list(block) for block in blocks]
     to_zero = any(each.right == "0" for block in made for each in block)
-    shown = (rf" \\[{gap}] ".join(_marked(each, to_zero) for each in block) for block in made if block)
+    shown = (r" \\[.5em] ".join(_marked(each, to_zero, width) for each in block) for block in made if block)
     return r"\begin{aligned}" + r" \\[1.6em] ".join(shown) + r"\end{aligned}"
 
 
-def _marked(shown: Row, to_zero: bool) -> str:
-    return f"&{shown.latex}" if to_zero else f"{shown.left} &= {shown.right}"
+def _marked(shown: Row, to_zero: bool, width: int) -> str:
+    if to_zero:
+        return f"&{shown.latex}"
+    first, *others = shown.lines(width)
+    return rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)

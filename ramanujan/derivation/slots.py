@@ -12,7 +12,7 @@ is the general way to the same formulas, and the tests hold the two against each
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
 import sympy as sp
@@ -186,7 +186,9 @@ def _term(slot: Slot, numbers: Sequence[Written]) -> str:
         return "0" if slot.role == _ALONE else ""
     above = _filled(slot.above, numbers)
     if not above and not slot.below:
-        body = number.alone
+        if slot.role != _LATER:
+            return number.alone
+        body = _absolute(number)
     elif number.is_decimal:
         body = number.factor + r"\," + (rf"\frac{{{above or 1}}}{{{slot.below}}}" if slot.below else above)
     else:
@@ -195,8 +197,14 @@ def _term(slot: Slot, numbers: Sequence[Written]) -> str:
         body = rf"\frac{{{numerator}}}{{{denominator}}}" if denominator else numerator
     if slot.role == _LATER:
         return f" - {body}" if number.sign < 0 else f" + {body}"
-    # As SymPy does, only a bare integer has its sign close to it.
-    return f"{'-' if body.isdigit() else '- '}{body}" if number.sign < 0 else body
+    return f"- {body}" if number.sign < 0 else body
+
+
+def _absolute(number: Written) -> str:
+    """Return the absolute value of a number that follows a sign, in brackets where the sign would split it."""
+    if number.sign < 0 and not number.below:
+        return number.factor or number.above
+    return replace(number, sign=1).alone
 
 
 def _product(left: str, right: str) -> str:

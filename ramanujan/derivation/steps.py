@@ -14,7 +14,7 @@ import sympy as sp
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.substitution import put_in
 
-_OTHER_CASE = " Your machine is another one, so this step stays in symbols."
+_OTHER_CASE = " Your masses are not, so the step stays in symbols."
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Step:
     key : short name, unique in its route, by which a page or a test finds the step
     heading : what is done
     reason : one sentence or a few that say why, Markdown with $…$
-    equations : relations that hold for every machine, or for those of the case, or that state a condition on ε
+    equations : relations that hold for every machine or for those of the case, or state a condition on ε
     case : a relation such as m′ = m if the step is about special machines only, else None
     present : what the step says about one given machine where its own equations state a condition; they hold for
         every machine. None where numbers can be put into the equations themselves.

@@ -83,6 +83,9 @@ class SummaryStep:
     equations: str
 
 
+_LINE_WIDTH = 60
+"""Characters of a formula that fit beside the sidebar in a window of 1280 points."""
+
 _SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
 
 
@@ -101,4 +104,5 @@ def numbers_stated(m: float, m_prime: float, k: float) -> str:
 
 def _with_numbers(step: Step, values: dict[sp.Symbol, sp.Expr]) -> SummaryStep:
     symbols, numbers = rows(step), rows(step, values)
-    return SummaryStep(step.heading, step.reason, aligned([symbols] if numbers == symbols else [symbols, numbers]))
+    blocks = [symbols] if numbers == symbols else [symbols, numbers]
+    return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH))
