@@ -6,6 +6,7 @@ It shares with them the symbols only; velocities are put together here from fram
 from __future__ import annotations
 
 import random
+from collections.abc import Callable, Sequence
 from functools import cache
 
 import sympy as sp
@@ -93,6 +94,12 @@ def holds(relation: sp.Eq, definitions: dict[sp.Expr, sp.Expr] | None = None) ->
     """Tell whether an equation is true along every motion, with the given symbols replaced by what they mean."""
     left, right = (side.subs(definitions or {}).subs(accelerations()) for side in relation.args)
     return equal(left, right)
+
+
+def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., object]:
+    """Return a NumPy function of the arguments, which may be coordinates and their rates."""
+    plain = {argument: sp.Dummy() for argument in arguments}
+    return sp.lambdify(list(plain.values()), expression.xreplace(plain), modules="numpy")
 
 
 def _fraction(unknown: sp.Basic, seed: int) -> sp.Rational:

@@ -11,10 +11,11 @@ import sympy as sp
 from playwright.sync_api import expect
 
 from ramanujan import Oscillator, stage
-from ramanujan.derivation.printers import javascript, numpy_function
+from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.scenes.controls import CONTROLS
 from tests.browser import STAGE, WATCH_LAG, next_frame, settle
+from tests.reference import numpy_function
 
 
 @pytest.fixture

@@ -188,7 +188,12 @@ def test_unit_condition_follows_another_frequency():
 @pytest.mark.parametrize("name", ROUTES)
 def test_numbers_say_what_the_symbols_said(name, values):
     for step in ROUTES[name].steps:
-        for before, after in zip(step.equations, step.with_numbers(values).equations, strict=True):
+        said = step.about(values)
+        if said.case is not None:
+            # Of another case it says nothing new.
+            assert step.with_numbers(values).equations == step.equations
+            continue
+        for before, after in zip(said.equations, step.with_numbers(values).equations, strict=True):
             assert not after.free_symbols & values.keys()
             for side, numbered in zip(before.args, after.args, strict=True):
                 # Fifty digits tell different numbers of these fields apart; 1e-40 leaves room for rounding.

@@ -1,4 +1,4 @@
-"""One expression in LaTeX, NumPy and JavaScript says the same."""
+"""One expression in LaTeX and in JavaScript says the same."""
 
 from __future__ import annotations
 
@@ -7,12 +7,11 @@ import re
 import shutil
 import subprocess
 
-import numpy as np
 import pytest
 import sympy as sp
 
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.printers import javascript, latex, numpy_function
+from ramanujan.derivation.printers import javascript, latex
 from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
@@ -29,6 +28,7 @@ from ramanujan.derivation.symbols import (
     m_prime,
     t,
 )
+from tests.reference import numpy_function
 
 FREQUENCY = ROUTES["matrix"].natural_frequency_squared
 UNIT_MASSES = {m: sp.Integer(3), m_prime: (sp.sqrt(1729) - 1) / 12, k: sp.Rational(5, 7)}
@@ -73,31 +73,6 @@ def test_latex_of_every_equation_is_well_formed(step):
         assert source.count(r"\begin") == source.count(r"\end")
         # No name of the program shows: not an underscore inside a word, not a Greek letter spelled out.
         assert not re.search(r"[a-z]_[a-z]|(?<!\\)\b(Phi|phi|varphi|alpha|prime|ddot|squared)\b", source)
-
-
-# NumPy
-
-
-def test_numpy_function_evaluates_elementwise_and_exactly_enough():
-    function = numpy_function([m, m_prime, k], FREQUENCY)
-    masses = np.array([0.5, 1.0, 8.0])
-    values = function(masses, 1.5, 2.0)
-    exact = [FREQUENCY.subs({m: sp.Rational(mass), m_prime: sp.Rational(3, 2), k: 2}) for mass in masses]
-    # Ten operations, each rounded once.
-    np.testing.assert_allclose(values, [float(value) for value in exact], rtol=1e-15)
-
-
-def test_numpy_function_of_velocities_and_radius():
-    momentum = conserved_momenta()[X]
-    arguments = [m, m_prime, R, *VELOCITIES]
-    numbers = [2, 3, sp.Rational(1, 4), 5, 7, 11]
-    exact = momentum.xreplace(dict(zip(arguments, numbers, strict=True)))
-    assert numpy_function(arguments, momentum)(*map(float, numbers)) == float(exact)
-
-
-def test_numpy_function_of_coordinates():
-    potential = ROUTES["euler_lagrange"]["energies"].equations[-1].rhs
-    assert numpy_function([k, R, *COORDINATES], potential)(3.0, 0.5, 9.0, 2.0, 9.0) == 6.0
 
 
 # JavaScript

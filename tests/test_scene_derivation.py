@@ -287,6 +287,8 @@ def test_a_link_that_asks_for_what_is_not_there_is_told_so_once(app, key, bad):
 def test_a_file_holds_the_route_as_it_stands(kind, masses):
     text = cached.document("matrix", masses, kind)
     assert ROUTES["matrix"]["spectrum"].heading in text
-    # The notebook always derives in symbols; a last cell puts the numbers in.
-    has_numbers = '"numbers-code"' in text if kind == "notebook" else "m'" not in text
-    assert has_numbers == (masses is not None)
+    assert "positive clockwise" in text
+    # The notebook always derives in symbols; its last cells put the numbers in.
+    says_numbers = '"numbers-code"' in text if kind == "notebook" else "The numbers are for $m=" in text
+    shows_numbers = kind == "notebook" or latex(ROUTES["matrix"].natural_frequency_squared) not in text
+    assert (says_numbers, shows_numbers) == (masses is not None, kind == "notebook" or masses is not None)

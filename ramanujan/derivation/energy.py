@@ -9,12 +9,13 @@ Minimizing a quadratic form over some of its variables is a Schur complement of 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
+    M_clamped,
     M_e,
     M_x,
     Machine,
@@ -31,9 +32,6 @@ from ramanujan.derivation.symbols import (
 
 xi, eta = sp.symbols("xi eta", real=True)
 """Shares of block and top cylinder in the motion: ξ = Ẋ/(Rφ̇), η = Φ̇/φ̇."""
-
-M_clamped = sp.Symbol("M_clamped", positive=True)
-"""Effective mass for the path Rφ while block and top cylinder are held."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +50,11 @@ class LeastInertia:
 
 
 def least_inertia(bodies: Machine) -> LeastInertia:
-    """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0."""
+    """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0.
+
+    >>> least_inertia(machine()).shares[eta]
+    4*(m + m_prime)/(7*m + 6*m_prime)
+    """
     phi_dot = phi.diff(t)
     energy = bodies.kinetic_energy.subs({X.diff(t): xi * R * phi_dot, Phi.diff(t): eta * phi_dot})
     inertia = gather(2 * energy / (R * phi_dot) ** 2, (xi, eta))
@@ -66,11 +68,16 @@ def least_inertia(bodies: Machine) -> LeastInertia:
 
 
 def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
-    """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇."""
+    """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇.
+
+    >>> spin_of_lower_rollers(machine())
+    3*m_prime/8
+    """
     spin = bodies["hoop"].rotation + bodies["cylinder"].rotation
     return sp.factor(2 * spin / bodies.deformation.diff(t) ** 2)
 
 
+@ROUTES.add("energy")
 def build() -> Route:
     """Return the route: energies, Rayleigh's quotient, its least inertia, Ω², and the clamped block's bound."""
     bodies = machine()
@@ -84,6 +91,7 @@ def build() -> Route:
         "Energy",
         (*_quotient_steps(bodies, result, stiffness), *_frequency_steps(result, stiffness, frequency, lever, spin)),
         frequency,
+        CELLS,
     )
 
 
@@ -93,7 +101,7 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         Step(
             "energies",
             "Add up the energies",
-            "All five bodies share in $T$; only the spring stores $U$.",
+            "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy, $U$.",
             (
                 equation("T", gather(bodies.kinetic_energy)),
                 equation("U", bodies.potential_energy),
@@ -102,9 +110,11 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         Step(
             "quotient",
             "Compare them",
-            "In an oscillation at $\\Omega$ the largest $T$ equals the largest $U$, so $\\Omega^2$ is the quotient of "
-            "these two (Rayleigh); it depends on how far block and top cylinder move along, "
-            "$\\xi=\\dot X/(R\\dot\\varphi)$ and $\\eta=\\dot\\Phi/\\dot\\varphi$.",
+            "In a normal mode the largest kinetic energy equals the largest potential energy. With "
+            "$\\dot\\varphi_{\\max}=\\Omega\\,\\varphi_{\\max}$, $\\Omega^2$ is the first quotient below, at the "
+            "largest $\\varphi$, divided by the second, at the largest $\\dot\\varphi$ (Rayleigh’s quotient). The "
+            "second one, the inertia, depends on how far block and top cylinder move along: $\\xi=\\dot "
+            "X/(R\\dot\\varphi)$ and $\\eta=\\dot\\Phi/\\dot\\varphi$.",
             (
                 equation(2 * sp.Symbol("U") / path**2, stiffness),
                 equation(2 * sp.Symbol("T") / speed**2, result.inertia),
@@ -112,10 +122,11 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         ),
         Step(
             "least",
-            "Let block and top cylinder choose",
-            "$U$ does not depend on $X$ and $\\Phi$, so the quotient is stationary where the inertia is; the second "
-            "derivatives form a positive definite matrix, so that the inertia is least there (a Schur complement of "
-            "the mass matrix).",
+            "Find how block and top cylinder move along",
+            "In a mode, Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the inertia "
+            "depends on them, so its derivatives must vanish. Its second derivatives form the matrix below. The "
+            "upper left entry and the determinant are positive, so the matrix is positive definite and the inertia "
+            "is least there.",
             (
                 *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
                 *(equation(share, result.shares[share]) for share in (xi, eta)),
@@ -128,36 +139,70 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
 def _frequency_steps(
     result: LeastInertia, stiffness: sp.Expr, frequency: sp.Expr, lever: sp.Expr, spin: sp.Expr
 ) -> tuple[Step, ...]:
-    spring_mass = sp.factor(result.least / lever)
     return (
         Step(
             "frequency",
             "Read off the frequency",
-            "The least inertia is the effective mass $M_e$ for the path $R\\varphi$.",
+            "The least inertia is the effective mass $M_e$ for the path $R\\varphi$; $M_eR^2$ is a Schur complement of "
+            "the mass matrix.",
             (
                 equation(M_e, result.least),
                 equation(Omega_squared, stiffness / M_e),
                 equation(Omega_squared, frequency),
             ),
         ),
-        Step(
-            "spring_mass",
-            "Ask what the spring feels",
-            "It is deformed by $2R\\varphi$, and from there the machine is one mass $M_x$; the term in $m'$ alone is "
-            "the spin of the lower rollers.",
-            (
-                equation(M_x, spin + sp.factor(spring_mass - spin)),
-                equation(Omega_squared, stiffness / lever / M_x),
-            ),
-        ),
+        _spring_mass_step(result, stiffness, lever, spin),
         Step(
             "bound",
             "Hold the block",
-            "With block and top cylinder held still, $\\xi=\\eta=0$, the inertia is not the least one, so the clamped "
-            "machine is slower and its frequency is a lower bound.",
+            "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
+            "the clamped machine swings more slowly. Its frequency is a lower bound for $\\Omega$.",
             (
                 equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
                 equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
             ),
         ),
     )
+
+
+def _spring_mass_step(result: LeastInertia, stiffness: sp.Expr, lever: sp.Expr, spin: sp.Expr) -> Step:
+    """Return the step to M_x; with numbers its two terms become one, so nothing can be said of one of them."""
+    spring_mass = sp.factor(result.least / lever)
+    reason = "The spring is deformed by $2R\\varphi$, and for this coordinate the machine acts like one mass $M_x$."
+    step = Step(
+        "spring_mass",
+        "Find the mass that the spring feels",
+        f"{reason} The term that contains $m'$ alone comes from the rotation of the lower rollers.",
+        (
+            equation(M_x, spin + sp.factor(spring_mass - spin)),
+            equation(Omega_squared, stiffness / lever / M_x),
+        ),
+    )
+    return replace(step, present=replace(step, reason=reason))
+
+
+CELLS = {
+    "quotient": """\
+xi, eta = sp.symbols("xi eta", real=True)
+shares = {X.diff(t): xi * R * phi.diff(t), Phi.diff(t): eta * phi.diff(t)}
+inertia = sp.cancel(2 * T.subs(shares) / (R * phi.diff(t)) ** 2)
+stiffness = sp.cancel(2 * U / (R * phi) ** 2)
+inertia, stiffness""",
+    "least": """\
+least = sp.solve([inertia.diff(xi), inertia.diff(eta)], [xi, eta], dict=True)[0]
+assert sp.hessian(inertia, (xi, eta)).is_positive_definite
+least""",
+    "frequency": """\
+M_e = sp.factor(inertia.subs(least))
+Omega_squared = sp.factor(stiffness / M_e)
+Omega_squared""",
+    "spring_mass": """\
+M_x = sp.apart(M_e / 4, m_prime)
+assert sp.simplify(k / M_x - Omega_squared) == 0
+M_x""",
+    "bound": """\
+clamped = sp.factor(stiffness / inertia.subs({xi: 0, eta: 0}))
+assert sp.factor(Omega_squared - clamped).is_positive
+clamped""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

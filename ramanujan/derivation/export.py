@@ -1,21 +1,23 @@
 """A derivation to take home: a LaTeX article, a Markdown text, or a notebook that derives everything again.
 
-LaTeX and Markdown say what the route says, in symbols or with numbers put in. The notebook is plain SymPy.
+LaTeX and Markdown say what the route says, in symbols or with the numbers of one machine. The notebook is plain SymPy.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import sympy as sp
 
-from ramanujan.derivation.notebooks import BODIES, CELLS, CHECK
-from ramanujan.derivation.printers import latex
+from ramanujan.derivation.nomenclature import DOTS, nomenclature
+from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
+from ramanujan.derivation.numbers import stated
+from ramanujan.derivation.rows import Row, rows
 from ramanujan.derivation.steps import Route, Step
 
-MACHINE = "Ramanujan's oscillator"
+TITLE = "Ramanujan’s oscillator"
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage{amsmath}
@@ -37,53 +39,76 @@ _IN_PROSE = {
     "”": "''",
     "′": "$'$",
     "²": "$^2$",
+    "·": r"$\cdot$",
     "…": r"\dots{}",
 }
 _LINE_WIDTH = 66
 """Characters of a formula that fit into one line of the article; found by setting all routes with TeX."""
-_COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|mathcal|d?dot)[a-zA-Z]+")
-_INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
 _MATH = re.compile(r"(\$[^$]*\$)")
 
-
-def to_latex(route: Route) -> str:
-    """Return the route as a LaTeX document that needs amsmath and nothing else; it is plain ASCII."""
-    body = "\n".join(_latex_section(step) for step in route.steps)
-    title = f"\\title{{{prose_to_latex(f'{MACHINE}: {route.title}')}}}\n\\author{{}}\n\\date{{}}\n"
-    return f"{_PREAMBLE}{title}\\begin{{document}}\n\\maketitle\n{body}\\end{{document}}\n"
+Values = Mapping[sp.Symbol, sp.Expr]
+"""Exact m, m′ and k, such as `numbers.exact_values` returns."""
 
 
-def to_markdown(route: Route) -> str:
-    """Return the route as Markdown with $…$ and $$…$$."""
-    sections = (
-        f"## {number}. {step.heading}\n\n{step.reason}\n\n"
-        + "\n\n".join(f"$$\n{latex(equation)}\n$$" for equation in step.equations)
-        for number, step in enumerate(route.steps, start=1)
-    )
-    return f"# {MACHINE}: {route.title}\n\n" + "\n\n".join(sections) + "\n"
+def to_latex(route: Route, values: Values | None = None) -> str:
+    """Return the route as a LaTeX document that needs amsmath and nothing else; it is plain ASCII.
+
+    Parameters
+    ----------
+    route : one of `ROUTES`, in symbols
+    values : the machine whose numbers are put in; none for the symbols
+    """
+    entries = "".join(f"\\item ${entry.latex}$: {prose_to_latex(entry.meaning)}\n" for entry in nomenclature(route))
+    symbols = f"\\section*{{Symbols}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
+    body = "".join(_latex_section(step, values) for step in route.steps)
+    title = f"\\title{{{prose_to_latex(f'{TITLE}: {route.title}')}}}\n\\author{{}}\n\\date{{}}\n"
+    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(values))}{symbols}"
+    return f"{_PREAMBLE}{title}{opening}{body}\\end{{document}}\n"
 
 
-def to_notebook(route: Route, values: Mapping[sp.Symbol, sp.Expr] | None = None) -> str:
+def to_markdown(route: Route, values: Values | None = None) -> str:
+    """Return the route as Markdown with $…$ and $$…$$.
+
+    Parameters
+    ----------
+    route : one of `ROUTES`, in symbols
+    values : the machine whose numbers are put in; none for the symbols
+    """
+    opening = f"# {TITLE}: {route.title}\n\n{_numbers_stated(values)}{_symbols(route)}"
+    return "\n\n".join([opening, *(_markdown_section(n, s, values) for n, s in enumerate(route.steps, start=1))]) + "\n"
+
+
+def to_notebook(route: Route, values: Values | None = None) -> str:
     """Return a Jupyter notebook (format 4.5, JSON) that derives the route's Ω² from the bodies with plain SymPy.
 
     Parameters
     ----------
-    route : which of `ROUTES`, in symbols
-    values : exact m, m′ and k; if given, a last cell puts them in
+    route : one of `ROUTES`, in symbols
+    values : the machine whose numbers the last cells put in; none for the symbols
     """
     cells = [
-        _markdown("title", f"# {MACHINE}: {route.title}\n\nFive bodies, three rolling ones among them, one spring."),
+        _markdown("title", f"# {TITLE}: {route.title}\n\nFive bodies, three of them rolling, and one spring."),
+        _markdown("symbols", _symbols(route)),
         _code("bodies", BODIES),
     ]
-    for key, code in CELLS[route.name].items():
+    for key, code in route.cells.items():
         step = route[key]
         cells += [_markdown(key, f"## {step.heading}\n\n{step.reason}"), _code(key, code)]
     cells += [
-        _markdown("check", "## Check against another way\n\nThe nonzero root of $\\det(K-\\Lambda M)=0$ is the same."),
+        _markdown(
+            "check",
+            "## Check it another way\n\nThe root of $\\det(K-\\Lambda M)=0$ other than zero is the same $\\Omega^2$.",
+        ),
         _code("check", CHECK),
     ]
     if values:
-        cells += [_markdown("numbers", "## With numbers"), _code("numbers", _numbers(values))]
+        cells += [
+            _markdown("numbers", f"## With numbers\n\n{stated(values)}"),
+            _code("values", _assigned(values)),
+            _markdown("distance", "How far is this machine from $\\Omega^2=k/m$?"),
+            _code("distance", DISTANCE),
+            _code("numbers", FREQUENCY),
+        ]
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     notebook = {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
     return json.dumps(notebook, ensure_ascii=False, indent=1) + "\n"
@@ -97,44 +122,38 @@ def prose_to_latex(text: str) -> str:
     )
 
 
-def _latex_section(step: Step) -> str:
-    rows = " \\\\\n".join(f"  {_row(equation)}" for equation in step.equations)
-    heading, reason = prose_to_latex(step.heading), prose_to_latex(step.reason)
-    return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{rows}\n\\end{{align*}}\n"
+def _latex_section(step: Step, values: Values | None) -> str:
+    said = step.about(values) if values else step
+    heading, reason = prose_to_latex(said.heading), prose_to_latex(said.reason)
+    equations = " \\\\\n".join(f"  {_aligned(row)}" for row in rows(step, values))
+    return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
 
 
-def lines(expression: sp.Expr, write: Callable[[sp.Expr], str] = latex, width: int = _LINE_WIDTH) -> list[str]:
-    """Return the LaTeX of an expression, a long sum broken into lines of which each but the first begins with a sign.
-
-    Parameters
-    ----------
-    expression : what is written
-    write : expression → LaTeX
-    width : characters that fit into a line
-    """
-    groups: list[list[sp.Expr]] = [[]]
-    for term in expression.as_ordered_terms() if expression.is_Add else [expression]:
-        if groups[-1] and extent(latex(sp.Add(*groups[-1], term))) > width:
-            groups.append([])
-        groups[-1].append(term)
-    first, *others = (write(group[0] if len(group) == 1 else sp.Add(*group)) for group in groups)
-    return [first, *(other if other.startswith("-") else f"+ {other}" for other in others)]
-
-
-def _row(equation: sp.Eq) -> str:
+def _aligned(row: Row) -> str:
     """Return left &= right, a long sum broken into lines."""
-    first, *others = lines(equation.rhs)
-    return f"{latex(equation.lhs)} &= {first}" + "".join(f" \\\\\n  &\\quad {other}" for other in others)
+    first, *others = row.lines(_LINE_WIDTH)
+    return f"{row.left} &= {first}" + "".join(f" \\\\\n  &\\quad {other}" for other in others)
 
 
-def extent(formula: str) -> int:
-    """Return about how many characters stand side by side."""
-    return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
+def _markdown_section(number: int, step: Step, values: Values | None) -> str:
+    said = step.about(values) if values else step
+    equations = (f"$$\n{row.latex}\n$$" for row in rows(step, values))
+    return "\n\n".join([f"## {number}. {said.heading}", said.reason, *equations])
 
 
-def _numbers(values: Mapping[sp.Symbol, sp.Expr]) -> str:
+def _symbols(route: Route) -> str:
+    """Return the list of symbols as Markdown."""
+    return "\n".join(["**Symbols**", "", *(f"- ${e.latex}$: {e.meaning}" for e in nomenclature(route)), "", DOTS])
+
+
+def _numbers_stated(values: Values | None) -> str:
+    return f"{stated(values)}\n\n" if values else ""
+
+
+def _assigned(values: Values) -> str:
+    """Return the line of a notebook that gives m, m′ and k their exact values, by the names that `BODIES` uses."""
     pairs = ", ".join(f'{symbol.name}: sp.sympify("{sp.sstr(value)}")' for symbol, value in values.items())
-    return f"sp.radsimp(Omega_squared.subs({{{pairs}}}))"
+    return f"values = {{{pairs}}}\nvalues"
 
 
 def _markdown(key: str, text: str) -> dict[str, object]:

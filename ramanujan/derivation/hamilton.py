@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     COORDINATES,
     MOMENTA,
@@ -42,7 +42,11 @@ class Legendre:
 
 
 def legendre_transform(bodies: Machine) -> Legendre:
-    """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ."""
+    """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ.
+
+    >>> legendre_transform(machine()).momenta[MOMENTA[2]]
+    3*R**2*m*Derivative(Phi(t), t)/2 - R*m*Derivative(X(t), t)
+    """
     lagrangian = bodies.lagrangian
     momenta = {p: lagrangian.diff(v) for p, v in zip(MOMENTA, VELOCITIES, strict=True)}
     solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
@@ -67,7 +71,11 @@ class Reduction:
 
 
 def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
-    """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ."""
+    """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ.
+
+    >>> reduce_to_one_degree(legendre_transform(machine()).hamiltonian).effective_mass
+    (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
+    """
     constant, _ = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)
     square, linear = (hamiltonian.diff(p_phi, n).subs(p_phi, 0) / n for n in (2, 1))
     return Reduction(
@@ -77,6 +85,7 @@ def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
     )
 
 
+@ROUTES.add("hamilton")
 def build() -> Route:
     """Return the route: Legendre transform, Hamilton's equations, one degree of freedom, Ω²."""
     bodies = machine()
@@ -85,7 +94,7 @@ def build() -> Route:
     reduced = reduce_to_one_degree(transform.hamiltonian)
     acceleration = transform.hamiltonian.diff(p_phi).diff(t).subs(rates)
     frequency = sp.factor(-acceleration / phi)
-    return Route("hamilton", "Hamilton", _steps(bodies, transform, rates, reduced, frequency), frequency)
+    return Route("hamilton", "Hamilton", _steps(bodies, transform, rates, reduced, frequency), frequency, CELLS)
 
 
 def _steps(
@@ -98,33 +107,34 @@ def _steps(
         Step(
             "lagrangian",
             "Start from the Lagrangian",
-            "$\\mathcal{L}=T-U$ of the five bodies, with the rolling constraints worked in.",
+            "The Lagrangian $\\mathcal{L}=T-U$ of the five bodies already contains the rolling constraints.",
             (equation("L", bodies.lagrangian),),
         ),
         Step(
             "momenta",
             "Find the momenta",
-            "To each coordinate belongs the canonical momentum $p_q=\\partial\\mathcal{L}/\\partial\\dot q$.",
+            "Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal{L}/\\partial\\dot q$.",
             tuple(equation(p, value) for p, value in transform.momenta.items()),
         ),
         Step(
             "velocities",
-            "Turn the relations round",
-            "They are linear in the velocities, so the velocities follow from the momenta.",
+            "Solve for the velocities",
+            "The momenta are linear in the velocities, so these equations can be solved for the velocities.",
             tuple(equation(velocity, value) for velocity, value in transform.velocities.items()),
         ),
         Step(
             "hamiltonian",
             "Write the Hamiltonian",
-            "The Legendre transform $\\mathcal{H}=\\sum p_q\\dot q-\\mathcal{L}$ with every velocity replaced is the "
-            "energy as a function of coordinates and momenta.",
+            "The Hamiltonian is $\\mathcal{H}=\\sum p_q\\dot q-\\mathcal{L}$, with every velocity expressed by the "
+            "momenta. Here it is the energy $T+U$, because $T$ is quadratic in the velocities and $U$ contains none.",
             (equation("H", transform.hamiltonian),),
         ),
         Step(
             "motion",
             "Write down Hamilton’s equations",
-            "$\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ vanishes wherever $\\mathcal{H}$ does not contain the "
-            "coordinate, so those momenta are conserved; $\\dot\\varphi=\\partial\\mathcal{H}/\\partial p_\\varphi$.",
+            "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ and $\\dot "
+            "q=\\partial\\mathcal{H}/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
+            "$p_\\Phi$ are conserved.",
             (
                 *(equation(rate, value) for rate, value in rates.items()),
                 equation(phi.diff(t), transform.velocities[phi.diff(t)]),
@@ -133,8 +143,9 @@ def _steps(
         Step(
             "reduction",
             "Complete the square",
-            "Constant as they are, $p_X$ and $p_\\Phi$ only shift $p_\\varphi$ and add the constant $\\mathcal{H}_0$: "
-            "one degree of freedom is left, a mass $M_e$ that moves by $R\\varphi$.",
+            "Complete the square in $p_\\varphi$. The conserved momenta $p_X$ and $p_\\Phi$ only shift $p_\\varphi$ "
+            "and add a constant $\\mathcal{H}_0$. One degree of freedom is left: a mass $M_e$ that moves by "
+            "$R\\varphi$.",
             (
                 equation("H", one_degree),
                 equation(M_e, reduced.effective_mass),
@@ -144,8 +155,8 @@ def _steps(
         Step(
             "frequency",
             "Read off the frequency",
-            "The shift leaves the frequency as it is; seen from the spring, which is deformed by $2R\\varphi$, the "
-            "same motion is that of a mass $M_x$.",
+            "A constant shift of $p_\\varphi$ does not change the frequency. The spring is deformed by $2R\\varphi$; "
+            "for this coordinate the same motion is that of a mass $M_x$.",
             (
                 equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
                 equation(Omega_squared, stiffness / M_e),
@@ -167,3 +178,33 @@ def _one_fraction(form: sp.Expr) -> sp.Expr:
     """Return a form in the momenta over one denominator, the numerator gathered."""
     numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA)))
     return gather(numerator, MOMENTA) / denominator
+
+
+CELLS = {
+    "momenta": """\
+p_X, p_phi, p_Phi = p = sp.symbols("p_X p_varphi p_Phi")
+momenta = [L.diff(v) for v in q_dot]
+momenta""",
+    "velocities": """\
+velocities = sp.solve([symbol - value for symbol, value in zip(p, momenta)], q_dot, dict=True)[0]
+velocities""",
+    "hamiltonian": """\
+H = sp.factor(sum(symbol * v for symbol, v in zip(p, q_dot)).subs(velocities) - L.subs(velocities))
+H""",
+    "motion": """\
+p_dot = {symbol: -sp.cancel(H.diff(x)) for symbol, x in zip(p, q)}
+assert p_dot[p_X] == p_dot[p_Phi] == 0
+phi_dot = sp.factor(H.diff(p_phi))
+p_dot, phi_dot""",
+    "reduction": """\
+M_e = sp.factor(1 / (R**2 * H.diff(p_phi, 2)))
+shift = sp.factor(phi_dot.subs(p_phi, 0) * M_e * R**2)
+H_0 = sp.cancel(H - (p_phi + shift) ** 2 / (2 * M_e * R**2) - U.doit())
+assert not H_0.has(p_phi, phi)
+M_e, shift, sp.factor(H_0)""",
+    "frequency": """\
+phi_ddot = sum(phi_dot.diff(symbol) * p_dot[symbol] for symbol in p)
+Omega_squared = sp.factor(-phi_ddot / phi)
+Omega_squared""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

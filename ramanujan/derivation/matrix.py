@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
     COORDINATES,
@@ -55,7 +55,11 @@ class Modes:
 
 
 def modes(bodies: Machine) -> Modes:
-    """Return the matrices as second derivatives of the energies, and the modes that follow."""
+    """Return the matrices as second derivatives of the energies, and the modes that follow.
+
+    >>> modes(machine()).eigenvalues[sp.S.Zero]
+    2
+    """
     mass = _second_derivatives(bodies.kinetic_energy, VELOCITIES)
     stiffness = _second_derivatives(bodies.potential_energy, COORDINATES)
     determinant = _factored((stiffness - Lambda * mass).det())
@@ -73,12 +77,13 @@ def modes(bodies: Machine) -> Modes:
     )
 
 
+@ROUTES.add("matrix")
 def build() -> Route:
     """Return the route: matrices, determinant, spectrum, rank-one shortcut, mode shapes."""
     bodies = machine()
     result = modes(bodies)
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
-    return Route("matrix", "Matrix", _steps(bodies, result, oscillating), oscillating)
+    return Route("matrix", "Matrix", _steps(bodies, result, oscillating), oscillating, CELLS)
 
 
 def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, ...]:
@@ -90,7 +95,8 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "energies",
             "Add up the energies",
-            "Both are quadratic forms, $T$ in the velocities and $U$ in the coordinates.",
+            "The kinetic energy $T$ is a quadratic form in the velocities, the potential energy $U$ is one in the "
+            "coordinates.",
             (
                 equation("T", gather(bodies.kinetic_energy)),
                 equation("U", bodies.potential_energy),
@@ -99,13 +105,14 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "matrices",
             "Take the second derivatives",
-            "In the order $X$, $\\varphi$, $\\Phi$ they are the mass matrix $M$ and the stiffness matrix $K$.",
+            "In the order $X$, $\\varphi$, $\\Phi$, the second derivatives of $T$ with respect to the velocities are "
+            "the mass matrix $M$. Those of $U$ with respect to the coordinates are the stiffness matrix $K$.",
             (equation(_M, result.mass_matrix), equation(_K, result.stiffness_matrix)),
         ),
         Step(
             "motion",
             "Write the equations of motion",
-            "All three in one line: $M\\ddot q=-Kq$, inertia against the restoring force.",
+            "All three equations fit in one line, $M\\ddot q=-Kq$: inertia on the left, restoring force on the right.",
             (
                 equation(
                     sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
@@ -115,8 +122,9 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "determinant",
-            "Ask for a mode",
-            "$q=v\\cos\\Omega t$ with $\\Lambda=\\Omega^2$ needs $(K-\\Lambda M)v=0$, so the determinant must vanish.",
+            "Look for the modes",
+            "Insert $q=v\\cos\\Omega t$ and write $\\Lambda=\\Omega^2$. This gives $(K-\\Lambda M)v=0$, which has a "
+            "solution other than $v=0$ only if the determinant vanishes.",
             (
                 equation(sp.Determinant(result.pencil), sp.S.Zero),
                 equation(result.determinant, sp.S.Zero),
@@ -125,13 +133,15 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "spectrum",
             "Find the three roots",
-            "Each root $\\Lambda$ belongs to one mode; a root at zero is a mode without a restoring force.",
+            "Zero is a double root, so two modes have no restoring force. The third root is the square of the "
+            "natural frequency.",
             (equation(sp.Tuple(*sp.symbols("Lambda_1:4")), eigenvalues), equation(Omega_squared, oscillating)),
         ),
         Step(
             "zero_modes",
-            "Look at the modes without frequency",
-            "They are the vectors $v$ with $Kv=0$: the whole machine glides, or the top cylinder rolls freely.",
+            "Look at the two zero modes",
+            "They are the vectors $v$ with $Kv=0$. In the first one the whole machine glides; in the second the top "
+            "cylinder rolls freely.",
             tuple(
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
                 for mode in result.zero_modes
@@ -140,8 +150,9 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         Step(
             "shortcut",
             "Take the shortcut",
-            "$K$ has rank one, so up to a factor the oscillating mode is $v=M^{-1}e_\\varphi$, and no determinant is "
-            "needed: $\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$.",
+            "The matrix $K$ has rank one: it maps every vector to a multiple of $e_\\varphi$, the unit vector of "
+            "$\\varphi$. So an oscillating mode is a multiple of $M^{-1}e_\\varphi$, and no determinant is needed: "
+            "$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$.",
             (
                 equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
                 equation(_M.I, result.inverse_mass_matrix),
@@ -150,8 +161,8 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "mode_shape",
-            "See how it moves",
-            "The rollers' share is set to one; block and top cylinder move along in proportion.",
+            "Read off the mode shape",
+            "The entry of the rollers is set to one. Block and top cylinder swing in proportion to it.",
             (equation("v", result.mode_shape),),
         ),
     )
@@ -168,3 +179,31 @@ def _zero_first(root: tuple[sp.Expr, int]) -> bool:
 
 def _second_derivatives(energy: sp.Expr, variables: tuple[sp.Expr, ...]) -> sp.ImmutableMatrix:
     return sp.ImmutableMatrix(sp.hessian(energy, variables)).applyfunc(sp.factor)
+
+
+CELLS = {
+    "matrices": """\
+mass_matrix, stiffness_matrix = sp.hessian(T, q_dot).applyfunc(sp.factor), sp.hessian(U, q)
+mass_matrix, stiffness_matrix""",
+    "determinant": """\
+Lambda = sp.Symbol("Lambda")
+determinant = sp.factor((stiffness_matrix - Lambda * mass_matrix).det())
+sp.Eq(determinant, 0)""",
+    "spectrum": """\
+spectrum = sp.roots(determinant, Lambda)
+assert spectrum[sp.S.Zero] == 2
+spectrum""",
+    "zero_modes": """\
+stiffness_matrix.nullspace()""",
+    "shortcut": """\
+assert stiffness_matrix.rank() == 1
+inverse = mass_matrix.inv().applyfunc(sp.factor)
+Omega_squared = sp.factor(stiffness_matrix[1, 1] * inverse[1, 1])
+inverse, Omega_squared""",
+    "mode_shape": """\
+mode_shape = (inverse[:, 1] / inverse[1, 1]).applyfunc(sp.factor)
+residual = (stiffness_matrix - Omega_squared * mass_matrix) * mode_shape
+assert residual.applyfunc(sp.simplify).is_zero_matrix
+mode_shape""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

@@ -1,10 +1,22 @@
-"""Newton: cut the machine into its five bodies and write down every force between them.
+r"""Newton: cut the machine into its five bodies and write down every horizontal force between them.
+
+    on a lower roller                    on slab and block                       on the top cylinder
+
+        ___ → S                                                                      ___
+       / | \      ↻ α                ← S, ← S  [  slab  ]/\/\/ ← k·2Rφ              / | \    ↻ α
+       \_|_/    → a                                                                 \_|_/  → a
+         → F                         k·2Rφ → | block |  ← F, ← F, ← F                 → F
+
+    axes: forces, velocities and accelerations are positive to the RIGHT, angles and torques clockwise;
+    X is the block's displacement to the LEFT, so a_block = −Ẍ
 
 Thirteen equations for thirteen unknowns: five accelerations, three angular accelerations, five contact forces.
 
-    force     mass·a = Σ contact forces + spring        (right positive)            5
-    torque    I·α    = Σ ±R·contact force               (clockwise positive)        3
-    rolling   a_roller ± R·α = a_other                  (+ at its top, − at its bottom) 5
+    rolling   a_roller ± R·α = a_other                  (+ at its top, − at its bottom)   5
+    force     mass·a = Σ contact forces + spring        (positive to the right)           5
+    torque    I·α    = Σ ±R·contact force               (positive clockwise)              3
+
+Weights and normal forces are vertical and act along lines through the axes, so they appear in none of these.
 """
 
 from __future__ import annotations
@@ -13,7 +25,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import Body, Machine, Omega_squared, R, k, machine, phi, t
 
 TOP, BOTTOM = 1, -1
@@ -58,6 +70,7 @@ CONTACTS = (
 class FreeBodies:
     """The thirteen equations in three groups, and their solution: each unknown by the rollers' angle φ."""
 
+    rollers: tuple[Body, ...]
     forces: tuple[sp.Eq, ...]
     torques: tuple[sp.Eq, ...]
     rolling: tuple[sp.Eq, ...]
@@ -80,8 +93,12 @@ def angular_acceleration(name: str) -> sp.Expr:
 
 
 def free_bodies(bodies: Machine) -> FreeBodies:
-    """Return the balances of the five bodies, the five rolling constraints, and their solution."""
-    rollers = [body for body in bodies.bodies if body.angle != 0]
+    """Return the balances of the five bodies, the five rolling constraints, and their solution.
+
+    >>> len(free_bodies(machine()).equations)
+    13
+    """
+    rollers = tuple(body for body in bodies.bodies if body.angle != 0)
     forces = tuple(_force_balance(body, bodies) for body in bodies.bodies)
     torques = tuple(_torque_balance(body) for body in rollers)
     rolling = tuple(_rolling(contact) for contact in CONTACTS)
@@ -91,7 +108,9 @@ def free_bodies(bodies: Machine) -> FreeBodies:
         *(contact.force for contact in CONTACTS),
     ]
     solution = sp.solve(forces + torques + rolling, unknowns)
-    return FreeBodies(forces, torques, rolling, {unknown: sp.factor(solution[unknown]) for unknown in unknowns})
+    return FreeBodies(
+        rollers, forces, torques, rolling, {unknown: sp.factor(solution[unknown]) for unknown in unknowns}
+    )
 
 
 def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
@@ -99,11 +118,15 @@ def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
 
     Keys are hoop_slab, cylinder_slab, hoop_block, cylinder_block, top_block; on the slab and on the block the same
     forces act to the left.
+
+    >>> contact_forces()["top_block"]
+    -2*R*m*(m + m_prime)*Derivative(varphi(t), (t, 2))/(7*m + 6*m_prime)
     """
     solution = free_bodies(bodies or machine()).solution
     return {contact.name: _by_acceleration(contact, solution) for contact in CONTACTS}
 
 
+@ROUTES.add("newton")
 def build() -> Route:
     """Return the route: balances, rolling, solution, contact forces, Ω²."""
     cut = free_bodies(machine())
@@ -112,46 +135,52 @@ def build() -> Route:
     motion = {u: value for u, value in cut.solution.items() if not any(u == contact.force for contact in CONTACTS)}
     steps = (
         Step(
+            "rolling",
+            "Let nothing slip",
+            "No contact slips: where two bodies touch, their velocities are equal, and so are their accelerations "
+            "along the surface. A roller whose centre has the acceleration $a$ has $a+R\\alpha$ at its top and "
+            "$a-R\\alpha$ at its bottom. Its angular acceleration $\\alpha$ is the second derivative of its angle.",
+            (*cut.rolling, *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers)),
+        ),
+        Step(
             "forces",
-            "Cut the bodies free and balance the forces",
-            "On each roller the slab acts with $S$ and the block with $F$, counted to the right; they get the opposite "
-            "forces back, and the spring pushes the slab and the block apart.",
+            "Balance the forces on each body",
+            "Take the horizontal forces on each body, positive to the right. On a roller the slab acts with the "
+            "friction $S$ and the block with the friction $F$; the opposite forces act on slab and block. When the "
+            "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
+            "compresses the spring, which pushes the two apart.",
             cut.forces,
         ),
         Step(
             "torques",
-            "Balance the torques",
-            "A force to the right turns a roller clockwise at its top and the other way at its bottom.",
+            "Balance the torques on each roller",
+            "Torques count clockwise. A force to the right turns a roller clockwise at its top and anticlockwise at "
+            "its bottom. Weights and normal forces act along lines through its axis, so they have no torque.",
             cut.torques,
-        ),
-        Step(
-            "rolling",
-            "Let nothing slip",
-            "Where two bodies touch they move alike; at the top of a roller $R\\alpha$ is added to its centre’s "
-            "acceleration, at the bottom it is taken away.",
-            cut.rolling,
         ),
         Step(
             "solution",
             "Solve thirteen equations for thirteen unknowns",
-            "They are linear, and every acceleration follows from the angle $\\varphi$; the two lower rollers turn "
-            "alike because one slab lies on both.",
+            "Five balances of forces, three of torques and five rolling conditions are linear in five accelerations, "
+            "three angular accelerations and five forces. Every acceleration comes out proportional to $\\varphi$.",
             tuple(equation(unknown, value) for unknown, value in motion.items()),
         ),
         Step(
             "contact",
             "Look at the friction",
-            "Each contact force goes with $\\ddot\\varphi$, so all five are largest at the turning points.",
+            "Each contact force is proportional to $\\ddot\\varphi$, so all five are largest at the turning points "
+            "of $\\varphi$.",
             tuple(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
         ),
         Step(
             "frequency",
             "Read off the frequency",
-            "The rollers' own equation is that of one oscillator: $\\ddot\\varphi+\\Omega^2\\varphi=0$.",
+            "The angular acceleration of the hoop is $\\ddot\\varphi$, so its equation is that of one oscillator, "
+            "$\\ddot\\varphi+\\Omega^2\\varphi=0$.",
             (equation(phi.diff(t, 2), cut.solution[roller]), equation(Omega_squared, frequency)),
         ),
     )
-    return Route("newton", "Newton", steps, frequency)
+    return Route("newton", "Newton", steps, frequency, CELLS)
 
 
 def _force_balance(body: Body, bodies: Machine) -> sp.Eq:
@@ -178,3 +207,47 @@ def _rolling(contact: Contact) -> sp.Eq:
 
 def _by_acceleration(contact: Contact, solution: dict[sp.Expr, sp.Expr]) -> sp.Expr:
     return sp.factor(solution[contact.force] / solution[angular_acceleration("hoop")]) * phi.diff(t, 2)
+
+
+CELLS = {
+    "rolling": """\
+a = dict(zip(("block", "hoop", "cylinder", "slab", "top"), sp.symbols("a_block a_hoop a_cylinder a_slab a_top")))
+alpha = dict(zip(("hoop", "cylinder", "top"), sp.symbols("alpha_hoop alpha_cylinder alpha_top")))
+rolling = [sp.Eq(a[name] - R * alpha[name], a["block"]) for name in alpha]
+rolling += [sp.Eq(a[name] + R * alpha[name], a["slab"]) for name in ("hoop", "cylinder")]
+rolling""",
+    "forces": """\
+# Friction on the rollers, to the right: S from the slab, F from the block.
+S = dict(zip(("hoop", "cylinder"), sp.symbols("S_hoop S_cylinder")))
+F = dict(zip(("hoop", "cylinder", "top"), sp.symbols("F_hoop F_cylinder F_top")))
+spring = k * sp.expand(x_slab - x_block)
+forces = [
+    sp.Eq(m * a["block"], spring - sum(F.values())),
+    sp.Eq(m_prime * a["hoop"], S["hoop"] + F["hoop"]),
+    sp.Eq(m_prime * a["cylinder"], S["cylinder"] + F["cylinder"]),
+    sp.Eq(m * a["slab"], -spring - sum(S.values())),
+    sp.Eq(m * a["top"], F["top"]),
+]
+forces""",
+    "torques": """\
+torques = [
+    sp.Eq(m_prime * R**2 * alpha["hoop"], R * (S["hoop"] - F["hoop"])),
+    sp.Eq(m_prime * R**2 / 2 * alpha["cylinder"], R * (S["cylinder"] - F["cylinder"])),
+    sp.Eq(m * R**2 / 2 * alpha["top"], -R * F["top"]),
+]
+torques""",
+    "solution": """\
+equations = forces + torques + rolling
+unknowns = [*a.values(), *alpha.values(), *S.values(), *F.values()]
+assert len(equations) == len(unknowns) == 13
+solution = sp.solve(equations, unknowns, dict=True)[0]
+{symbol: sp.factor(solution[symbol]) for symbol in [*a.values(), *alpha.values()]}""",
+    "contact": """\
+phi_ddot = phi.diff(t, 2)
+{force: sp.factor(solution[force] / solution[alpha["hoop"]]) * phi_ddot for force in [*S.values(), *F.values()]}""",
+    "frequency": """\
+assert sp.simplify(solution[alpha["hoop"]] - solution[alpha["cylinder"]]) == 0
+Omega_squared = sp.factor(-solution[alpha["hoop"]] / phi)
+Omega_squared""",
+}
+"""The notebook to take home: step key → plain SymPy that works the step out again."""

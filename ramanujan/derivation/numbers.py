@@ -1,45 +1,94 @@
 """The present masses as exact numbers, so that a derivation can be read with them.
 
-A float stands for the decimal that a person sees: 0.1 is 1/10. One ratio is better known than its decimals: where m′/m
-is the nearest float to ε*, m′ is taken as (√1729 − 1)/36 · m itself, and Ω² comes out as k/m to the last digit.
+A float stands for the decimal that a person sees: 0.1 is 1/10. One value has no decimal: where m′ is the float nearest
+to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. Whether Ω² is k/m then is worked out, not assumed.
 """
 
 from __future__ import annotations
 
-import math
+from collections.abc import Mapping
+from decimal import Decimal
+from fractions import Fraction
 from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation import ROUTES
 from ramanujan.derivation.euler_lagrange import UnitCondition, unit_condition
-from ramanujan.derivation.symbols import epsilon, k, m, m_prime
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import ROUTES
+from ramanujan.derivation.symbols import k, m, m_prime
 
 
 def exact_values(mass: float, roller_mass: float, stiffness: float) -> dict[sp.Symbol, sp.Expr]:
-    """Return m, m′, k and ε = m′/m as exact SymPy numbers.
+    """Return m, m′ and k as exact SymPy numbers.
 
     Parameters
     ----------
     mass, roller_mass : m, m′ [kg]
     stiffness : k [N/m]
+
+    >>> exact_values(1.85, 0.86, 33.5)
+    {m: 37/20, m_prime: 43/50, k: 67/2}
     """
     exact_mass = _decimal(mass)
-    root = unit().root
-    # m′ = fl(ε*·m), then divided by m again, has been rounded twice.
-    at_unit = math.isclose(roller_mass / mass, float(root), rel_tol=4 * 2**-53, abs_tol=0)
-    exact_roller_mass = root * exact_mass if at_unit else _decimal(roller_mass)
+    is_root = stands_for_the_root(mass, roller_mass)
     return {
         m: exact_mass,
-        m_prime: exact_roller_mass,
+        m_prime: unit_frequency_condition().root * exact_mass if is_root else _decimal(roller_mass),
         k: _decimal(stiffness),
-        epsilon: sp.factor(exact_roller_mass / exact_mass),
     }
 
 
+def stands_for_the_root(mass: float, roller_mass: float) -> bool:
+    """Tell whether m′ is the float nearest to ε*m, or the product of m and the float nearest to ε*.
+
+    These two floats are one or two units in the last place apart at most. It counts, too, if m was set to m′/ε*.
+
+    Parameters
+    ----------
+    mass, roller_mass : m, m′ [kg]
+
+    >>> from ramanujan import UNIT_MASS_RATIO
+    >>> stands_for_the_root(1.0, UNIT_MASS_RATIO), stands_for_the_root(1.0, 1.127256827)
+    (True, False)
+    """
+    root = _root()
+    product = root * Fraction(repr(float(mass)))
+    return roller_mass in (float(root) * mass, float(product)) or mass == roller_mass / float(root)
+
+
 @cache
-def unit() -> UnitCondition:
-    """Return the unit-frequency condition of the machine."""
+def _root() -> Fraction:
+    """Return ε* to fifty digits, so that no float, and no point halfway between two, lies between it and ε*."""
+    return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
+
+
+def stated(values: Mapping[sp.Symbol, sp.Expr]) -> str:
+    """Return the sentence that says for which masses and stiffness a derivation has its numbers; Markdown with $…$.
+
+    >>> print(stated(exact_values(1.85, 0.86, 33.5)))
+    The numbers are for $m=1.85\\,\\mathrm{kg}$, $m'=0.86\\,\\mathrm{kg}$ and $k=33.5\\,\\mathrm{N/m}$, in SI units.
+    """
+    mass, roller_mass, stiffness = (_short(values[symbol]) for symbol in (m, m_prime, k))
+    sentence = (
+        rf"The numbers are for $m={mass}\,\mathrm{{kg}}$, $m'={roller_mass}\,\mathrm{{kg}}$ and "
+        rf"$k={stiffness}\,\mathrm{{N/m}}$, in SI units."
+    )
+    if values[m_prime].is_Rational:
+        return sentence
+    return sentence + " The $m'$ that was set is the floating-point number nearest to this one."
+
+
+def _short(value: sp.Expr) -> str:
+    """Return a number as LaTeX, as a decimal if it ends after a few places."""
+    if value.is_Rational and value.q > 1 and 10**15 % value.q == 0:
+        return f"{Decimal(value.p) / Decimal(value.q):f}"
+    return latex(value)
+
+
+@cache
+def unit_frequency_condition() -> UnitCondition:
+    """Return the condition for Ω² = k/m of the machine itself: its quadratic in ε, the root ε*, and 1729."""
     return unit_condition(ROUTES["euler_lagrange"].natural_frequency_squared)
 
 

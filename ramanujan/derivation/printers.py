@@ -1,11 +1,11 @@
-"""One expression, three languages: LaTeX for the eye, NumPy for the figures, JavaScript for the stage.
+"""One expression, two languages: LaTeX for the eye, JavaScript for the stage.
 
 Nothing is derived here and nothing is typed: what goes in is a SymPy expression, what comes out says the same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from typing import Any
 
@@ -13,17 +13,27 @@ import sympy as sp
 from sympy.physics.vector.printing import VectorLatexPrinter
 from sympy.printing.latex import translate
 
-from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Omega_clamped_squared, Omega_squared, m_prime
+from ramanujan.derivation.exact import LONG, truncated
+from ramanujan.derivation.symbols import (
+    COORDINATES,
+    VELOCITIES,
+    Omega_clamped_squared,
+    Omega_squared,
+    epsilon_star,
+    m_prime,
+    normalized_frequency_squared,
+)
 
 _NAMES = {
     m_prime: "m'",
+    epsilon_star: r"\varepsilon_{*}",
     Omega_squared: r"\Omega^{2}",
     Omega_clamped_squared: r"\Omega_{\mathrm{clamped}}^{2}",
+    normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
     sp.Symbol("L"): r"\mathcal{L}",
     sp.Symbol("H"): r"\mathcal{H}",
     sp.Symbol("H_0"): r"\mathcal{H}_{0}",
 }
-_LONG_DENOMINATOR = 10**7
 _PLAIN = {
     **dict(zip(VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
     **dict(zip(COORDINATES, sp.symbols("X phi Phi"), strict=True)),
@@ -32,16 +42,36 @@ _PLAIN = {
 """What a program calls the coordinates, their rates and R."""
 
 
-class _LatexPrinter(VectorLatexPrinter):
+class LatexPrinter(VectorLatexPrinter):
     """SymPy's printer for mechanics, with words as subscripts set upright, and chosen names in a colour."""
 
-    def __init__(self, settings: Mapping[str, Any], highlight: Mapping[sp.Basic, str]) -> None:
-        super().__init__(settings)
+    def __init__(self, highlight: Mapping[sp.Basic, str]) -> None:
+        super().__init__({"symbol_names": _NAMES, "mul_symbol": r"\,"})
         self._highlight = highlight
 
     def _print(self, expr: sp.Basic, **kwargs: Any) -> str:
         text = super()._print(expr, **kwargs)
-        return colored(text, self._highlight.get(expr)) if isinstance(expr, sp.Basic) else text
+        return colored(text, self._highlight.get(expr)) if self._highlight and isinstance(expr, sp.Basic) else text
+
+    def _print_Rational(self, expr: sp.Rational) -> str:
+        if expr.q < LONG:
+            return super()._print_Rational(expr)
+        return ("- " if expr.p < 0 else "") + truncated(abs(expr.p), expr.q)
+
+    def _print_Mul(self, expr: sp.Mul) -> str:
+        number, rest = expr.as_coeff_Mul()
+        if not number.is_Rational or number.q < LONG:
+            return super()._print_Mul(expr)
+        # A decimal stays outside the fraction that the other factors may form.
+        factor = self._print(rest)
+        return self._print(number) + r"\," + (rf"\left({factor}\right)" if rest.is_Add else factor)
+
+    def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
+        if expr.is_number and len(expr.args) == 2 and expr.args[0].is_Rational and expr.args[0] < 0:
+            # √1729 − 1, as it is written by hand, and not −1 + √1729.
+            number, root = expr.args
+            return f"{self._print(root)} - {self._print(-number)}"
+        return super()._print_Add(expr, order)
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
         return _dotted(expr)
@@ -63,31 +93,28 @@ def _dotted(derivative: sp.Derivative) -> str:
 def latex(expression: sp.Basic, highlight: Mapping[sp.Basic, str] | None = None) -> str:
     """Return the LaTeX of an expression or relation: primes and dots as physicists write them.
 
-    A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal of eight digits.
+    A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal that ends in dots.
 
     Parameters
     ----------
     expression : what is written
     highlight : symbol, or function of time, in the expression → its colour, #rrggbb
+
+    >>> from ramanujan.derivation.symbols import X, m_prime
+    >>> latex(m_prime * X.diff().diff())
+    "m'\\\\,\\\\ddot{X}"
     """
     return _printed(expression, tuple((highlight or {}).items()))
 
 
 @lru_cache(maxsize=2048)
 def _printed(expression: sp.Basic, highlight: tuple[tuple[sp.Basic, str], ...]) -> str:
-    long = {number: number.evalf(8) for number in expression.atoms(sp.Rational) if number.q >= _LONG_DENOMINATOR}
-    printer = _LatexPrinter({"symbol_names": _NAMES, "mul_symbol": r"\,"}, dict(highlight))
-    return printer.doprint(expression.xreplace(long))
+    return LatexPrinter(dict(highlight)).doprint(expression)
 
 
 def colored(formula: str, color: str | None) -> str:
     """Return LaTeX in a colour, #rrggbb; without a colour, as it is."""
     return rf"\textcolor{{{color}}}{{{formula}}}" if color else formula
-
-
-def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., Any]:
-    """Return a NumPy function of the arguments that evaluates the expression elementwise."""
-    return sp.lambdify([_PLAIN.get(a, a) for a in arguments], expression.subs(_PLAIN), modules="numpy")
 
 
 def javascript(formulas: Mapping[str, Any]) -> str:
@@ -96,6 +123,10 @@ def javascript(formulas: Mapping[str, Any]) -> str:
     Parameters
     ----------
     formulas : name → expression, or name → another such mapping
+
+    >>> from ramanujan.derivation.symbols import k, m
+    >>> javascript({"plain": sp.sqrt(k / m)})
+    '{plain: ({k, m}) => Math.sqrt(k)/Math.sqrt(m)}'
     """
     entries = (
         f"{name}: {javascript(value) if isinstance(value, Mapping) else _arrow(value)}"

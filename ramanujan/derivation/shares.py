@@ -1,6 +1,6 @@
-"""Whose term is whose: what each body, and the spring, brings into T and ℒ, and which names in a formula belong to it.
+"""Which terms belong to which part: what each body and the spring contribute to T and ℒ, and which symbols name them.
 
-Lives here: the telling apart. Not here: how it looks (`printers`) and what is derived (the routes).
+What is derived comes from the routes; how it looks is decided by `printers` and the pages.
 """
 
 from __future__ import annotations
@@ -25,13 +25,17 @@ _KINETIC, _POTENTIAL, _LAGRANGIAN = sp.symbols("T U L")
 
 
 def terms(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
-    """Return the terms that each part brings into the T or ℒ that an equation states, not multiplied out.
+    """Return the terms that each part contributes to the T or ℒ that an equation states, not multiplied out.
 
     Their sum is the equation's right side. Empty for an equation that states neither.
 
     Parameters
     ----------
-    equation : in symbols, as it stands in a route
+    equation : in symbols, from a route
+
+    >>> from ramanujan.derivation import ROUTES
+    >>> terms(ROUTES["energy"]["energies"].equations[0])["block"]
+    (m*Derivative(X(t), t)**2/2,)
     """
     if equation.lhs not in (_KINETIC, _LAGRANGIAN):
         return {}
@@ -41,7 +45,12 @@ def terms(equation: sp.Eq) -> dict[str, tuple[sp.Expr, ...]]:
 
 
 def belongs_to(part: str, equation: sp.Eq) -> bool:
-    """Tell whether an equation is about a part: its left side names it, or is the energy of the spring."""
+    """Tell whether an equation is about a part: its left side names it, or is the energy of the spring.
+
+    >>> from ramanujan.derivation import ROUTES
+    >>> belongs_to("hoop", ROUTES["newton"]["torques"].equations[0])
+    True
+    """
     return bool(names(part, equation.lhs)) or (part == "spring" and equation.lhs == _POTENTIAL)
 
 

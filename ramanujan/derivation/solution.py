@@ -21,7 +21,11 @@ INITIAL_RATE = {q: sp.Symbol(f"{symbol.name}_dot") for q, symbol in INITIAL.item
 
 @cache
 def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
-    """Return how far each coordinate swings for one radian of φ in the oscillating mode: κR, 1, λ."""
+    """Return how far each coordinate swings for one radian of φ in the oscillating mode: κR, 1, λ.
+
+    >>> mode_shape()[X]
+    6*R*(m + m_prime)/(7*m + 6*m_prime)
+    """
     result = eliminate(bodies or machine())
     return {
         X: sp.factor(result.X_from_phi / phi.diff(t, 2)),
@@ -31,7 +35,11 @@ def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
 
 
 def coefficients(bodies: Machine | None = None) -> dict[sp.Expr, tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]]:
-    """Return (a, b, c, d) of each coordinate in terms of the initial values, Ω, the masses and R."""
+    """Return (a, b, c, d) of each coordinate in terms of the initial values, Ω, the masses and R.
+
+    >>> coefficients()[phi]
+    (0, 0, phi, phi_dot/Omega)
+    """
     shape = mode_shape(bodies)
     cosine, sine = sp.symbols("cosine sine")
     start = {q: sp.Symbol(f"start_{q.func}") for q in (X, Phi)}

@@ -5,12 +5,16 @@ An equation is always a SymPy object. Prose may name a symbol, never a result.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
 
 import sympy as sp
 
+from ramanujan.derivation.printers import latex
 from ramanujan.derivation.substitution import put_in
+
+_OTHER_CASE = " Your masses are not, so the step stays in symbols."
 
 
 @dataclass(frozen=True)
@@ -21,38 +25,124 @@ class Step:
     ----------
     key : short name, unique in its route, by which a page or a test finds the step
     heading : what is done
-    reason : one sentence why, Markdown with $…$
-    equations : what stands afterwards; relations that hold for every machine, or for the masses substituted
+    reason : one sentence or a few that say why, Markdown with $…$
+    equations : relations that hold for every machine or for those of the case, or state a condition on ε
+    case : a relation such as m′ = m if the step is about special machines only, else None
+    present : what the step says about one given machine where its own equations state a condition; they hold for
+        every machine. None where numbers can be put into the equations themselves.
     """
 
     key: str
     heading: str
     reason: str
     equations: tuple[sp.Eq, ...]
+    case: sp.Eq | None = None
+    present: Step | None = None
+
+    def about(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
+        """Return what the step says, still in symbols, about the machine with those masses and that stiffness.
+
+        The result has a `case` only if the machine does not belong to it; then no numbers may be put in.
+        """
+        if self.case is None:
+            return self.present or self
+        left, right = (side.xreplace(dict(values)) for side in self.case.args)
+        if left == right:
+            return self.present or replace(self, case=None)
+        return replace(self, reason=self.reason + _OTHER_CASE)
 
     def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
-        """Return the same step for given exact values of m, m′, k: each side is substituted, then simplified."""
-        return replace(self, equations=tuple(put_in(equation, values) for equation in self.equations))
+        """Return the step for given exact values of m, m′ and k; every equation holds for that machine.
+
+        Parameters
+        ----------
+        values : symbol → integer, fraction or number with roots, such as `numbers.exact_values` returns
+        """
+        step = self.about(values)
+        if step.case is not None:
+            return step
+        return replace(step, equations=tuple(put_in(e, values) for e in step.equations))
+
+    def _repr_markdown_(self) -> str:
+        """Show the step in a notebook."""
+        return "\n\n".join([f"**{self.heading}.** {self.reason}", *(f"$${latex(e)}$$" for e in self.equations)])
 
 
 @dataclass(frozen=True)
 class Route:
-    """An ordered way from the bodies to Ω²; `natural_frequency_squared` is an expression in m, m′ and k."""
+    """An ordered way from the bodies to Ω².
+
+    Parameters
+    ----------
+    name : the key in `ROUTES`
+    title : what a page calls it
+    steps : in their order
+    natural_frequency_squared : where the route ends, an expression in m, m′ and k
+    cells : step key → plain SymPy code that works this step out again, for the notebook to take home
+    """
 
     name: str
     title: str
     steps: tuple[Step, ...]
     natural_frequency_squared: sp.Expr
+    cells: Mapping[str, str] = field(default_factory=dict, repr=False)
 
     def __getitem__(self, key: str) -> Step:
-        return next(step for step in self.steps if step.key == key)
+        """Return the step of that key.
+
+        Raises
+        ------
+        ValueError : no step of the route has that key.
+        """
+        for step in self.steps:
+            if step.key == key:
+                return step
+        raise ValueError(f"key must be one of {', '.join(step.key for step in self.steps)}, not {key!r}")
 
     def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Route:
-        """Return the same route for given exact values of m, m′, k, Ω² included."""
+        """Return the same route for given exact values of m, m′ and k, Ω² included."""
         steps = tuple(step.with_numbers(values) for step in self.steps)
         return replace(self, steps=steps, natural_frequency_squared=put_in(self.natural_frequency_squared, values))
 
+    def _repr_markdown_(self) -> str:
+        """Show the route in a notebook, one numbered section for each step."""
+        sections = (f"{n}. {step._repr_markdown_()}" for n, step in enumerate(self.steps, start=1))
+        return "\n\n".join([f"### {self.title}", *sections])
+
+
+class Routes(Mapping[str, Route]):
+    """Routes by name, in the order in which they were added; each is derived when it is first asked for, then kept."""
+
+    def __init__(self) -> None:
+        self._builders: dict[str, Callable[[], Route]] = {}
+
+    def add(self, name: str) -> Callable[[Callable[[], Route]], Callable[[], Route]]:
+        """Return a decorator that enters a function without parameters, which derives a route, under a name."""
+
+        def enter(build: Callable[[], Route]) -> Callable[[], Route]:
+            self._builders[name] = cache(build)
+            return build
+
+        return enter
+
+    def __getitem__(self, name: str) -> Route:
+        return self._builders[name]()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._builders)
+
+    def __len__(self) -> int:
+        return len(self._builders)
+
+
+ROUTES = Routes()
+"""The routes of the package; `ramanujan.derivation` imports the files that add theirs."""
+
 
 def equation(left: sp.Expr | str, right: sp.Expr) -> sp.Eq:
-    """Return left = right unevaluated, so that a true statement is not collapsed to True; text becomes a symbol."""
+    """Return left = right unevaluated, so that a true statement is not collapsed to True; text becomes a symbol.
+
+    >>> equation("v", sp.Integer(2)).lhs
+    v
+    """
     return sp.Eq(sp.Symbol(left) if isinstance(left, str) else left, right, evaluate=False)

@@ -1,14 +1,15 @@
 """Numbers into formulas, exactly: masses may be fractions or carry a root such as √1729.
 
-SymPy's own `subs` and simplification take hundreds of milliseconds for a derivation; a page may spend fifty. Here every
-part that has become a number is evaluated as an element of its number field, ℚ or ℚ(√…), and printed back once.
+SymPy's own `subs` and simplification take hundreds of milliseconds for a derivation. Here every part that has become a
+number is evaluated as an element of its number field, ℚ or ℚ(√…), and written back once. `slots` does the same for the
+pages, where a whole derivation may take a millisecond; this is the general way, to which the tests hold it.
 """
 
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping
-from functools import lru_cache, reduce
+from collections.abc import Callable, Mapping
+from functools import lru_cache, partial, reduce
 from typing import Any
 
 import sympy as sp
@@ -16,6 +17,7 @@ from sympy.polys.domains import Domain
 from sympy.utilities.iterables import sift
 
 _Values = tuple[tuple[sp.Symbol, sp.Expr], ...]
+_Roots = frozenset[sp.Expr]
 
 
 def put_in(expression: sp.Basic, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Basic:
@@ -25,31 +27,44 @@ def put_in(expression: sp.Basic, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Basi
 
     Parameters
     ----------
-    expression : the values' symbols may stand in it as rational functions
+    expression : contains the values' symbols as rational functions
     values : symbol → exact value, an integer, a fraction or a number with roots
+
+    >>> from ramanujan.derivation.symbols import R, m, m_prime
+    >>> put_in(R * (3 * m + m_prime) / 2, {m: sp.Integer(1), m_prime: sp.Rational(1, 2)})
+    7*R/4
     """
     exact = tuple((symbol, sp.sympify(value)) for symbol, value in values.items())
-    return _put_in(expression, exact, frozenset(values))
+    return gather_numbers(expression, frozenset(values), partial(_number, values=exact))
 
 
-def _put_in(expression: sp.Basic, values: _Values, given: frozenset[sp.Symbol]) -> sp.Basic:
+def gather_numbers(expression: sp.Basic, given: frozenset[sp.Symbol], number: Callable[[sp.Expr], sp.Expr]) -> sp.Basic:
+    """Return the expression with each part that is a rational function of the given symbols alone replaced.
+
+    Parameters
+    ----------
+    expression : an expression, a relation or a matrix
+    given : the symbols that have a value
+    number : part → what stands for its value
+    """
     if given.isdisjoint(expression.free_symbols):
         return expression
     if _is_number(expression, given):
-        return _number(expression, values)
+        return number(expression)
+    inner = partial(gather_numbers, given=given, number=number)
     if isinstance(expression, sp.Eq):
-        return sp.Eq(*(_put_in(side, values, given) for side in expression.args), evaluate=False)
+        return sp.Eq(*map(inner, expression.args), evaluate=False)
     if not isinstance(expression, sp.Add | sp.Mul):
-        return expression.func(*(_put_in(argument, values, given) for argument in expression.args))
+        return expression.func(*map(inner, expression.args))
     numbers, rest = sift(expression.args, lambda argument: _is_number(argument, given), binary=True)
     if numbers and expression.is_Mul and (sums := [argument for argument in rest if argument.is_Add]):
         # A number before a sum goes into it, where it meets the numbers of the terms, and takes a denominator along.
         rest.remove(sums[0])
         below, before = sift(rest, lambda argument: argument.is_Pow and argument.exp.is_negative, binary=True)
         distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in sums[0].args))
-        return _put_in(sp.Mul(distributed, *before), values, given)
-    number = (_number(expression.func(*numbers), values),) if numbers else ()
-    return expression.func(*number, *(_put_in(argument, values, given) for argument in rest))
+        return inner(sp.Mul(distributed, *before))
+    drawn_together = (number(expression.func(*numbers)),) if numbers else ()
+    return expression.func(*drawn_together, *map(inner, rest))
 
 
 def _is_number(expression: sp.Basic, given: frozenset[sp.Symbol]) -> bool:
@@ -63,7 +78,7 @@ def _is_number(expression: sp.Basic, given: frozenset[sp.Symbol]) -> bool:
 
 @lru_cache(maxsize=1024)
 def _number(expression: sp.Expr, values: _Values) -> sp.Expr:
-    field, elements = _number_field(values)
+    field, elements = _number_field(values, _roots(expression))
     number = field.to_sympy(_evaluate(expression, field, elements))
     content, primitive = number.primitive()
     if number.is_Rational or content == 1:
@@ -74,15 +89,18 @@ def _number(expression: sp.Expr, values: _Values) -> sp.Expr:
 
 
 @lru_cache(maxsize=64)
-def _number_field(values: _Values) -> tuple[Domain, dict[sp.Symbol, Any]]:
-    """Return the field in which the values lie, ℚ or ℚ(their roots), and the values as its elements."""
-    roots = {power for _, value in values for power in value.atoms(sp.Pow) if not power.exp.is_Integer}
-    field = _field_with(frozenset(roots))
+def _number_field(values: _Values, others: _Roots) -> tuple[Domain, dict[sp.Symbol, Any]]:
+    """Return the field in which the values and some other roots lie, and the values as its elements."""
+    field = _field_with(others.union(*(_roots(value) for _, value in values)))
     return field, {symbol: _evaluate(value, field, {}) for symbol, value in values}
 
 
+def _roots(expression: sp.Expr) -> _Roots:
+    return frozenset(power for power in expression.atoms(sp.Pow) if not power.exp.is_Integer)
+
+
 @lru_cache(maxsize=8)
-def _field_with(roots: frozenset[sp.Expr]) -> Domain:
+def _field_with(roots: _Roots) -> Domain:
     return sp.QQ.algebraic_field(*sorted(roots, key=sp.default_sort_key)) if roots else sp.QQ
 
 

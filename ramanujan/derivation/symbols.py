@@ -1,6 +1,6 @@
 """The machine as symbols: its bodies, the rolling constraints between them, and the energies that follow.
 
-Every route starts here and nowhere else. Lives here: names, geometry, energies. Not here: any equation of motion.
+Every route starts here and nowhere else. Names, geometry and energies belong here, equations of motion do not.
 
 A body is what it weighs, how it is shaped and where it is. Where it is follows from what it rolls on:
 
@@ -16,9 +16,12 @@ from typing import Any
 import sympy as sp
 
 m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
-epsilon = sp.Symbol("varepsilon", positive=True)
+epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)
+"""ε = m′/m, and ε*, the mass ratio at which Ω² = k/m."""
 Omega_squared, Omega_clamped_squared = sp.symbols("Omega_squared Omega_clamped_squared", positive=True)
 """Ω² of the machine, and of the machine whose block and top cylinder are held."""
+normalized_frequency_squared = sp.Symbol("normalized_frequency_squared", positive=True)
+"""Ω²m/k as one quantity, for a step that gives its value."""
 
 t = sp.Symbol("t")
 X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
@@ -28,8 +31,8 @@ ACCELERATIONS = tuple(q.diff(t, 2) for q in COORDINATES)
 MOMENTA = tuple(sp.Function(name)(t) for name in ("p_X", "p_varphi", "p_Phi"))
 """Canonical momenta, in the order of the coordinates."""
 
-M_e, M_x = sp.symbols("M_e M_x", positive=True)
-"""Effective mass for the rollers' path Rφ, and for the spring's deformation x = 2Rφ."""
+M_e, M_x, M_clamped = sp.symbols("M_e M_x M_clamped", positive=True)
+"""Effective mass for the rollers' path Rφ, for the spring's deformation 2Rφ, and for Rφ of the clamped machine."""
 
 HOOP, SOLID_CYLINDER = sp.Integer(1), sp.Rational(1, 2)
 """Shape factors β = I/(mass·R²)."""
@@ -87,7 +90,16 @@ class Machine:
     bodies: tuple[Body, ...]
 
     def __getitem__(self, name: str) -> Body:
-        return next(body for body in self.bodies if body.name == name)
+        """Return the body of that name.
+
+        Raises
+        ------
+        ValueError : name is not one of the five.
+        """
+        for body in self.bodies:
+            if body.name == name:
+                return body
+        raise ValueError(f"name must be one of {', '.join(body.name for body in self.bodies)}, not {name!r}")
 
     @property
     def deformation(self) -> sp.Expr:
@@ -124,6 +136,11 @@ def machine(
     hoop, cylinder, top : shape factors β of the three rolling bodies
 
     Source: paper, figure 1 and the text before eq. (1).
+
+    >>> machine()["slab"].velocity
+    2*R*Derivative(varphi(t), t) - Derivative(X(t), t)
+    >>> machine().deformation
+    2*R*varphi(t)
     """
     block = Body("block", m, -X)
     hoop_body = Body("hoop", roller_mass, _rolling_on(block.displacement, phi), phi, sp.sympify(hoop))
@@ -134,7 +151,11 @@ def machine(
 
 
 def gather(expression: sp.Expr, unknowns: tuple[sp.Expr, ...] = ACCELERATIONS + VELOCITIES + COORDINATES) -> sp.Expr:
-    """Return a form quadratic in the motion with one term for each product of unknowns, its coefficient factored."""
+    """Return a form quadratic in the motion with one term for each product of unknowns, its coefficient factored.
+
+    >>> gather(m * X**2 + m_prime * X**2)
+    (m + m_prime)*X(t)**2
+    """
     polynomial = sp.Poly(expression, *unknowns, field=True)
     return sp.Add(
         *(sp.factor(coefficient) * sp.prod(u**n for u, n in zip(unknowns, powers, strict=True))

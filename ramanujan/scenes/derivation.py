@@ -21,11 +21,6 @@ FILES = {
     "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": ("Notebook", "ipynb", "application/x-ipynb+json"),
 }
-SYMBOLS = (
-    "$X$: how far the block has moved to the left. $\\varphi$: angle of hoop and lower cylinder; $\\Phi$: angle of the "
-    "top cylinder, both clockwise. $m$: mass of block, slab and top cylinder. $m'$: mass of each lower roller. "
-    "$k$: stiffness of the spring. $R$: radius. A dot is a derivative by time."
-)
 VERDICTS = {
     "right": (st.success, ":material/check_circle:"),
     "unsimplified": (st.info, ":material/compress:"),
@@ -273,7 +268,9 @@ if st.session_state["view"] == VIEWS[0]:
 else:
     for number in range(1, count + 1):
         draw(number)
-st.markdown(f":small[{SYMBOLS}]")
+if masses:
+    st.markdown(f":small[{cached.numbers_stated(masses)}]")
+st.markdown(f":small[{cached.symbols(name)}]")
 take_home()
 compare()
 modes()

@@ -48,9 +48,7 @@ st.plotly_chart(
 st.caption("Click on the curve to build the machine with that mass ratio.")
 
 st.subheader("In six steps", anchor=False)
-st.caption(
-    f"In symbols, then with your m = {machine.m:.7g} kg, m′ = {machine.m_prime:.7g} kg and k = {machine.k:.7g} N/m."
-)
+st.caption(f"Each step in symbols, then with numbers. {cached.numbers_stated(machine.m, machine.m_prime, machine.k)}")
 for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
     st.markdown(f"##### {number}. {step.heading}\n{step.reason}")
     st.latex(step.equations, width="content")

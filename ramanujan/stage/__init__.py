@@ -47,7 +47,7 @@ import sympy as sp
 
 from ramanujan.derivation.euler_lagrange import eliminate
 from ramanujan.derivation.newton import contact_forces
-from ramanujan.derivation.numbers import unit
+from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import coefficients
 from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, epsilon, k, m, m_prime, machine, phi, t
@@ -93,7 +93,7 @@ def formulas() -> dict[str, Any]:
         "plain_frequency": sp.sqrt(k / m),
         "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
         "mass_ratio": m_prime / m,
-        "normalized_limit": sp.limit(unit().normalized_frequency_squared, epsilon, 0),
+        "normalized_limit": sp.limit(unit_frequency_condition().normalized_frequency_squared, epsilon, 0),
         "motion": {
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
             for q, parts in coefficients(bodies).items()
@@ -200,7 +200,7 @@ def warm_up() -> None:
 def _components() -> tuple[Callable[..., Any], Callable[..., Any]]:
     names = ("stage.html", "stage.css", "picture.js", "stage.js")
     html, css, *scripts = ((_HERE / name).read_text(encoding="utf-8") for name in names)
-    words = {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"}
+    words = {**_WORDS, "unity": f"1 ↔ √{unit_frequency_condition().discriminant}"}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
     stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js="\n".join([given, *scripts]))
     feed = st.components.v2.component("ramanujan_feed", js=_FEED)

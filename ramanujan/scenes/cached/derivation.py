@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import partial
 from itertools import zip_longest
 
 import streamlit as st
@@ -12,16 +11,18 @@ import sympy as sp
 
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.answers import QUESTIONS, Question, Verdict, judge, question
-from ramanujan.derivation.export import extent, lines, to_latex, to_markdown, to_notebook
+from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.expressions import as_typed
 from ramanujan.derivation.matrix import Modes, modes
-from ramanujan.derivation.numbers import exact_values
+from ramanujan.derivation.nomenclature import DOTS, nomenclature
+from ramanujan.derivation.numbers import exact_values, stated
 from ramanujan.derivation.parser import UnreadableError, parse
 from ramanujan.derivation.printers import colored, latex
 from ramanujan.derivation.remarks import conserved_momenta, remarks
+from ramanujan.derivation.rows import Row, extent, row, side_terms
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
+from ramanujan.derivation.slots import Exact, exact
 from ramanujan.derivation.steps import equation
-from ramanujan.derivation.substitution import put_in
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.scenes.cached import route
 
@@ -33,9 +34,6 @@ _MANY = 6
 
 _HALF_WIDTH = 40
 """Characters of a formula that leave room for another beside it; a fraction counts above and below its bar."""
-
-_LONGEST_DENOMINATOR = 10**12
-"""Ω² is written as a fraction up to here, as a decimal alone beyond."""
 
 Masses = tuple[float, float, float] | None
 """m, m′ [kg] and k [N/m]; None for the derivation in symbols."""
@@ -61,12 +59,12 @@ def titles() -> dict[str, str]:
 def step(name: str, number: int, masses: Masses, part: str | None, color: str | None) -> ShownStep:
     """Return a step of a route, counted from 0, with the terms of one part of the machine in its colour."""
     symbolic = route(name).steps[number]
-    values = _values(masses)
-    shown = symbolic.with_numbers(values)
-    rows = [_row(s, e, part, color) for s, e in zip(symbolic.equations, shown.equations, strict=True)]
-    split = next((e for e in symbolic.equations if part and terms(e)), None)
-    by_body = _by_body(split, values, part, color) if split is not None else ""
-    return ShownStep(symbolic.heading, symbolic.reason, _aligned(rows), by_body)
+    said = symbolic.about(_values(masses)) if masses else symbolic
+    numbers = exact(_values(masses)) if masses and said.case is None else None
+    shown = [_row(e, numbers, part, color) for e in said.equations]
+    split = next((e for e in said.equations if part and terms(e)), None)
+    by_body = _by_body(split, numbers, part, color) if split is not None else ""
+    return ShownStep(said.heading, said.reason, _aligned(shown), by_body)
 
 
 @dataclass(frozen=True)
@@ -90,8 +88,8 @@ def all_agree() -> bool:
 @st.cache_data(show_spinner=False, max_entries=256)
 def results(masses: tuple[float, float, float]) -> list[Result]:
     """Return where each route ends, for the present masses too."""
-    values = _values(masses)
-    return [_result(route(name), values) for name in ROUTES]
+    numbers = exact(_values(masses))
+    return [_result(route(name), numbers) for name in ROUTES]
 
 
 @dataclass(frozen=True)
@@ -107,11 +105,11 @@ class Spectrum:
 @st.cache_data(show_spinner=False, max_entries=256)
 def spectrum(masses: Masses) -> Spectrum:
     """Return the modes and the conserved momenta, in symbols or with the present masses."""
-    values, found = _values(masses), _modes()
+    numbers, found = exact(_values(masses)) if masses else None, _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
-    momenta = [equation(name[q], put_in(p, values)) for q, p in conserved_momenta().items()]
-    shapes = (equation("v", put_in(shape, values)) for shape in (found.mode_shape, *found.zero_modes))
-    return Spectrum(*map(latex, shapes), _aligned([_row(each, each, None, None) for each in momenta]))
+    momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
+    shapes = (row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes))
+    return Spectrum(*shapes, _aligned(momenta))
 
 
 @dataclass(frozen=True)
@@ -162,14 +160,26 @@ def as_read(text: str) -> str | None:
 @st.cache_data(show_spinner=False, max_entries=64)
 def document(name: str, masses: Masses, kind: str) -> str:
     """Return the route as a LaTeX, Markdown or notebook file, in symbols or with the present masses."""
-    values = _values(masses)
-    if kind == "notebook":
-        return to_notebook(route(name), values)
-    return {"latex": to_latex, "markdown": to_markdown}[kind](route(name).with_numbers(values))
+    write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
+    return write(route(name), _values(masses) if masses else None)
 
 
-def _values(masses: Masses) -> dict[sp.Symbol, sp.Expr]:
-    return exact_values(*masses) if masses else {}
+@st.cache_data(show_spinner=False)
+def symbols(name: str) -> str:
+    """Return what each symbol of a route means, in one line of Markdown."""
+    entries = "; ".join(f"${entry.latex}$: {entry.meaning}" for entry in nomenclature(route(name)))
+    # A square bracket before a round one would be read as a link.
+    return f"{entries}. {DOTS}".replace("[", "\\[").replace("]", "\\]")
+
+
+@st.cache_data(show_spinner=False, max_entries=256)
+def numbers_stated(masses: tuple[float, float, float]) -> str:
+    """Return the sentence that says whose numbers the steps show."""
+    return stated(_values(masses))
+
+
+def _values(masses: tuple[float, float, float]) -> dict[sp.Symbol, sp.Expr]:
+    return exact_values(*masses)
 
 
 @st.cache_resource(show_spinner=False)
@@ -177,70 +187,45 @@ def _modes() -> Modes:
     return modes(machine())
 
 
-def _result(way: Route, values: Mapping[sp.Symbol, sp.Expr]) -> Result:
-    symbolic, number = way.natural_frequency_squared, put_in(way.natural_frequency_squared, values)
+def _result(way: Route, numbers: Exact) -> Result:
+    frequency = equation(Omega_squared, way.natural_frequency_squared)
     return Result(
         way.title,
         len(way.steps),
         sum(len(each.equations) for each in way.steps),
-        latex(symbolic),
-        " ".join(_number(number)),
+        row(frequency).right,
+        f"= {row(frequency, numbers).right}",
     )
 
 
-@dataclass(frozen=True)
-class _Row:
-    """An equation as LaTeX: its left side, = or ≈, its right side in lines."""
-
-    left: str
-    sign: str
-    right: list[str]
-
-
-def _row(symbolic: sp.Eq, shown: sp.Eq, part: str | None, color: str | None) -> _Row:
+def _row(symbolic: sp.Eq, numbers: Exact | None, part: str | None, color: str | None) -> Row:
     """Return an equation; one about the chosen part is in its colour, in any other only what names the part."""
-    if symbolic.lhs == Omega_squared and not shown.rhs.free_symbols:
-        sign, value = _number(shown.rhs)
-        return _Row(latex(shown.lhs), sign, [value])
-    if part and belongs_to(part, symbolic):
-        right = lines(shown.rhs, width=_LINE_WIDTH)
-        return _Row(colored(latex(shown.lhs), color), "=", [colored(line, color) for line in right])
-    write = partial(latex, highlight=dict.fromkeys(names(part, shown), color) if part else None)
-    return _Row(write(shown.lhs), "=", lines(shown.rhs, write, _LINE_WIDTH))
+    if not part:
+        return row(symbolic, numbers)
+    if belongs_to(part, symbolic):
+        plain = row(symbolic, numbers)
+        return Row(colored(plain.left, color), tuple(colored(term, color) for term in plain.terms), plain.value)
+    return row(symbolic, numbers, tuple((each, color) for each in sorted(names(part, symbolic), key=str)))
 
 
-def _number(value: sp.Expr) -> tuple[str, str]:
-    """Return a value of Ω² as LaTeX: = and the exact value with its decimal, or ≈ and the decimal alone."""
-    decimal = rf"{latex(value.evalf(8))}\,\mathrm{{s^{{-2}}}}"
-    if value.is_Integer:
-        return "=", rf"{latex(value)}\,\mathrm{{s^{{-2}}}}"
-    if not value.is_Rational:
-        return "=", rf"{latex(value)} \approx {decimal}"
-    if value.q >= _LONGEST_DENOMINATOR:
-        return r"\approx", decimal
-    # Written as a quotient, it stays one however long it is.
-    quotient = sp.Mul(value.p, sp.Pow(value.q, -1, evaluate=False), evaluate=False)
-    return "=", rf"{latex(quotient)} \approx {decimal}"
-
-
-def _aligned(rows: list[_Row]) -> str:
+def _aligned(rows: list[Row]) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    if any(row.right == ["0"] for row in rows):
-        left = (f"&{row.left} {row.sign} {row.right[0]}" for row in rows)
-        return _block(left, ".5em")
-    if len(rows) >= _MANY and all(len(row.right) == 1 and extent(row.right[0]) <= _HALF_WIDTH for row in rows):
+    if any(row.right == "0" for row in rows):
+        return _block((f"&{row.latex}" for row in rows), ".5em")
+    broken = [row.lines(_LINE_WIDTH) for row in rows]
+    if len(rows) >= _MANY and all(len(right) == 1 and extent(right[0]) <= _HALF_WIDTH for right in broken):
         return _block(_in_two_columns(rows), ".5em")
     aligned = [
         line
-        for row in rows
-        for line in (f"{row.left} &{row.sign} {row.right[0]}", *(rf"&\quad {more}" for more in row.right[1:]))
+        for row, (first, *others) in zip(rows, broken, strict=True)
+        for line in (f"{row.left} &= {first}", *(rf"&\quad {more}" for more in others))
     ]
     return _block(aligned, ".5em" if len(aligned) < _MANY else ".15em")
 
 
-def _in_two_columns(rows: list[_Row]) -> Iterator[str]:
+def _in_two_columns(rows: list[Row]) -> Iterator[str]:
     """Yield the rows side by side, the first half at the left."""
-    written = [f"{row.left} &{row.sign} {row.right[0]}" for row in rows]
+    written = [f"{row.left} &= {row.right}" for row in rows]
     half = (len(written) + 1) // 2
     for left, right in zip_longest(written[:half], written[half:], fillvalue=""):
         yield rf"{left} &\qquad {right}" if right else left
@@ -250,12 +235,12 @@ def _block(rows: Iterable[str], gap: str) -> str:
     return r"\begin{aligned}" + rf" \\[{gap}] ".join(rows) + r"\end{aligned}"
 
 
-def _by_body(stated: sp.Eq, values: Mapping[sp.Symbol, sp.Expr], part: str, color: str) -> str:
+def _by_body(stated: sp.Eq, numbers: Exact | None, part: str, color: str) -> str:
     """Return T or ℒ with a line for each part of the machine, the chosen one in its colour."""
     rows: list[str] = []
     for name, own in terms(stated).items():
         ink = color if name == part else None
-        signed = "".join(_with_sign(put_in(term, values)) for term in own)
+        signed = "".join(_with_sign(side_terms(term, numbers)[0]) for term in own)
         # The first row carries what is split up, the others their sign.
         start, formula = (r"&\quad", signed) if rows else (f"{latex(stated.lhs)} &=", signed.removeprefix("{}+"))
         formula, word = rf"\textstyle {formula}", rf"\text{{{PARTS[name]}}}"
@@ -263,7 +248,6 @@ def _by_body(stated: sp.Eq, values: Mapping[sp.Symbol, sp.Expr], part: str, colo
     return _block(rows, gap=".15em")
 
 
-def _with_sign(term: sp.Expr) -> str:
-    minus = term.could_extract_minus_sign()
+def _with_sign(term: str) -> str:
     # With nothing before it, TeX would take the sign for one that belongs to the number, and move it close.
-    return f"{{}}-{latex(-term)}" if minus else f"{{}}+{latex(term)}"
+    return f"{{}}-{term[1:].lstrip()}" if term.startswith("-") else f"{{}}+{term}"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import plotly.graph_objects as go
@@ -12,9 +11,9 @@ import sympy as sp
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
-from ramanujan.derivation.numbers import exact_values, unit
-from ramanujan.derivation.printers import latex
-from ramanujan.derivation.symbols import Omega_squared, epsilon
+from ramanujan.derivation.numbers import exact_values, stated, unit_frequency_condition
+from ramanujan.derivation.rows import aligned, rows
+from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures.oscillator import Mark, frequency_curve
 from ramanujan.scenes.cached import route
 
@@ -39,7 +38,7 @@ class Curve:
 @st.cache_resource(show_spinner=False)
 def curve() -> Curve:
     """Return the Ω² curve with its limits and the two marked ratios."""
-    normalized, condition = unit().normalized_frequency_squared, unit()
+    normalized, condition = unit_frequency_condition().normalized_frequency_squared, unit_frequency_condition()
     ratios = np.geomspace(*CURVE_RANGE, 101)
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
@@ -84,6 +83,9 @@ class SummaryStep:
     equations: str
 
 
+_LINE_WIDTH = 60
+"""Characters of a formula that fit beside the sidebar in a window of 1280 points."""
+
 _SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
 
 
@@ -91,36 +93,16 @@ _SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "r
 def summary(m: float, m_prime: float, k: float) -> list[SummaryStep]:
     """Return the derivation in six steps, in symbols and with the present masses and stiffness."""
     values = exact_values(m, m_prime, k)
-    steps = (route("euler_lagrange")[key] for key in _SUMMARY)
-    return [_with_numbers(step, values) for step in steps]
+    return [_with_numbers(route("euler_lagrange")[key], values) for key in _SUMMARY]
 
 
-def _with_numbers(step: Step, values: dict[sp.Symbol, Any]) -> SummaryStep:
-    symbols = [latex(equation) for equation in step.equations]
-    if step.key == "root":
-        numbers = [latex(equation) for equation in _distance_from_unity(values)]
-    else:
-        numbers = [latex(equation) + _decimal(equation) for equation in step.with_numbers(values).equations]
-    return SummaryStep(step.heading, step.reason, _aligned(symbols, [] if numbers == symbols else numbers))
+@st.cache_data(show_spinner=False, max_entries=256)
+def numbers_stated(m: float, m_prime: float, k: float) -> str:
+    """Return the sentence that says whose numbers the steps show."""
+    return stated(exact_values(m, m_prime, k))
 
 
-def _aligned(*blocks: list[str]) -> str:
-    """Return blocks of equations as one: aligned at the equals signs or, where some say … = 0, at the left."""
-    to_zero = any(line.endswith("= 0") for block in blocks for line in block)
-    marked = ([r"&" + line if to_zero else line.replace("=", "&=", 1) for line in block] for block in blocks if block)
-    return r"\begin{aligned}" + r" \\[1.6em] ".join(r" \\[.5em] ".join(block) for block in marked) + r"\end{aligned}"
-
-
-def _decimal(relation: sp.Eq) -> str:
-    """Return unit and six digits for Ω², which a person will want to compare with the stage."""
-    if relation.lhs != Omega_squared:
-        return ""
-    is_whole = relation.rhs.is_Integer
-    return r"\,\mathrm{s^{-2}}" if is_whole else rf" \approx {sp.latex(relation.rhs.evalf(6))}\,\mathrm{{s^{{-2}}}}"
-
-
-def _distance_from_unity(values: dict[sp.Symbol, Any]) -> tuple[sp.Eq, sp.Eq]:
-    """Return the present ε and its (36ε + 1)², to be held against 1729."""
-    left = unit().completed_square.lhs
-    present = sp.expand(left.subs(epsilon, values[epsilon]))
-    return sp.Eq(epsilon, values[epsilon], evaluate=False), sp.Eq(left, present, evaluate=False)
+def _with_numbers(step: Step, values: dict[sp.Symbol, sp.Expr]) -> SummaryStep:
+    symbols, numbers = rows(step), rows(step, values)
+    blocks = [symbols] if numbers == symbols else [symbols, numbers]
+    return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH))

@@ -16,7 +16,7 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import normalized_frequency_squared, number_theory
-from ramanujan.derivation.numbers import unit
+from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
@@ -66,7 +66,7 @@ def condition() -> Condition:
     same_terms = [(x, y) for x, y in paper.cubes if x**3 == b**2]
     return Condition(
         tuple(map(latex, lines)),
-        int(unit().discriminant),
+        int(unit_frequency_condition().discriminant),
         number_theory.smallest_taxicab(),
         paper.cubes,
         sums_of_cubes(paper.cubes),
@@ -145,7 +145,7 @@ def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:
 def norm_identity() -> str:
     """Return, as LaTeX, the discriminant for the target p/q as a norm: the square is completed in q by SymPy."""
     p, q = sp.symbols("p q", positive=True)
-    numerator, denominator = sp.fraction(unit().normalized_frequency_squared)
+    numerator, denominator = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
     a, b, c = sp.Poly(sp.expand(p * denominator - q * numerator), epsilon).all_coeffs()
     leading, middle, _ = sp.Poly(b**2 - 4 * a * c, q).all_coeffs()
     root = sp.sqrt(leading)

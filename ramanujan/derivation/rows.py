@@ -1,0 +1,145 @@
+"""Equations as rows of LaTeX, in symbols or with the numbers of one machine: what both pages and all exports show.
+
+A row is its left side, its sign, the terms of its right side, and the decimal of a right side that is a number.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ramanujan.derivation.exact import rounded
+from ramanujan.derivation.slots import Exact, evaluated, exact, fill, template, written
+from ramanujan.derivation.steps import Step
+from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
+
+_UNITS = {
+    **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
+    **dict.fromkeys((M_e, M_x, M_clamped, M_clamped - M_e), r"\,\mathrm{kg}"),
+}
+"""The unit of a left side whose right side may become a number."""
+
+_COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|mathcal|d?dot)[a-zA-Z]+")
+_INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
+
+Highlight = tuple[tuple[sp.Basic, str], ...]
+"""Symbols, or functions of time, and their colours."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """An equation as LaTeX.
+
+    Parameters
+    ----------
+    left : its left side
+    terms : the terms of its right side, each with its sign
+    value : what follows a right side that is a number: its decimal and its unit, or ""
+    """
+
+    left: str
+    terms: tuple[str, ...]
+    value: str = ""
+
+    @property
+    def right(self) -> str:
+        """The right side in one line."""
+        return "".join(self.terms) + self.value
+
+    @property
+    def latex(self) -> str:
+        """The equation in one line."""
+        return f"{self.left} = {self.right}"
+
+    def lines(self, width: int) -> list[str]:
+        """Return the right side in lines of about so many characters; each but the first begins with a sign."""
+        found = [self.terms[0]]
+        for term in self.terms[1:]:
+            if extent(found[-1] + term) > width:
+                found.append(term.strip())
+            else:
+                found[-1] += term
+        found[-1] += self.value
+        return found
+
+
+def rows(step: Step, values: Mapping[sp.Symbol, sp.Expr] | None = None) -> list[Row]:
+    """Return the equations of a step as rows, with the numbers of a machine if its values are given.
+
+    Parameters
+    ----------
+    step : one step of a route, in symbols
+    values : exact m, m′ and k, such as `numbers.exact_values` returns; none for the symbols
+
+    >>> from ramanujan.derivation import ROUTES
+    >>> from ramanujan.derivation.numbers import exact_values
+    >>> [row.latex for row in rows(ROUTES["energy"]["frequency"], exact_values(1, 1, 10))][0]
+    'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
+    """
+    said = step.about(values) if values else step
+    numbers = exact(values) if values and said.case is None else None
+    return [row(equation, numbers) for equation in said.equations]
+
+
+def row(equation: sp.Eq, numbers: Exact | None = None, highlight: Highlight = ()) -> Row:
+    """Return one equation as a row.
+
+    Parameters
+    ----------
+    equation : in symbols
+    numbers : exact m, m′ and k, as `slots.exact` returns them; none for the symbols
+    highlight : symbols in a colour
+    """
+    left, right = (side_terms(side, numbers, highlight) for side in equation.args)
+    value = _value(equation, numbers) if numbers else ""
+    return Row("".join(left), tuple(right), value)
+
+
+def side_terms(side: sp.Basic, numbers: Exact | None, highlight: Highlight = ()) -> list[str]:
+    """Return the terms of one side as LaTeX, each with its sign."""
+    made = template(side, highlight, numbers is not None)
+    return fill(made, [written(number) for number in evaluated(made, numbers)] if numbers else [])
+
+
+def _value(equation: sp.Eq, numbers: Exact) -> str:
+    """Return the decimal of a right side that is a number, and the unit of the quantity at the left.
+
+    The mass ratio itself is what was set; its decimal would add nothing.
+    """
+    made = template(equation.rhs)
+    if not made.is_number or equation.lhs == epsilon:
+        return ""
+    (number,) = evaluated(made, numbers)
+    shown, unit = written(number), _UNITS.get(equation.lhs, "")
+    # A decimal with dots needs no second one, nor does an integer.
+    needs_none = shown.is_decimal or (shown.above.isdigit() and not shown.below)
+    return unit if needs_none else rf" \approx {rounded(number)}{unit}"
+
+
+def extent(formula: str) -> int:
+    """Return about how many characters stand side by side."""
+    return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
+
+
+def aligned(blocks: Iterable[Iterable[Row]], width: int) -> str:
+    """Return blocks of rows as one display: aligned at the equals signs or, where some say … = 0, at the left.
+
+    Parameters
+    ----------
+    blocks : rows that belong together, with more room between one block and the next
+    width : characters of a right side that fit into a line
+    """
+    made = [list(block) for block in blocks]
+    to_zero = any(each.right == "0" for block in made for each in block)
+    shown = (r" \\[.5em] ".join(_marked(each, to_zero, width) for each in block) for block in made if block)
+    return r"\begin{aligned}" + r" \\[1.6em] ".join(shown) + r"\end{aligned}"
+
+
+def _marked(shown: Row, to_zero: bool, width: int) -> str:
+    if to_zero:
+        return f"&{shown.latex}"
+    first, *others = shown.lines(width)
+    return rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
