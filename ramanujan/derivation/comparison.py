@@ -117,14 +117,18 @@ def _coefficient(term: str, yours: NormalForm, right: NormalForm) -> str | None:
         size = how_many_times(factor.removeprefix("−"))
         return f"Your coefficient of {term} should be {sign}, and its size is {size} what it should be."
     return (
-        _names_off(term, ratio, factor) or f"Your coefficient of {term} is {how_many_times(factor)} what it should be."
+        _names_off(term, ratio, right) or f"Your coefficient of {term} is {how_many_times(factor)} what it should be."
     )
 
 
 def _names_off(term: str, ratio: NormalForm, right: NormalForm) -> str | None:
     """Return which names make the difference, if it is made by names alone."""
     inverse = over(ONE, ratio)
-    if not ratio.names or {ratio.numerator.LC, inverse.numerator.LC} != {1}:
+    if (
+        not ratio.names
+        or None in (ratio.numerator, inverse.numerator)
+        or ratio.numerator.LC * inverse.numerator.LC != 1
+    ):
         return None
     for yours, theirs in (("m", "m'"), ("m'", "m")):
         if theirs in right.names and yours not in right.names and ratio == over(name_form(yours), name_form(theirs)):
