@@ -58,7 +58,7 @@ from ramanujan.derivation.units import unit_text, units
 
 __all__ = ["QUESTIONS", "Question", "Verdict", "judge", "question"]
 
-_MANY_TERMS = 60
+_MANY_TERMS, _TELLING_DIGITS = 60, 4
 _DIVIDES_BY_ZERO = "Your formula divides by zero."
 _NEGATIVE_ROOT = "Your formula contains the root of a negative number."
 
@@ -191,9 +191,11 @@ def _rounded(question: str, typed: Expression) -> str | None:
         return None
     if decimals.rounded(typed, decimals.values(answer(question))):
         return "Your decimal number is rounded: the exact one agrees with it up to its last digit. What is it exactly?"
-    for values, hint in wrong_values(question):
-        if decimals.rounded(typed, values):
-            return f"Your answer contains a rounded number. {hint}"
+    # Fewer digits would fit too many cases.
+    if all(number.places is None or number.places >= _TELLING_DIGITS for number in numbers(typed)):
+        for values, hint in wrong_values(question):
+            if decimals.rounded(typed, values):
+                return f"Your decimal number fits the following case to its last digit. {hint}"
     return None
 
 
@@ -262,7 +264,7 @@ def _as_mass_ratio(typed: Expression, given: NormalForm) -> Iterator[str]:
         return
     frequency = decimals.value_at(answer("natural_frequency_squared"), {"m": Decimal(1), "m'": ratio, "k": Decimal(1)})
     if abs(frequency - 1) < Decimal("1e-5"):
-        yield f"With ε = {ratio:.12g} you get Ω² close to k/m, but {_short(abs(frequency - 1))} k/m off."
+        yield f"With ε = {ratio:.12g} the difference between Ω² and k/m is {_short(abs(frequency - 1))} k/m, not zero."
     else:
         yield f"With ε = {_short(ratio)} you get Ω² = {_short(frequency)} k/m."
 

@@ -169,19 +169,17 @@ def as_fraction(given: NormalForm, right: NormalForm) -> list[str]:
 
 
 def _special_masses(given: NormalForm, right: NormalForm) -> list[str]:
-    if _agree_at(given, right, {"m'": "m"}):
-        return ["For equal masses, m′ = m, your answer is right, but not for other masses."]
-    for name, lost in (("m'", "m′"), ("m", "m")):
-        if _agree_at(given, right, {name: 0}):
-            return [f"With {lost} = 0 your answer is right, so the error is in a term with {lost}."]
-    return ["Your answer is wrong even for equal masses, m′ = m."]
-
-
-def _agree_at(given: NormalForm, right: NormalForm, masses: dict[str, int | str]) -> bool:
+    """Return for which masses the answer is right, or that it is wrong even for equal ones."""
     try:
-        return at(given, masses) == at(right, masses)
+        if at(given, {"m'": "m"}) == at(right, {"m'": "m"}):
+            return ["For equal masses, m′ = m, your answer is right, but not for other masses."]
+        for name in ("m'", "m"):
+            if at(given, {name: 0}) == at(right, {name: 0}):
+                lost = shown_name(name)
+                return [f"With {lost} = 0 your answer is right, so the error is in a term with {lost}."]
     except (ZeroDivisionError, UncertainRootError):
-        return False
+        return []
+    return ["Your answer is wrong even for equal masses, m′ = m."]
 
 
 def in_short(differences: Differences) -> list[str]:

@@ -164,15 +164,15 @@ def at(form: NormalForm, values: Mapping[str, int | str]) -> NormalForm:
     Raises
     ------
     ZeroDivisionError : its denominator is zero there.
-    UncertainRootError : it contains a root.
+    UncertainRootError : it contains the root of a name.
     """
-    if form.numerator is None:
+    if any(not radicand.is_ground for roots, _ in form.numerators for radicand in roots):
         raise UncertainRootError
     new = [(_GENERATOR[name], _GENERATOR[v] if isinstance(v, str) else _RING(v)) for name, v in values.items()]
-    numerator, denominator = (p.compose(new) if p else p for p in (form.numerator, form.denominator))
+    denominator = form.denominator.compose(new)
     if not denominator:
         raise ZeroDivisionError
-    return _Expansion().tidied({_NO_ROOT: numerator}, denominator)
+    return _Expansion().tidied({roots: p.compose(new) for roots, p in form.numerators}, denominator)
 
 
 def coefficients(form: NormalForm, variables: tuple[str, ...]) -> dict[Monomial, NormalForm] | None:
