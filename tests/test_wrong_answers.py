@@ -11,7 +11,7 @@ import os
 import random
 import re
 from fractions import Fraction
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 
 import pytest
 import sympy as sp
@@ -45,15 +45,29 @@ RATIO = "unit_mass_ratio"
 FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 4, quarter, 10, sp.Rational(8, 7)]
 
 
+@cache
 def shown(monomial: sp.Expr) -> str:
     """A product of names as a sentence shows it."""
     powers = monomial.as_powers_dict()
     return "".join(SHOWN[s] + {1: "", 2: "²", 3: "³"}[powers[s]] for s in SYMBOLS if s in powers)
 
 
-def typed(expression: sp.Expr, source: random.Random) -> str:
-    """The text of an expression in one of several spellings."""
-    text = str(expression.xreplace({s: sp.Symbol(name) for s, name in TYPED.items()}))
+@lru_cache(maxsize=4096)
+def text_of(expression: sp.Expr) -> str:
+    return str(expression.xreplace({s: sp.Symbol(name) for s, name in TYPED.items()}))
+
+
+def spoiled_text(whole: sp.Expr, term: sp.Expr, ratio: sp.Expr, source: random.Random) -> str:
+    """The text of a sum of which one term is multiplied by a ratio: written out, or with a correction at its end."""
+    if source.randrange(2):
+        return f"{text_of(whole)} + ({text_of((ratio - 1) * term)})"
+    terms = [text_of(each * ratio if each == term else each) for each in sp.Add.make_args(sp.expand(whole))]
+    source.shuffle(terms)
+    return " + ".join(f"({text})" for text in terms)
+
+
+def typed(text: str, source: random.Random) -> str:
+    """A text in one of several spellings."""
     return source.choice([text, text.replace("**", "^"), text.replace("*", "·").replace("··", "^")])
 
 
@@ -71,6 +85,7 @@ def value(expression: sp.Expr, point: dict[str, Fraction]) -> Fraction:
 # What is said, read back
 
 
+@lru_cache(maxsize=4096)
 def factor_of(text: str) -> sp.Expr:
     words = {"twice": 2, "half of": half, "three times": 3, "four times": 4}
     if text in words:
@@ -205,12 +220,12 @@ def test_a_spoiled_coefficient_is_named_or_a_mistake_that_really_gives_it(name: 
         ratio = spoiled_factor(source, name != "phi_equation")
         if ratio == 1 or (ratio == 0 and len(right) == 1):
             continue
-        given = sp.expand(ENERGIES[name] + (ratio - 1) * right[monomial] * monomial)
-        text = typed(source.choice([sp.expand, sp.factor_terms])(given), source)
+        term = right[monomial] * monomial
+        text = typed(spoiled_text(ENERGIES[name], term, ratio, source), source)
         verdict = judge(name, text)
         assert verdict.kind == "wrong", text
         told = true_difference(verdict.message, shown(monomial), ratio, right[monomial])
-        hinted = not ratio.has(sp.sqrt(2)) and true_hint(name, verdict.message, given)
+        hinted = not told and true_hint(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
         hints += hinted
         assert told or hinted, (text, verdict.message)
         assert "rounded" not in verdict.message
@@ -228,7 +243,7 @@ def test_a_term_too_many_is_named(name: str) -> None:
             continue
         coefficient = sp.sympify(source.choice(FACTORS)) * (1 if name == "phi_equation" else source.choice([m, mp, k]))
         given = ENERGIES[name] + source.choice([-1, 1]) * coefficient * extra
-        verdict = judge(name, typed(given, source))
+        verdict = judge(name, typed(text_of(given), source))
         assert verdict.kind == "wrong"
         said = f"Your term with {shown(extra)} does not belong here."
         assert said in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
@@ -249,19 +264,21 @@ def test_a_spoiled_fraction_is_told_where(name: str) -> None:
         ratio = spoiled_factor(source, of_energy=False)
         if ratio == 1:
             continue
-        spoiled = [above, below]
-        spoiled[place] = part + (ratio - 1) * term
-        given = spoiled[0] / spoiled[1]
-        numerator, denominator = (source.choice([sp.expand, sp.factor])(each) for each in spoiled)
-        verdict = judge(name, f"({typed(numerator, source)})/({typed(denominator, source)})")
+        texts = [text_of(sp.factor(each)) for each in (above, below)]
+        texts[place] = spoiled_text(part, term, ratio, source)
+        verdict = judge(name, typed(f"({texts[0]})/({texts[1]})", source))
         assert verdict.kind == "wrong"
         number, product = term.as_coeff_Mul()
         where = f"{shown(product)} in the {('numerator', 'denominator')[place]}"
         told = f"right {('denominator', 'numerator')[place]}" in verdict.message and true_difference(
             verdict.message, where, ratio, number
         )
-        multiple = true_multiple(verdict.message, sp.cancel(given * below / above))
-        if told or multiple or true_hint(name, verdict.message, given):
+        if told:
+            continue
+        spoiled = [above, below]
+        spoiled[place] = part + (ratio - 1) * term
+        given = spoiled[0] / spoiled[1]
+        if true_multiple(verdict.message, sp.cancel(given * below / above)) or true_hint(name, verdict.message, given):
             continue
         # The spoiled fraction cancels to a simpler one, and is right for special masses only, or for none.
         assert sp.fraction(sp.cancel(given))[1].as_poly(m, mp).total_degree() < below.as_poly(m, mp).total_degree() or (
