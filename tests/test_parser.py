@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
+import os
+import re
 import time
 from fractions import Fraction
+from math import prod
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ramanujan.derivation.expressions import values
+from ramanujan.derivation.expressions import NAMES, Expression, Name, Number, Power, Sum, typeset, weight
 from ramanujan.derivation.parser import (
     MAX_DEPTH,
     MAX_DIGITS,
     MAX_EXPONENT,
     MAX_LENGTH,
     MAX_WEIGHT,
-    NAMES,
-    Expression,
     UnreadableError,
     parse,
-    weight,
 )
 
+DEEP = bool(os.environ.get("RAMANUJAN_DEEP"))
 POINT = {name: Fraction(prime) for name, prime in zip(NAMES, (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31), strict=True)}
 m, mp, k, R, X, Xd, phi, phid, Phi, Phid, eps = POINT.values()
 
@@ -34,12 +35,22 @@ def _outcome(text: str) -> tuple[Expression | None, str]:
         return None, str(refusal)
 
 
-def value(text: str) -> Fraction:
-    return values(parse(text), exact=True, points=(POINT,))[0]
+def evaluated(expression: Expression) -> Fraction | float:
+    """What an expression is worth at `POINT`: a fraction, or a float where there is a root."""
+    match expression:
+        case Number(number):
+            return number
+        case Name(name):
+            return POINT[name]
+        case Sum(terms):
+            return sum(map(evaluated, terms))
+        case Power(base, exponent):
+            return evaluated(base) ** (int(exponent) if exponent.denominator == 1 else float(exponent))
+    return prod(map(evaluated, expression.factors))
 
 
-def decimal_value(text: str) -> float:
-    return float(values(parse(text), exact=False, points=(POINT,))[0])
+def value(text: str) -> Fraction | float:
+    return evaluated(parse(text))
 
 
 @pytest.mark.parametrize(
@@ -86,6 +97,17 @@ def decimal_value(text: str) -> float:
         ("\t m\u00a0+\u2009k\n", m + k),
         ("m^(1+1)", m**2),
         ("(((m)))", m),
+        ("[m + k] R", (m + k) * R),
+        ("⅓m + ⅔m", m),
+        ("dX/dt dphi/dt dΦ/dt", Xd * phid * Phid),
+        ("(dφ/dt)²", phid**2),
+        ("Xdot phidot dPhi", Xd * phid * Phid),
+        ("varphi * varepsilon", phi * eps),
+        # A space after a number or a bracket says how far the denominator reaches.
+        ("m/12 ((3R Phi' - 3X')^2 + k)", m / 12 * ((3 * R * Phid - 3 * Xd) ** 2 + k)),
+        ("k/2 m", k * m / 2),
+        ("k/(2m) R", k * R / (2 * m)),
+        ("1/2m", m / 2),
     ],
 )
 def test_reads(text: str, expected: Fraction) -> None:
@@ -95,7 +117,7 @@ def test_reads(text: str, expected: Fraction) -> None:
 @pytest.mark.parametrize("text", ["sqrt(1729)", "√1729", "√(1729)", "1729^(1/2)", "1729^½", "1729^.5", "sqrt 1729"])
 def test_reads_roots(text: str) -> None:
     # 1729 has no rational root; a double has 16 digits of it.
-    assert decimal_value(text) == pytest.approx(1729**0.5, rel=1e-15)
+    assert value(text) == pytest.approx(1729**0.5, rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -103,7 +125,14 @@ def test_reads_roots(text: str) -> None:
     [
         ("", "first"),
         (" \n ", "first"),
-        ("m = 2", "equals"),
+        ("m = 2", "equals sign"),
+        ("Ω^2 = k/m", "equals sign"),
+        ("T = ½ m X'^2", "equals sign"),
+        ("Ω", "equals sign"),
+        ("ω²", "equals sign"),
+        ("m ≈ 2", "equals sign"),
+        ("m < 2", "signs < and >"),
+        ("^".join("1" * 150), "nested"),
         ("0,5 m", "point"),
         ("m + $", "dollar sign"),
         ("m\u200bk", "zero width space"),
@@ -121,8 +150,8 @@ def test_reads_roots(text: str) -> None:
         ("x", "x"),
         ("2 3", "side by side"),
         ("3½", "side by side"),
-        ("m2", "behind a name"),
-        ("(m)2", "behind a bracket"),
+        ("m2", "after a name"),
+        ("(m)2", "after a bracket"),
         ("k/2m", "denominator"),
         ("m/2(k)", "denominator"),
         ("k/(m)(R)", "denominator"),
@@ -208,7 +237,7 @@ def _combined(pairs: st.SearchStrategy) -> st.SearchStrategy:
 _LEAVES = st.sampled_from(list(POINT.items())) | st.integers(0, 99).map(lambda n: (str(n), Fraction(n)))
 
 
-@settings(deadline=None, max_examples=500)
+@settings(deadline=None, max_examples=20_000 if DEEP else 200)
 @given(st.recursive(_LEAVES, _combined, max_leaves=12).filter(lambda pair: len(pair[0]) < MAX_LENGTH))
 def test_value_is_the_one_python_computes(pair: tuple[str, Fraction]) -> None:
     text, expected = pair
@@ -218,7 +247,56 @@ def test_value_is_the_one_python_computes(pair: tuple[str, Fraction]) -> None:
         assert any(word in refusal for word in ("large", "nested"))
         return
     assert weight(parsed) <= MAX_WEIGHT
-    assert values(parsed, exact=True, points=(POINT,))[0] == expected
+    assert evaluated(parsed) == expected
+
+
+def _typed_again(formula: str) -> str:
+    """LaTeX as the text that it was typed as."""
+    text = formula.replace(r"\left", "").replace(r"\right", "").replace(r"\,", "*").replace(r" \cdot ", "*")
+    for name, latex in (("X'", r"\dot{X}"), ("phi'", r"\dot{\varphi}"), ("Phi'", r"\dot{\Phi}")):
+        text = text.replace(latex, f"({name})")
+    text = text.replace(r"\varphi", "phi").replace(r"\Phi", "Phi").replace(r"\varepsilon", "eps")
+    while r"\frac" in text or r"\sqrt" in text:
+        # The innermost ones first: their braces hold no others.
+        text = re.sub(r"\\frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", text.replace("{m'}", "(m')"))
+        text = re.sub(r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)", text)
+        text = re.sub(r"\^\{([^{}]*)\}", r"^(\1)", text)
+    return re.sub(r"\^\{([^{}]*)\}", r"^(\1)", text.replace("{m'}", "(m')"))
+
+
+@settings(deadline=None, max_examples=20_000 if DEEP else 150)
+@given(st.recursive(_LEAVES, _combined, max_leaves=12).filter(lambda pair: len(pair[0]) < MAX_LENGTH))
+def test_what_is_set_in_latex_is_what_was_typed(pair: tuple[str, Fraction]) -> None:
+    """Read again, the LaTeX has the value that Python computed while the text grew."""
+    text, expected = pair
+    parsed, _ = _outcome(text)
+    if parsed is None:
+        return
+    again, _ = _outcome(_typed_again(typeset(parsed)))
+    # Brackets of fractions may nest deeper than they were typed.
+    assert again is None or evaluated(again) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "formula"),
+    [
+        ("8k(7m+6m')/(32m^2)", r"\frac{8\,k\,\left(7\,m + 6\,m'\right)}{32\,m^{2}}"),
+        ("(sqrt(1729)-1)/36", r"\frac{\sqrt{1729} - 1}{36}"),
+        ("-k/2", r"- \frac{k}{2}"),
+        ("m-(k-R)", r"m - \left(k - R\right)"),
+        ("(m/m)^(-2)", r"\frac{1}{\left(\frac{m}{m}\right)^{2}}"),
+        ("0.25 k^1.5", r"0.25\,k^{3/2}"),
+        ("½m'(Rφ'−X')²", r"\frac{1}{2}\,m'\,\left(R\,\dot{\varphi} - \dot{X}\right)^{2}"),
+        ("1/0", r"\frac{1}{0}"),
+        ("m'^2", r"{m'}^{2}"),
+        ("2*3^2", r"2 \cdot 3^{2}"),
+        ("((m))^1", "m"),
+        ("(m^2)^3", r"\left(m^{2}\right)^{3}"),
+        ("m*-k", r"m\,\left(- k\right)"),
+    ],
+)
+def test_sets_in_latex(text: str, formula: str) -> None:
+    assert typeset(parse(text)) == formula
 
 
 _PIECES = [*NAMES, *"+-*/^()²½√.0123456789 ", "sqrt", "**", "9**9", "(m", "1/", "\u200b", "\x00", "ε", "Φ'", "_", "e9"]
@@ -232,13 +310,13 @@ def _read_or_refused(text: str) -> None:
     assert time.process_time() - started < 1
 
 
-@settings(deadline=None, max_examples=2500)
+@settings(deadline=None, max_examples=20_000 if DEEP else 500)
 @given(st.text(max_size=60))
 def test_any_text_is_read_or_refused(text: str) -> None:
     _read_or_refused(text)
 
 
-@settings(deadline=None, max_examples=2500)
+@settings(deadline=None, max_examples=20_000 if DEEP else 500)
 @given(st.lists(st.sampled_from(_PIECES), max_size=40).map("".join))
 def test_any_heap_of_pieces_is_read_or_refused(text: str) -> None:
     _read_or_refused(text)

@@ -9,11 +9,8 @@ import sympy as sp
 
 from ramanujan.derivation import ROUTES, energy
 from ramanujan.derivation.answers import QUESTIONS
-from ramanujan.derivation.expressions import as_typed, spelled
-from ramanujan.derivation.parser import parse
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
-from ramanujan.derivation.symbols import COORDINATES, R, k, m, m_prime
 from ramanujan.scenes.cached import derivation as cached
 
 PAGE = "ramanujan/scenes/derivation.py"
@@ -234,35 +231,14 @@ def test_hostile_text_gets_one_plain_sentence(page, text):
     assert not page.success
 
 
-X_dot, phi_dot = (q.diff() for q in COORDINATES[:2])
+@pytest.mark.parametrize("text", ["(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"])
+def test_what_is_read_is_shown_as_it_was_typed(page, text):
+    answer(page, "potential_energy", text)
+    assert cached.as_read(text) in formulas(page)
 
 
-@pytest.mark.parametrize(
-    ("text", "meant"),
-    [
-        ("8k(7m+6m')/(32m^2+49m m'+18m'^2)", ROUTES["energy"].natural_frequency_squared),
-        ("(sqrt(1729)-1)/36", (sp.sqrt(1729) - 1) / 36),
-        ("-k/2", -k / 2),
-        ("m-(k-R)", m - k + R),
-        ("1/(2/3)", sp.Rational(3, 2)),
-        ("(m/2)^(-1)", 2 / m),
-        ("0.25 k^1.5", k ** sp.Rational(3, 2) / 4),
-        ("½m'(Rφ'−X')²", m_prime * (R * phi_dot - X_dot) ** 2 / 2),
-    ],
-)
-def test_what_is_read_back_says_the_same(text, meant):
-    assert sp.simplify(as_typed(parse(text)) - meant) == 0
-    assert cached.as_read(text) == latex(as_typed(parse(text)))
-
-
-def test_what_divides_by_zero_or_means_nothing_is_read_back_without_harm():
-    assert cached.as_read("1/0") == r"\frac{1}{0}"
+def test_what_means_nothing_is_not_read_back():
     assert cached.as_read("m +") is None
-
-
-def test_derived_formulas_are_spelled_and_read_alike():
-    frequency = ROUTES["energy"].natural_frequency_squared
-    assert sp.simplify(as_typed(spelled(frequency)) - frequency) == 0
 
 
 # Links and files

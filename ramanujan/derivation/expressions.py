@@ -1,23 +1,24 @@
-"""What can be asked of a formula cheaply: its values, its unit, its length, and whether it is one reduced fraction.
+"""A formula as a tree: what the parser returns and what a derived SymPy expression is turned into for comparison.
 
-Two formulas are compared by their values at fixed random points (Schwartz–Zippel), never by simplifying them: without
-roots in exact fractions, with roots to so many digits that only equal formulas agree.
+A tree keeps what was typed; nothing is evaluated. `typeset` writes it as LaTeX, `length` says how long it is to write.
+What a formula is equal to is the business of `normal_form`.
 """
 
 from __future__ import annotations
 
-import random
-from collections.abc import Callable, Iterator, Mapping
-from decimal import Context, Decimal, DivisionByZero, InvalidOperation, Overflow, localcontext
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import combinations
-from typing import Any
+from itertools import pairwise
+from math import ceil, gcd
 
 import sympy as sp
-from sympy.polys.rings import PolyElement, ring
 
-from ramanujan.derivation.parser import NAMES, Expression, Name, Number, Power, Product, Sum
+from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
+
+NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'", "eps")
+"""Every name the grammar knows, as one types it."""
 
 SPELLING = dict(
     zip((m, m_prime, k, R, epsilon, *COORDINATES, *VELOCITIES),
@@ -25,43 +26,45 @@ SPELLING = dict(
 )  # fmt: skip
 """How one types a symbol of the derivation."""
 
-UNITS = {
-    "m": (1, 0, 0),
-    "m'": (1, 0, 0),
-    "k": (1, 0, -2),
-    "R": (0, 1, 0),
-    "X": (0, 1, 0),
-    "X'": (0, 1, -1),
-    "phi": (0, 0, 0),
-    "phi'": (0, 0, -1),
-    "Phi": (0, 0, 0),
-    "Phi'": (0, 0, -1),
-    "eps": (0, 0, 0),
-}
-"""Exponents of kg, m and s; angles and ε are plain numbers."""
 
-Values = tuple[Fraction, ...] | tuple[Decimal, ...]
-Unit = tuple[Fraction, ...]
+@dataclass(frozen=True)
+class Number:
+    """A number as typed: 0.5 equals ½, but `places` remembers how many decimals were given (None: no decimal point)."""
 
-_DIGITS, _AGREEING = 300, Decimal(10) ** -200
-_CONTEXT = Context(prec=_DIGITS, traps=[DivisionByZero, InvalidOperation, Overflow])
-"""With roots: digits carried, and the relative difference below which two values count as equal."""
+    value: Fraction
+    places: int | None = field(default=None, compare=False)
 
 
-class UnitError(ValueError):
-    """A sum of unlike units; the message is one sentence for the student."""
+@dataclass(frozen=True)
+class Name:
+    """One of `NAMES`."""
+
+    name: str
 
 
-def _points() -> Iterator[dict[str, Fraction]]:
-    """Yield points at which two different formulas practically never agree; rates take both signs, ε is m′/m."""
-    source = random.Random(1729)
-    for sign in (1, -1, 1):  # of X and Φ against φ
-        point = {name: Fraction(source.randrange(10**4, 10**5)) for name in NAMES}
-        point |= {name: sign * point[name] for name in ("X", "X'", "Phi", "Phi'")}
-        yield point | {"eps": point["m'"] / point["m"]}
+@dataclass(frozen=True)
+class Sum:
+    """The sum of its terms; what is subtracted is a term times −1."""
+
+    terms: tuple[Expression, ...]
 
 
-POINTS = tuple(_points())
+@dataclass(frozen=True)
+class Product:
+    """The product of its factors; what divides is a factor to a negative power."""
+
+    factors: tuple[Expression, ...]
+
+
+@dataclass(frozen=True)
+class Power:
+    """base ^ exponent; the exponent is a multiple of ½, so that a quotient and a root are powers too."""
+
+    base: Expression
+    exponent: Fraction
+
+
+Expression = Number | Name | Sum | Product | Power
 
 
 def spelled(expression: sp.Expr) -> Expression:
@@ -100,72 +103,21 @@ def names(expression: Expression) -> frozenset[str]:
     return frozenset().union(*map(names, parts(expression)))
 
 
-def has_root(expression: Expression) -> bool:
-    """Tell whether there is a root in an expression."""
-    halved = isinstance(expression, Power) and expression.exponent.denominator == 2
-    return halved or any(map(has_root, parts(expression)))
+def numbers(expression: Expression) -> tuple[Number, ...]:
+    """Return the numbers in an expression, in the order in which they were typed; exponents do not count."""
+    if isinstance(expression, Number):
+        return (expression,)
+    return tuple(number for part in parts(expression) for number in numbers(part))
 
 
-def values(expression: Expression, exact: bool, points: tuple[Mapping[str, Fraction], ...] = POINTS) -> Values:
-    """Return the values of an expression at the points, as fractions or, for roots, as long decimals.
-
-    Raises
-    ------
-    ArithmeticError : the expression divides by zero or has a root of a negative number at a point.
-    """
-    if exact:
-        return tuple(_value(expression, point, Fraction) for point in points)
-    with localcontext(_CONTEXT):
-        return tuple(_value(expression, point, _decimal) for point in points)
-
-
-def agree(left: Values, right: Values) -> bool:
-    """Tell whether two tuples of values, both exact or both decimal, are equal."""
-    return all(map(_equal, left, right))
-
-
-def ratio(left: Values, right: Values) -> Fraction | None:
-    """Return the one simple number left/right at every point, or None."""
-    if any(value == 0 for value in right):
-        return None
-    with localcontext(_CONTEXT):
-        quotients = [a / b for a, b in zip(left, right, strict=True)]
-        simple = Fraction(quotients[0]).limit_denominator(100)
-        expected = simple if isinstance(quotients[0], Fraction) else _decimal(simple)
-        return simple if simple and all(_equal(quotient, expected) for quotient in quotients) else None
-
-
-def unit(expression: Expression) -> Unit:
-    """Return the exponents of kg, m and s.
-
-    Raises
-    ------
-    UnitError : the expression adds unlike units.
-    """
+def weight(expression: Expression) -> int:
+    """Return how many numbers and names there are when every power is written out: a bound on degree and digits."""
     match expression:
-        case Name(name):
-            return tuple(map(Fraction, UNITS[name]))
-        case Sum(terms):
-            units = [unit(term) for term in terms]
-            for other in units:
-                if other != units[0]:
-                    raise UnitError(f"You add {unit_text(units[0])} to {unit_text(other)}.")
-            return units[0]
-        case Product(factors):
-            return tuple(map(sum, zip(*map(unit, factors), strict=True)))
+        case Sum(inside) | Product(inside):
+            return sum(map(weight, inside))
         case Power(base, exponent):
-            return tuple(exponent * n for n in unit(base))
-    return (Fraction(0),) * 3
-
-
-def unit_text(exponents: Unit) -> str:
-    """Return a unit as text: kg·m^2/s^2, or "a plain number"."""
-    above = [_unit_factor(name, n) for name, n in zip(("kg", "m", "s"), exponents, strict=True) if n > 0]
-    below = [_unit_factor(name, -n) for name, n in zip(("kg", "m", "s"), exponents, strict=True) if n < 0]
-    if not above and not below:
-        return "a plain number"
-    denominator = "·".join(below)
-    return ("·".join(above) or "1") + (f"/({denominator})" if len(below) > 1 else f"/{denominator}" if below else "")
+            return weight(base) * max(1, ceil(abs(exponent)))
+    return 1
 
 
 def length(expression: Expression) -> int:
@@ -184,115 +136,125 @@ def length(expression: Expression) -> int:
     return sum(map(length, parts(expression)))
 
 
-def has_like_terms(expression: Expression) -> bool:
-    """Tell whether a sum has two terms of which one is a simple multiple of the other."""
-    if isinstance(expression, Sum):
-        exact = not has_root(expression)
-        terms = [values(term, exact) for term in expression.terms]
-        if any(ratio(one, other) is not None for one, other in combinations(terms, 2)):
-            return True
-    return any(map(has_like_terms, parts(expression)))
-
-
 _UNITS_OF_A_PRODUCT = (Number(Fraction(1)), Number(Fraction(-1)))
 
 
-def has_fraction_below(expression: Expression, below: bool = False) -> bool:
-    """Tell whether there is a fraction in a denominator."""
-    if isinstance(expression, Number):
-        return below and expression.value.denominator != 1
-    divides = isinstance(expression, Power) and expression.exponent < 0
-    return (divides and below) or any(has_fraction_below(part, below or divides) for part in parts(expression))
+# LaTeX
+
+_LATEX = {name: latex(symbol) for symbol, name in SPELLING.items()}
+_IN_SUM, _IN_PRODUCT, _IN_POWER = range(3)
 
 
-def has_common_factor(expression: Expression) -> bool:
-    """Tell whether a rational expression with names below has a factor or a number above and below that cancels."""
-    numerator, denominator = _fraction(expression)
-    return not denominator.is_ground and numerator.gcd(denominator) not in (1, -1)
+def typeset(expression: Expression) -> str:
+    """Return the LaTeX of an expression as it was typed: nothing is evaluated, gathered or reordered."""
+    return _typeset(expression, _IN_SUM)
 
 
-_RING, *_GENERATORS = ring([f"x{i}" for i in range(len(NAMES))], sp.ZZ)
-_GENERATOR = dict(zip(NAMES, _GENERATORS, strict=True))
-
-
-def _fraction(expression: Expression) -> tuple[PolyElement, PolyElement]:
-    """Return numerator and denominator as they stand, nothing cancelled."""
+def _typeset(expression: Expression, place: int) -> str:
+    """Return the LaTeX of an expression, in brackets where its place requires them."""
     match expression:
         case Name(name):
-            return _GENERATOR[name], _RING.one
-        case Number(value):
-            return _RING(value.numerator), _RING(value.denominator)
-        case Power(base, exponent):
-            n = int(exponent)
-            numerator, denominator = _fraction(base)
-            return (numerator**n, denominator**n) if n >= 0 else (denominator**-n, numerator**-n)
-    numerator, denominator = _RING(int(isinstance(expression, Product))), _RING.one
-    for part in parts(expression):
-        p, q = _fraction(part)
-        numerator = numerator * p if isinstance(expression, Product) else numerator * q + denominator * p
-        denominator = denominator * q
-    return numerator, denominator
-
-
-def _value(expression: Expression, point: Mapping[str, Fraction], number: Callable[[Fraction], Any]) -> Any:
-    match expression:
-        case Number(value):
-            return number(value)
-        case Name(name):
-            return number(point[name])
+            return f"{{{_LATEX[name]}}}" if place == _IN_POWER and "'" in _LATEX[name] else _LATEX[name]
+        case Number(value, places):
+            text = _number(value, places)
+            return _bracketed(text, value < 0 or (place == _IN_POWER and "frac" in text), place)
         case Sum(terms):
-            return sum(_value(term, point, number) for term in terms)
+            return _bracketed(_sum(terms), True, place)
+        case Power(base, exponent) if exponent < 0:
+            return _fraction(Number(Fraction(1)), (_without_sign(expression),))
         case Power(base, exponent):
-            value = _value(base, point, number)
-            power = (value.sqrt() if exponent.denominator == 2 else value) ** abs(exponent.numerator)
-            # A decimal 0 to the power −1 would be infinite without complaint; a division complains.
-            return power if exponent >= 0 else 1 / power
-    product = number(Fraction(1))
-    for factor in expression.factors:
-        product *= _value(factor, point, number)
-    return product
+            return _power(base, exponent)
+        case Product(factors):
+            return _bracketed(_product(factors), place == _IN_POWER or _negative(expression), place)
+    raise TypeError(f"expression is no formula: {expression!r}")
 
 
-def _decimal(value: Fraction) -> Decimal:
-    return Decimal(value.numerator) / Decimal(value.denominator)
+def _bracketed(text: str, needed: bool, place: int) -> str:
+    return rf"\left({text}\right)" if needed and place != _IN_SUM else text
 
 
-def _equal(left: Any, right: Any) -> bool:
-    if isinstance(left, Fraction):
-        return left == right
-    with localcontext(_CONTEXT):
-        return abs(left - right) <= _AGREEING * max(abs(left), abs(right))
+def _number(value: Fraction, places: int | None) -> str:
+    if places is not None:
+        digits = f"{abs(value.numerator) * 10**places // value.denominator:0{places + 1}d}"
+        shown = f"{digits[: len(digits) - places]}.{digits[len(digits) - places :]}".rstrip(".")
+    elif value.denominator == 1:
+        shown = str(abs(value.numerator))
+    else:
+        shown = rf"\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+    return f"- {shown}" if value < 0 else shown
 
 
-def _unit_factor(name: str, exponent: Fraction) -> str:
-    if exponent == 1:
-        return name
-    return f"{name}^{exponent}" if exponent.denominator == 1 else f"{name}^({exponent})"
+def _sum(terms: tuple[Expression, ...]) -> str:
+    shown = _term(terms[0])
+    for term in terms[1:]:
+        text = _term(term)
+        shown += f" {text}" if text.startswith("-") else f" + {text}"
+    return shown
 
 
-def as_typed(expression: Expression) -> sp.Expr:
-    """Return an expression in SymPy's symbols as it was typed; only the numbers of a product are drawn together."""
-    match expression:
-        case Number(value):
-            return sp.Rational(value.numerator, value.denominator)
-        case Name(name):
-            return _SYMBOL[name]
-        case Sum(terms):
-            return sp.Add(*map(as_typed, terms), evaluate=False)
-        case Power(base, exponent):
-            power = sp.Rational(exponent.numerator, exponent.denominator)
-            return sp.Pow(as_typed(base), power, evaluate=exponent == -1 and _is_nonzero_number(base))
-    number, others = sp.S.One, []
-    for factor in (part for typed in map(as_typed, expression.factors) for part in sp.Mul.make_args(typed)):
-        if factor.is_Rational:
-            number *= factor
-        else:
-            others.append(factor)
-    return sp.Mul(*([number] if number != 1 or not others else []), *others, evaluate=False)
+def _term(term: Expression) -> str:
+    """Return a term of a sum; a sum as a term was in brackets, and stays there."""
+    return _typeset(term, _IN_PRODUCT if isinstance(term, Sum) else _IN_SUM)
 
 
-_SYMBOL = {name: symbol for symbol, name in SPELLING.items()}
+def _power(base: Expression, exponent: Fraction) -> str:
+    if exponent == Fraction(1, 2):
+        return rf"\sqrt{{{_typeset(base, _IN_SUM)}}}"
+    inner = _typeset(base, _IN_POWER)
+    if isinstance(base, Power):
+        inner = rf"\left({inner}\right)"
+    shown = str(exponent.numerator) if exponent.denominator == 1 else f"{exponent.numerator}/{exponent.denominator}"
+    return inner if exponent == 1 else f"{inner}^{{{shown}}}"
 
 
-def _is_nonzero_number(expression: Expression) -> bool:
-    return isinstance(expression, Number) and expression.value != 0
+def _product(factors: tuple[Expression, ...]) -> str:
+    if factors[0] == Number(Fraction(-1)) and len(factors) > 1:
+        rest = factors[1] if len(factors) == 2 else Product(factors[1:])
+        return f"- {_typeset(rest, _IN_PRODUCT)}"
+    factors = tuple(_quotients(factors))
+    below = tuple(_without_sign(factor) for factor in factors if _divides(factor))
+    above = tuple(factor for factor in factors if not _divides(factor))
+    if below:
+        return _fraction(above[0] if len(above) == 1 else Product(above or (Number(Fraction(1)),)), below)
+    shown = [_typeset(factor, _IN_PRODUCT) for factor in factors]
+    text = shown[0]
+    for before, after in pairwise(shown):
+        # Two digits side by side would read as one number.
+        digits = (before[-1].isdigit() or before.endswith("}")) and after[0].isdigit()
+        text += (r" \cdot " if digits or after.startswith(r"\frac") else r"\,") + after
+    return text
+
+
+def _quotients(factors: tuple[Expression, ...]) -> Iterator[Expression]:
+    """Yield the factors, a whole number over a whole number as one fraction: 1/2 m reads ½ m."""
+    waiting = list(factors)
+    while waiting:
+        match waiting:
+            case [Number(p, None), Power(Number(q, None), minus_one), *_] if (
+                minus_one == -1
+                and len(factors) > 2
+                and p.denominator == q.denominator == 1
+                and gcd(int(p), int(q)) == 1 < q
+            ):
+                yield Number(p / q)
+                del waiting[:2]
+            case _:
+                yield waiting.pop(0)
+
+
+def _fraction(above: Expression, below: tuple[Expression, ...]) -> str:
+    denominator = below[0] if len(below) == 1 else Product(below)
+    return rf"\frac{{{_typeset(above, _IN_SUM)}}}{{{_typeset(denominator, _IN_SUM)}}}"
+
+
+def _divides(factor: Expression) -> bool:
+    return isinstance(factor, Power) and factor.exponent < 0
+
+
+def _without_sign(power: Power) -> Expression:
+    """Return what stands below the fraction line."""
+    return power.base if power.exponent == -1 else Power(power.base, -power.exponent)
+
+
+def _negative(product: Product) -> bool:
+    return isinstance(product.factors[0], Number) and product.factors[0].value < 0

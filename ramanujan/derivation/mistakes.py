@@ -1,7 +1,7 @@
-"""What a student may have overlooked, and the formula one then gets: the same derivation run for an altered machine.
+"""What a student may have overlooked, and the result that follows: the same derivation for an altered machine.
 
-A mistake changes bodies or terms, never a result. Lives here: what can be altered, the hint for it, and the elimination
-for altered machines. Not here: the right answers (they come from the routes) and the verdict.
+A mistake changes bodies or terms, never a result. Its hint says what leads to the result, which is always true, and
+asks the question that leads on; whether the student really did that, nobody can know.
 """
 
 from __future__ import annotations
@@ -12,7 +12,18 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.euler_lagrange import unit_condition
+from ramanujan.derivation.expressions import SPELLING
+from ramanujan.derivation.normal_form import (
+    MINUS_ONE,
+    VARIABLES,
+    ZERO,
+    NormalForm,
+    coefficients,
+    minus,
+    over,
+    plus,
+    times,
+)
 from ramanujan.derivation.symbols import (
     COORDINATES,
     HOOP,
@@ -35,6 +46,8 @@ ROLLING = ("hoop", "cylinder", "top")
 LOWER_ROLLERS = ("hoop", "cylinder")
 RIDERS = ("hoop", "cylinder", "slab", "top")
 
+_COORDINATES = tuple(SPELLING[q] for q in COORDINATES)
+
 CALLED = {
     "block": "the block",
     "hoop": "the hoop",
@@ -54,7 +67,7 @@ _SHAPES = {
 
 @dataclass(frozen=True)
 class Mistake:
-    """A sentence that says what was overlooked, and the machine as it would be if that were right."""
+    """What was overlooked, in one sentence, then a question; and the machine as it would be if that were right."""
 
     hint: str
     bodies: Machine
@@ -62,15 +75,7 @@ class Mistake:
     @property
     def altered(self) -> tuple[str, ...]:
         """The names of the bodies that the mistake changes."""
-        return tuple(body.name for body in self.bodies.bodies if body != machine()[body.name])
-
-    @property
-    def is_of_shape(self) -> bool:
-        """Whether only moments of inertia are mistaken, so that the unit-frequency condition stays a quadratic."""
-        return all(
-            replace(body, shape_factor=right.shape_factor) == right
-            for body, right in zip(self.bodies.bodies, machine().bodies, strict=True)
-        )
+        return tuple(body.name for body in self.bodies.bodies if body != _right()[body.name])
 
 
 @cache
@@ -79,31 +84,46 @@ def mistakes() -> tuple[Mistake, ...]:
     return tuple(Mistake(hint, bodies) for family in _FAMILIES for hint, bodies in family())
 
 
-@cache
-def single_mass(bodies: Machine) -> dict[str, sp.Expr]:
-    """Return what the elimination makes of a machine: the factors of φ̈ in Ẍ, in Φ̈ and in the φ equation, and Ω².
+def single_mass(bodies: Machine, name: str) -> NormalForm | None:
+    """Return what the elimination makes of a machine: the factors of φ̈ in Ẍ, in Φ̈ and in the φ equation, or Ω².
 
     With the mass matrix M, the X and Φ equations are solved for Ẍ and Φ̈, and these put into the φ equation, as in
-    `euler_lagrange.eliminate`, whose result it has for the right machine; nothing is simplified on the way, so that
-    many machines take little time. The spring's deformation counts as one of φ alone.
+    `euler_lagrange.eliminate`, whose result it has for the right machine; polynomials make it quick enough for many
+    machines. The spring's deformation counts as one of φ alone.
+
+    Parameters
+    ----------
+    bodies : the machine
+    name : block_coupling, top_coupling, phi_equation or natural_frequency_squared; None is returned where that divides
+        by zero
     """
-    M = {(i, j): _inertia(bodies, COORDINATES[i], COORDINATES[j]) for i in range(3) for j in range(i, 3)}
-    stiffness = k * bodies.deformation.coeff(phi) ** 2
-    determinant = M[0, 0] * M[2, 2] - M[0, 2] ** 2
-    block = (M[0, 2] * M[1, 2] - M[0, 1] * M[2, 2]) / determinant
-    top = (M[0, 1] * M[0, 2] - M[0, 0] * M[1, 2]) / determinant
-    return {
-        "block_coupling": block,
-        "top_coupling": top,
+    stiffness = _form(k * bodies.deformation.coeff(phi) ** 2)
+    if name == "phi_equation":
         # The question writes the φ equation with 4kRφ as its last term.
-        "phi_equation": M[1, 1] * 4 * k * R / stiffness,
-        "natural_frequency_squared": stiffness / (M[1, 1] + M[0, 1] * block + M[1, 2] * top),
-    }
+        above, below = times(_inertia(bodies, "phi", "phi"), _form(4 * k * R)), stiffness
+    else:
+        determinant, block, top, inertia = _eliminated(bodies)
+        above, below = {
+            "block_coupling": (block, determinant),
+            "top_coupling": (top, determinant),
+            "natural_frequency_squared": (times(stiffness, determinant), inertia),
+        }[name]
+    return None if below.is_zero else over(above, below)
 
 
-def unit_mass_ratio(bodies: Machine) -> sp.Expr:
-    """Return the positive root ε of Ω² = k/m for a machine; ValueError if there is not exactly one."""
-    return unit_condition(single_mass(bodies)["natural_frequency_squared"]).root
+@cache
+def _eliminated(bodies: Machine) -> tuple[NormalForm, NormalForm, NormalForm, NormalForm]:
+    """Return D, B, T and J of Ẍ = (B/D)φ̈, Φ̈ = (T/D)φ̈ and Ω² = stiffness·D/J."""
+    M = {(i, j): _inertia(bodies, _COORDINATES[i], _COORDINATES[j]) for i in range(3) for j in range(i, 3)}
+    if M[2, 2].is_zero:
+        # Nothing rolls on top: the Φ equation is empty.
+        determinant, block, top = M[0, 0], times(MINUS_ONE, M[0, 1]), ZERO
+    else:
+        determinant = minus(times(M[0, 0], M[2, 2]), times(M[0, 2], M[0, 2]))
+        block = minus(times(M[0, 2], M[1, 2]), times(M[0, 1], M[2, 2]))
+        top = minus(times(M[0, 1], M[0, 2]), times(M[0, 0], M[1, 2]))
+    inertia = plus(times(M[1, 1], determinant), times(M[0, 1], block), times(M[1, 2], top))
+    return determinant, block, top, inertia
 
 
 def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
@@ -111,33 +131,71 @@ def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
     mixed = [term for term in sp.Add.make_args(sp.expand(body.kinetic_energy)) if len(_rates(term)) > 1]
     if mixed:
         yield (
-            "The square of a sum has a mixed term too: (a + b)^2 is not a^2 + b^2.",
+            "You get this result if you square a sum term by term. What is the mixed term of (a + b)²?",
             sp.expand(body.kinetic_energy) - sp.Add(*mixed),
         )
     # One who forgets the square may count the speed to either side.
     for velocity in (body.velocity, -body.velocity):
         unsquared = (body.mass * velocity + body.moment_of_inertia * body.angle.diff(t)) / 2
-        yield "The speed has to be squared.", unsquared
+        yield (
+            "You get this result if you do not square the speed. How does a kinetic energy grow with the speed?",
+            unsquared,
+        )
     if body.rotation:
-        yield "A factor ½ is missing in the translation.", 2 * body.translation + body.rotation
-        yield "A factor ½ is missing in the rotation.", body.translation + 2 * body.rotation
-        yield f"This is the rotation of {CALLED[body.name]} alone; its centre moves too.", body.rotation
-
-
-def _inertia(bodies: Machine, q: sp.Expr, other: sp.Expr) -> sp.Expr:
-    """Return the entry of the mass matrix that belongs to two coordinates."""
-    return sp.Add(*(_share(body, q, other) for body in bodies.bodies))
+        yield (
+            "You get this result if you leave out the ½ in the energy of translation. "
+            "What is the kinetic energy of a point mass?",
+            2 * body.translation + body.rotation,
+        )
+        yield (
+            "You get this result if you leave out the ½ in the energy of rotation. "
+            "What is the energy of a body that spins in place?",
+            body.translation + 2 * body.rotation,
+        )
+        yield (
+            f"This is only the energy of rotation of {CALLED[body.name]}. How fast does its centre move?",
+            body.rotation,
+        )
+    yield (
+        "You get this result if you leave out the ½. What is the kinetic energy of a point mass?",
+        2 * body.kinetic_energy,
+    )
 
 
 @cache
-def _share(body: Body, q: sp.Expr, other: sp.Expr) -> sp.Expr:
-    """Return what a body adds to an entry of the mass matrix; a mistake leaves most bodies as they are."""
-    translation = body.mass * body.displacement.coeff(q) * body.displacement.coeff(other)
-    return translation + body.moment_of_inertia * body.angle.coeff(q) * body.angle.coeff(other)
+def _inertia(bodies: Machine, q: str, other: str) -> NormalForm:
+    """Return the entry of the mass matrix that belongs to two coordinates."""
+    right = _right()
+    if bodies == right:
+        return plus(*(_share(body, q, other) for body in bodies.bodies))
+    # A mistake leaves most bodies as they are.
+    changed = [(body, right[body.name]) for body in bodies.bodies if body != right[body.name]]
+    changes = (minus(_share(body, q, other), _share(original, q, other)) for body, original in changed)
+    return plus(_inertia(right, q, other), *changes)
+
+
+@cache
+def _share(body: Body, q: str, other: str) -> NormalForm:
+    """Return what a body adds to an entry of the mass matrix."""
+    moved, turned = _rates_of(body.displacement), _rates_of(body.angle)
+    translation = times(_form(body.mass), moved.get(q, ZERO), moved.get(other, ZERO))
+    rotation = times(_form(body.moment_of_inertia), turned.get(q, ZERO), turned.get(other, ZERO))
+    return plus(translation, rotation)
+
+
+@cache
+def _rates_of(displacement: sp.Expr) -> dict[str, NormalForm]:
+    """Return what multiplies each coordinate in a displacement or an angle."""
+    by_product = coefficients(_form(displacement), _COORDINATES)
+    return {VARIABLES[product.index(1)]: coefficient for product, coefficient in by_product.items()}
+
+
+_form = cache(NormalForm.of)
+_right = cache(machine)
 
 
 def _altered(names: tuple[str, ...], change: Callable[[Body], Body]) -> Machine:
-    return Machine(tuple(change(body) if body.name in names else body for body in machine().bodies))
+    return Machine(tuple(change(body) if body.name in names else body for body in _right().bodies))
 
 
 def _moved(names: tuple[str, ...], old: sp.Expr, new: sp.Expr) -> Machine:
@@ -145,71 +203,93 @@ def _moved(names: tuple[str, ...], old: sp.Expr, new: sp.Expr) -> Machine:
 
 
 def _called(names: tuple[str, ...]) -> str:
-    groups = {LOWER_ROLLERS: "the lower rollers", ROLLING: "all rolling bodies", RIDERS: "all that rides on the block"}
+    groups = {LOWER_ROLLERS: "the lower rollers", ROLLING: "all rollers", RIDERS: "everything on the block"}
     return groups.get(names) or CALLED[names[0]]
 
 
 def _rotation_forgotten() -> Iterator[tuple[str, Machine]]:
     for names in (*((name,) for name in ROLLING), LOWER_ROLLERS, ROLLING):
         yield (
-            f"The rotation of {_called(names)} is left out: what rolls also has the energy of its spin.",
+            f"You get this result if you leave out the rotation of {_called(names)}. "
+            "What energy does a body have because it spins?",
             _altered(names, lambda body: replace(body, shape_factor=sp.S.Zero)),
+        )
+
+
+def _spin_from_the_ground() -> Iterator[tuple[str, Machine]]:
+    for names in (*((name,) for name in ROLLING), LOWER_ROLLERS, ROLLING):
+        yield (
+            f"You get this result if you divide the speed of {_called(names)} relative to the ground by R "
+            "to find the angular velocity. Relative to which surface does a roller roll?",
+            _altered(names, lambda body: replace(body, angle=sp.expand(body.displacement / R))),
         )
 
 
 def _wrong_inertia() -> Iterator[tuple[str, Machine]]:
     for name in ROLLING:
         for shape, factor in _SHAPES.items():
-            if factor != machine()[name].shape_factor:
+            if factor != _right()[name].shape_factor:
                 yield (
-                    f"The moment of inertia is not that of {CALLED[name]}: you took the one of {shape}.",
+                    f"You get this result if {CALLED[name]} has the moment of inertia of {shape}. "
+                    f"What is the moment of inertia of {CALLED[name]}?",
                     _altered((name,), lambda body, factor=factor: replace(body, shape_factor=factor)),
                 )
 
 
 def _wrong_mass() -> Iterator[tuple[str, Machine]]:
-    for names in (LOWER_ROLLERS, *((name,) for name in CALLED)):
-        wrong, right = ("m", "m'") if names[0] in LOWER_ROLLERS else ("m'", "m")
-        verb = "have" if len(names) > 1 else "has"
+    yield (
+        "You get this result if the lower rollers have the mass m. Which mass do they have?",
+        _with_other_mass(LOWER_ROLLERS),
+    )
+    for name in CALLED:
+        wrong = "m" if name in LOWER_ROLLERS else "m′"
         yield (
-            f"You wrote {wrong} for {right}: {_called(names)} {verb} the mass {right}.",
-            _altered(names, lambda body: replace(body, mass=m if body.mass == m_prime else m_prime)),
+            f"You get this result if {CALLED[name]} has the mass {wrong}. Which mass does it have?",
+            _with_other_mass((name,)),
         )
+
+
+def _with_other_mass(names: tuple[str, ...]) -> Machine:
+    return _altered(names, lambda body: replace(body, mass=m if body.mass == m_prime else m_prime))
 
 
 def _wrong_rolling() -> Iterator[tuple[str, Machine]]:
-    for names in ((name,) for name in RIDERS):
-        yield _wrong_sign(names)
-    yield _wrong_sign(LOWER_ROLLERS)
-    for names in (*((name,) for name in RIDERS), RIDERS):
+    for names in (*((name,) for name in RIDERS), LOWER_ROLLERS):
         yield (
-            f"The speed of {_called(names)} has to be taken over the ground: the block moves too.",
+            f"You get this result if you add Ẋ to the speed of {_called(names)} instead of subtracting it. "
+            "In which direction does the block move when X grows?",
+            _moved(names, X, -X),
+        )
+    for names in (*((name,) for name in RIDERS), LOWER_ROLLERS, RIDERS):
+        yield (
+            f"You get this result if you take the speed of {_called(names)} relative to the block. "
+            "How does the block itself move?",
             _moved(names, X, sp.S.Zero),
         )
-
-
-def _wrong_sign(names: tuple[str, ...]) -> tuple[str, Machine]:
-    return (
-        f"Check a sign in the speed of {_called(names)}: X counts to the left, rolling goes to the right.",
-        _moved(names, X, -X),
-    )
 
 
 def _wrong_travel() -> Iterator[tuple[str, Machine]]:
     # Where the slab is, the centres of its rollers are not: the two displacements are exchanged.
     yield (
-        "A factor 2 is missing in the slab’s speed: lying on top of its rollers, it moves twice as far as they do.",
-        _altered(("slab",), lambda body: replace(body, displacement=machine()["hoop"].displacement)),
+        "You get this result if the slab moves only as far as the centres of its rollers. "
+        "How fast does the top of a rolling body move?",
+        _altered(("slab",), lambda body: replace(body, displacement=_right()["hoop"].displacement)),
     )
     for names in (*((name,) for name in LOWER_ROLLERS), LOWER_ROLLERS):
         yield (
-            f"There is a factor 2 too many in the speed of {_called(names)}: the centre moves half as far as the top.",
-            _altered(names, lambda body: replace(body, displacement=machine()["slab"].displacement)),
+            f"You get this result if you give {_called(names)} the displacement of the slab. "
+            "How far does the centre of a roller move when its top moves by 2Rφ?",
+            _altered(names, lambda body: replace(body, displacement=_right()["slab"].displacement)),
         )
-    for name, other in (("hoop", Phi), ("cylinder", Phi), ("slab", Phi), ("top", phi)):
-        own = phi if other == Phi else Phi
+    for name, own, other, wrong in (
+        ("hoop", phi, Phi, "Φ"),
+        ("cylinder", phi, Phi, "Φ"),
+        ("slab", phi, Phi, "Φ"),
+        ("top", Phi, phi, "φ"),
+    ):
         yield (
-            f"That is the wrong angle for {CALLED[name]}: phi belongs to the lower rollers, Phi to the top cylinder.",
+            f"You get this result if you use the angle {wrong} for {CALLED[name]}. "
+            f"Which angle describes the motion of {CALLED[name]}?",
             _altered(
                 (name,),
                 lambda body, own=own, other=other: replace(
@@ -220,14 +300,22 @@ def _wrong_travel() -> Iterator[tuple[str, Machine]]:
 
 
 def _left_out() -> Iterator[tuple[str, Machine]]:
-    for name in ("hoop", "cylinder", "slab"):
+    for name in CALLED:
         yield (
-            f"It looks as if {CALLED[name]} had been left out.",
+            f"You get this result if you leave out {CALLED[name]}. Which bodies have a kinetic energy?",
             _altered((name,), lambda body: replace(body, mass=sp.S.Zero)),
         )
 
 
-_FAMILIES = (_wrong_inertia, _rotation_forgotten, _wrong_mass, _wrong_rolling, _wrong_travel, _left_out)
+_FAMILIES = (
+    _rotation_forgotten,
+    _wrong_mass,
+    _wrong_rolling,
+    _wrong_travel,
+    _spin_from_the_ground,
+    _wrong_inertia,
+    _left_out,
+)
 
 
 def _rates(term: sp.Expr) -> frozenset[sp.Expr]:

@@ -5,21 +5,19 @@
     factor   = { + | − } primary [ ^ exponent ]
     primary  = number | name | √ primary | ( sum )
 
-Lives here: the expression tree, the grammar and its limits. Not here: what an expression means or whether it is right.
-Text is only ever compared with the grammar; nothing in it is executed or looked up anywhere else.
+The text is only ever compared with this grammar; nothing in it is executed or looked up anywhere else. What an
+expression means, and whether it is right, is decided in other files.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from math import ceil, prod
+from math import prod
 
-NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'", "eps")
-"""Every name the grammar knows, as one types it."""
+from ramanujan.derivation.expressions import NAMES, Expression, Name, Number, Power, Product, Sum, weight
 
 MAX_LENGTH, MAX_DEPTH, MAX_DIGITS, MAX_EXPONENT, MAX_WEIGHT = 300, 20, 20, 12, 120
 """Limits on characters, nested brackets, digits of a number, |exponent| and `weight`: they bound all later work."""
@@ -29,51 +27,12 @@ class UnreadableError(ValueError):
     """The text is no formula of the grammar; the message is one sentence for the student."""
 
 
-@dataclass(frozen=True)
-class Number:
-    """A number as typed; 0.5 and ½ are the same."""
-
-    value: Fraction
-
-
-@dataclass(frozen=True)
-class Name:
-    """One of `NAMES`."""
-
-    name: str
-
-
-@dataclass(frozen=True)
-class Sum:
-    """The sum of its terms; what is subtracted is a term times −1."""
-
-    terms: tuple[Expression, ...]
-
-
-@dataclass(frozen=True)
-class Product:
-    """The product of its factors; what divides is a factor to a negative power."""
-
-    factors: tuple[Expression, ...]
-
-
-@dataclass(frozen=True)
-class Power:
-    """base ^ exponent; the exponent is a multiple of ½, so that a quotient and a root are powers too."""
-
-    base: Expression
-    exponent: Fraction
-
-
-Expression = Number | Name | Sum | Product | Power
-
-
 def parse(text: str) -> Expression:
     """Return the expression that a text spells.
 
     Parameters
     ----------
-    text : a formula in the names of `NAMES` (φ, Φ, ε, ′, ², ½, √, ·, Ẋ and the like are accepted too)
+    text : a formula in the names of `NAMES` (φ, Φ, ε, ′, ², ½, √, ·, Ẋ, dX/dt and the like are accepted too)
 
     Raises
     ------
@@ -82,10 +41,13 @@ def parse(text: str) -> Expression:
     if not isinstance(text, str):
         raise UnreadableError("Type your answer as text.")
     if len(text) > MAX_LENGTH:
-        raise UnreadableError(f"That is too long: use at most {MAX_LENGTH} characters.")
-    tokens = list(_tokens(_plain(text)))
+        raise UnreadableError(f"That is too long. Use at most {MAX_LENGTH} characters.")
+    plain = _plain(text)
+    if "=" in plain or "≈" in plain:
+        raise UnreadableError("Type only what comes to the right of the equals sign, without the equals sign.")
+    tokens = list(_tokens(plain))
     if not tokens:
-        raise UnreadableError("Type an expression first.")
+        raise UnreadableError("Type a formula first.")
     reader = _Reader(tokens)
     expression = reader.sum()
     if reader.next is not None:
@@ -93,36 +55,35 @@ def parse(text: str) -> Expression:
     return expression
 
 
-def weight(expression: Expression) -> int:
-    """Return how many numbers and names there are when every power is written out: a bound on degree and digits."""
-    match expression:
-        case Sum(parts) | Product(parts):
-            return sum(map(weight, parts))
-        case Power(base, exponent):
-            return weight(base) * max(1, ceil(abs(exponent)))
-    return 1
-
-
-_HALVES = {"½": Fraction(1, 2), "¼": Fraction(1, 4), "¾": Fraction(3, 4)}
+_FRACTIONS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 _SPELLINGS = str.maketrans(
     {
-        **dict.fromkeys("′’ʹ", "'"),
-        **dict.fromkeys("·×⋅∙", "*"),
+        **dict.fromkeys("′’ʹ´`‘", "'"),
+        **dict.fromkeys("·×⋅∙∗", "*"),
         **dict.fromkeys("÷∕⁄", "/"),
         **dict.fromkeys("−–", "-"),
         **dict.fromkeys("φϕ", "phi"),
-        **dict.fromkeys("εϵ", "eps"),
+        **dict.fromkeys("εϵɛ", "eps"),
         **dict.fromkeys("\t\n\r\u00a0\u2009\u202f", " "),
+        "[": "(",
+        "]": ")",
         "Φ": "Phi",
         "√": "sqrt",
     }
 )
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-_RATE = re.compile("(?<=[XφϕΦ])\u0307")
+_DOT = re.compile("(?<=[XφϕΦ])\u0307")
+_LEIBNIZ = re.compile(r"\bd ?(X|phi|Phi) ?/ ?dt\b")
 _TOKEN = re.compile(
-    r"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<half>[½¼¾])|(?P<word>[A-Za-z_][A-Za-z_']*)|(?P<sign>[-+*/^()])"
+    rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])|(?P<word>[A-Za-z_][A-Za-z_']*)"
+    r"|(?P<sign>[-+*/^()])"
 )
-_ALIASES = {"epsilon": "eps", "m_prime": "m'", "X_dot": "X'", "phi_dot": "phi'", "Phi_dot": "Phi'"}
+_RATES = {
+    f"{before}{name}{after}": f"{name}'"
+    for name in ("X", "phi", "Phi")
+    for before, after in (("", "_dot"), ("", "dot"), ("d", ""))
+}
+_ALIASES = {"epsilon": "eps", "varepsilon": "eps", "varphi": "phi", "m_prime": "m'", **_RATES}
 # Longest first, so that m' is not read as m.
 _NAME = re.compile("|".join(sorted(("sqrt", *NAMES, *_ALIASES), key=len, reverse=True)))
 
@@ -130,46 +91,54 @@ _NAME = re.compile("|".join(sorted(("sqrt", *NAMES, *_ALIASES), key=len, reverse
 def _plain(text: str) -> str:
     """Return the text in ASCII spelling, except for the fractions that are one character."""
     # Decomposed, the Ẋ of a textbook is X and a dot above; composed again, nothing else is changed by this.
-    text = _RATE.sub("'", unicodedata.normalize("NFD", text))
+    text = _DOT.sub("'", unicodedata.normalize("NFD", text))
     text = re.sub("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"^({found[0].translate(_SUPERSCRIPTS)})", text)
-    return text.translate(_SPELLINGS).replace("**", "^")
+    return _LEIBNIZ.sub(r"\1'", text.translate(_SPELLINGS).replace("**", "^"))
 
 
-def _tokens(text: str) -> Iterable[str | Fraction]:
-    """Yield numbers as fractions, everything else as text."""
-    position = 0
+def _tokens(text: str) -> Iterator[tuple[str | Number, bool]]:
+    """Yield numbers, names and signs, each with whether a space comes before it."""
+    position, spaced = 0, False
     while position < len(text):
         if text[position] == " ":
-            position += 1
+            position, spaced = position + 1, True
             continue
         found = _TOKEN.match(text, position)
         if found is None:
             raise UnreadableError(_strange(text[position]))
         position = found.end()
         if found["number"]:
-            yield _number(found["number"])
-        elif found["half"]:
-            yield _HALVES[found["half"]]
+            yield _number(found["number"]), spaced
+        elif found["fraction"]:
+            yield Number(Fraction(unicodedata.numeric(found[0])).limit_denominator(10)), spaced
         elif found["word"]:
-            yield from _names(found["word"])
+            for name in _names(found["word"]):
+                yield name, spaced
+                spaced = False
         else:
-            yield found["sign"]
+            yield found["sign"], spaced
+        spaced = False
 
 
 def _strange(character: str) -> str:
-    if character in "=<>":
-        return "Type only the expression, without an equals sign or what stands left of it."
+    if character in "Ωω":
+        return "Type only what comes to the right of the equals sign: a formula without Ω."
+    if character in "<>":
+        return "Type only a formula, without the signs < and >."
     if character == ",":
         return "Write decimals with a point, and no comma."
     # The Unicode name has only capitals, digits and hyphens: safe to show wherever the character itself is not.
     name = unicodedata.name(character, "")
-    return f"There is a character that does not belong in a formula{f': {name.lower()}' if name else ''}."
+    if not name:
+        return "One character does not belong in a formula."
+    return f"This character does not belong in a formula: {name.lower()}."
 
 
-def _number(digits: str) -> Fraction:
-    if len(digits) - digits.count(".") > MAX_DIGITS:
+def _number(digits: str) -> Number:
+    whole, point, decimals = digits.partition(".")
+    if len(whole) + len(decimals) > MAX_DIGITS:
         raise UnreadableError(f"A number may have at most {MAX_DIGITS} digits.")
-    return Fraction(digits)
+    return Number(Fraction(digits), len(decimals) if point else None)
 
 
 def _names(word: str) -> list[str]:
@@ -179,7 +148,7 @@ def _names(word: str) -> list[str]:
         found = _NAME.match(word, position)
         if found is None:
             shown = re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS]
-            raise UnreadableError(f"I do not know the name “{shown}”; I know {', '.join(NAMES)} and sqrt( ).")
+            raise UnreadableError(f"The name “{shown}” is not known here. You may use {', '.join(NAMES)} and sqrt( ).")
         names.append(_ALIASES.get(found[0], found[0]))
         position = found.end()
     return names
@@ -188,16 +157,20 @@ def _names(word: str) -> list[str]:
 class _Reader:
     """Recursive descent over the tokens; `next` is the token that comes, None at the end."""
 
-    def __init__(self, tokens: list[str | Fraction]) -> None:
-        self._tokens = [*tokens, None]
+    def __init__(self, tokens: list[tuple[str | Number, bool]]) -> None:
+        self._tokens = [*tokens, (None, False)]
         self._position = 0
         self._depth = 0
 
     @property
-    def next(self) -> str | Fraction | None:
-        return self._tokens[self._position]
+    def next(self) -> str | Number | None:
+        return self._tokens[self._position][0]
 
-    def take(self) -> str | Fraction | None:
+    @property
+    def spaced(self) -> bool:
+        return self._tokens[self._position][1]
+
+    def take(self) -> str | Number | None:
         token = self.next
         self._position += token is not None
         return token
@@ -211,21 +184,26 @@ class _Reader:
         return _bounded(terms[0] if len(terms) == 1 else Sum(tuple(terms)))
 
     def product(self) -> Expression:
-        factors, divided = [self.factor()], False
+        factors, reach_is_clear = [self.factor()], True
         while True:
             if self.next == "*":
                 self.take()
                 factors.append(self.factor())
-                divided = False
+                reach_is_clear = True
             elif self.next == "/":
                 self.take()
-                factors.append(_power(self.factor(), Fraction(-1)))
-                divided = True
+                bracketed = self.next == "("
+                below = self.factor()
+                factors.append(_power(below, Fraction(-1)))
+                # 1/2 m and k/2 (m + R) have only one meaning; k/2m and k/2(m + R) may have two.
+                whole = bracketed or isinstance(below, Number)
+                reach_is_clear = _is_fraction(factors) or (whole and self.spaced)
             elif self._starts_a_factor():
-                if divided and not _is_fraction(factors):
-                    raise UnreadableError("How far does the denominator reach? Put it in brackets.")
+                if not reach_is_clear:
+                    raise UnreadableError(
+                        "How far does the denominator reach? Put it in brackets, or write a * after it."
+                    )
                 factors.append(self.factor())
-                divided = False
             else:
                 return _bounded(factors[0] if len(factors) == 1 else Product(tuple(factors)))
 
@@ -240,33 +218,33 @@ class _Reader:
         return _negative(power) if negative else power
 
     def exponent(self) -> Fraction:
-        exponent = _constant(self.factor())
+        exponent = _constant(self._nested(self.factor))
         if exponent is None or abs(exponent) > MAX_EXPONENT or exponent.denominator > 2:
-            raise UnreadableError(f"An exponent has to be a whole number up to {MAX_EXPONENT}, or a half of one.")
+            raise UnreadableError(f"An exponent has to be a whole number up to {MAX_EXPONENT}, or half of one.")
         return exponent
 
     def primary(self) -> Expression:
         token = self.take()
-        if isinstance(token, Fraction):
-            if isinstance(self.next, Fraction):
-                raise UnreadableError("Two numbers stand side by side: put a sign between them.")
-            return Number(token)
+        if isinstance(token, Number):
+            if isinstance(self.next, Number):
+                raise UnreadableError("There are two numbers side by side. Put a sign between them.")
+            return token
         if token == "sqrt":
             return self.root()
         if token == "(":
             return self.bracket()
         if token in NAMES:
-            if isinstance(self.next, Fraction):
-                raise UnreadableError("A number stands right behind a name: put it in front, or write ^ for a power.")
+            if isinstance(self.next, Number):
+                raise UnreadableError("A number comes right after a name. Put it in front, or write ^ for a power.")
             return Name(token)
         if token is None:
-            raise UnreadableError("The expression stops too early: something is missing at the end.")
+            raise UnreadableError("The formula stops too early. Something is missing at its end.")
         raise UnreadableError("Something is missing between two signs or brackets.")
 
     def root(self) -> Expression:
         bracketed = self.next == "("
         root = _power(self._nested(self.primary), Fraction(1, 2))
-        if not bracketed and self._starts_a_factor():
+        if not bracketed and not self.spaced and self._starts_a_factor():
             raise UnreadableError("How far does the root reach? Put what is under it in brackets.")
         return root
 
@@ -274,24 +252,26 @@ class _Reader:
         inside = self._nested(self.sum)
         if self.take() != ")":
             raise UnreadableError("A bracket is opened but not closed.")
-        if isinstance(self.next, Fraction):
-            raise UnreadableError("A number stands right behind a bracket: put it in front, or write ^ for a power.")
+        if isinstance(self.next, Number):
+            raise UnreadableError("A number comes right after a bracket. Put it in front, or write ^ for a power.")
         return inside
 
     def _nested(self, read: Callable[[], Expression]) -> Expression:
         self._depth += 1
         if self._depth > MAX_DEPTH:
-            raise UnreadableError(f"Brackets and roots may be nested at most {MAX_DEPTH} deep.")
+            raise UnreadableError(f"Brackets, roots and exponents may be nested at most {MAX_DEPTH} deep.")
         inside = read()
         self._depth -= 1
         return inside
 
     def _starts_a_factor(self) -> bool:
-        return isinstance(self.next, Fraction) or self.next in (*NAMES, "sqrt", "(")
+        return isinstance(self.next, Number) or self.next in (*NAMES, "sqrt", "(")
 
 
 def _negative(expression: Expression) -> Expression:
-    return Number(-expression.value) if isinstance(expression, Number) else Product((Number(Fraction(-1)), expression))
+    if isinstance(expression, Number):
+        return Number(-expression.value, expression.places)
+    return Product((Number(Fraction(-1)), expression))
 
 
 def _power(base: Expression, exponent: Fraction) -> Expression:
@@ -311,8 +291,8 @@ def _constant(expression: Expression) -> Fraction | None:
     match expression:
         case Number(value) if abs(value) <= MAX_EXPONENT:
             return value
-        case Sum(parts) | Product(parts):
-            values = [_constant(part) for part in parts]
+        case Sum(inside) | Product(inside):
+            values = [_constant(part) for part in inside]
             if None not in values:
                 return sum(values) if isinstance(expression, Sum) else prod(values)
         case Power(base, exponent) if exponent.denominator == 1:
@@ -323,5 +303,5 @@ def _constant(expression: Expression) -> Fraction | None:
 
 def _bounded(expression: Expression) -> Expression:
     if weight(expression) > MAX_WEIGHT:
-        raise UnreadableError("That is too large for me to check: write it shorter or with smaller exponents.")
+        raise UnreadableError("That is too large to check here. Write it shorter or with smaller exponents.")
     return expression

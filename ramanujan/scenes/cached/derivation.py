@@ -12,7 +12,7 @@ import sympy as sp
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.answers import QUESTIONS, Question, Verdict, judge, question
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
-from ramanujan.derivation.expressions import as_typed
+from ramanujan.derivation.expressions import typeset
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.numbers import exact_values, stated
@@ -152,7 +152,7 @@ def verdict(name: str, text: str) -> Verdict:
 def as_read(text: str) -> str | None:
     """Return the LaTeX of what the parser understands, or None where it does not understand."""
     try:
-        return latex(as_typed(parse(text)))
+        return typeset(parse(text))
     except UnreadableError:
         return None
 

@@ -1,0 +1,401 @@
+"""Thousands of wrong answers, one coefficient or sign spoiled in each: what the judge says about them has to be true.
+
+Every sentence of a verdict is read back and tested against the spoiled formula, at random points in fractions; a hint
+at a mistake is followed to the letter on a machine of our own (`mistaken`). The suite takes a small seeded sample;
+RAMANUJAN_DEEP=1 takes 5,000 answers to each question.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import re
+from fractions import Fraction
+from functools import cache, lru_cache, partial
+
+import pytest
+import sympy as sp
+
+from ramanujan.derivation.answers import QUESTIONS, judge
+from tests import mistaken
+
+COUNT = 5000 if os.environ.get("RAMANUJAN_DEEP") else 24
+NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'")
+m, mp, k, R, X, Xd, phi, phid, Phi, Phid = SYMBOLS = sp.symbols("m mp k R X Xd phi phid Phi Phid")
+TYPED = dict(zip(SYMBOLS, NAMES, strict=True))
+SHOWN = dict(zip(SYMBOLS, ("m", "m′", "k", "R", "X", "Ẋ", "φ", "φ̇", "Φ", "Φ̇"), strict=True))
+half, quarter = sp.Rational(1, 2), sp.Rational(1, 4)
+
+# Written out by hand from the drawing of the machine, not taken from the derivation.
+ENERGIES = {
+    "kinetic_energy_block": half * m * Xd**2,
+    "kinetic_energy_hoop": half * mp * (R * phid - Xd) ** 2 + half * mp * R**2 * phid**2,
+    "kinetic_energy_cylinder": half * mp * (R * phid - Xd) ** 2 + quarter * mp * R**2 * phid**2,
+    "kinetic_energy_slab": half * m * (2 * R * phid - Xd) ** 2,
+    "kinetic_energy_top": half * m * (R * Phid - Xd) ** 2 + quarter * m * R**2 * Phid**2,
+    "potential_energy": 2 * k * R**2 * phi**2,
+    "phi_equation": 4 * m * R + sp.Rational(7, 2) * mp * R,
+}
+QUOTIENTS = {
+    "block_coupling": (6 * R * m + 6 * R * mp, 7 * m + 6 * mp),
+    "top_coupling": (4 * m + 4 * mp, 7 * m + 6 * mp),
+    "natural_frequency_squared": (56 * k * m + 48 * k * mp, 32 * m**2 + 49 * m * mp + 18 * mp**2),
+}
+RATIO = "unit_mass_ratio"
+FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 4, quarter, 10, sp.Rational(8, 7)]
+
+
+@cache
+def shown(monomial: sp.Expr) -> str:
+    """A product of names as a sentence shows it."""
+    powers = monomial.as_powers_dict()
+    return "".join(SHOWN[s] + {1: "", 2: "²", 3: "³"}[powers[s]] for s in SYMBOLS if s in powers)
+
+
+@lru_cache(maxsize=4096)
+def text_of(expression: sp.Expr) -> str:
+    return str(expression.xreplace({s: sp.Symbol(name) for s, name in TYPED.items()}))
+
+
+def spoiled_text(whole: sp.Expr, term: sp.Expr, ratio: sp.Expr, source: random.Random) -> str:
+    """The text of a sum of which one term is multiplied by a ratio: written out, or with a correction at its end."""
+    if source.randrange(2):
+        return f"{text_of(whole)} + ({text_of((ratio - 1) * term)})"
+    terms = [text_of(each * ratio if each == term else each) for each in sp.Add.make_args(sp.expand(whole))]
+    source.shuffle(terms)
+    return " + ".join(f"({text})" for text in terms)
+
+
+def typed(text: str, source: random.Random) -> str:
+    """A text in one of several spellings."""
+    return source.choice([text, text.replace("**", "^"), text.replace("*", "·").replace("··", "^")])
+
+
+@cache
+def points() -> tuple[dict[str, Fraction], ...]:
+    source = random.Random(41)
+    return tuple({name: Fraction(source.randrange(10, 10**4), 97) for name in NAMES} for _ in range(2))
+
+
+def value(expression: sp.Expr, point: dict[str, Fraction]) -> Fraction:
+    result = expression.subs({s: sp.Rational(point[n].numerator, point[n].denominator) for s, n in TYPED.items()})
+    return Fraction(int(result.p), int(result.q))
+
+
+# What is said, read back
+
+
+@lru_cache(maxsize=4096)
+def factor_of(text: str) -> sp.Expr:
+    words = {"twice": 2, "half of": half, "three times": 3, "four times": 4}
+    if text in words:
+        return sp.sympify(words[text])
+    text = text.removesuffix(" times").replace("−", "-").replace("m′", "mp")
+    text = text.replace("²", "**2").replace("³", "**3")
+    text = re.sub(r"√([0-9]+)", r"sqrt(\1)", text)
+    text = re.sub(r"(?<=[0-9mpkR)])(?=[Rkms])", "*", text)
+    return sp.sympify(text, locals={"m": m, "mp": mp, "R": R, "k": k})
+
+
+def true_hint(name: str, message: str, given: sp.Expr) -> bool:
+    """Whether a formula is the one that a hint at a mistake speaks of."""
+    also_half = message.endswith(" Also, a factor ½ is missing.")
+    for point in points():
+        expected = _from_hint(name, message, point)
+        if expected is None or value(given, point) != expected * (2 if also_half else 1):
+            return False
+    return True
+
+
+def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction | None:
+    right = ENERGIES.get(name)
+    if right is None and name in QUOTIENTS:
+        above, below = QUOTIENTS[name]
+        right = above / below
+    of_formula = {
+        "leave out R.": lambda: right.subs(R, 1),
+        "This is the reciprocal": lambda: 1 / right,
+        "This is R times": lambda: R * right,
+        "after you have put Ẍ and Φ̈ in": lambda: R * sum(QUOTIENTS[OMEGA][1].args) / (2 * (7 * m + 6 * mp)),
+        "This is Ω⁴": lambda: right**2,
+        "This is Ω² in units of k/m": lambda: right * m / k,
+        "Ω² of a plain mass": lambda: k / m,
+        "equal masses, m′ = m, in units": lambda: (right * m / k).subs(mp, m),
+        "for equal masses, m′ = m.": lambda: right.subs(mp, m),
+        "square a sum term by term": lambda: sum(
+            t for t in sp.expand(right).args if len(t.free_symbols & {Xd, phid, Phid}) == 1
+        ),
+        "leave out the ½.": lambda: 2 * right,
+        "This is only the energy of rotation": lambda: _rotation(name),
+        "½ in the energy of translation": lambda: 2 * right - _rotation(name),
+        "½ in the energy of rotation": lambda: right + _rotation(name),
+        "do not square the deformation": lambda: k * R * phi,
+        "take 2Rφ + X": lambda: half * k * (2 * R * phi + X) ** 2,
+        "the slab relative to the ground. Between": lambda: half * k * (2 * R * phi - X) ** 2,
+    }
+    for words, formula in of_formula.items():
+        if words in message:
+            return value(sp.sympify(formula()), point)
+    if name == "potential_energy" and "the slab moves only as far" in message:
+        return value(half * k * R**2 * phi**2, point)
+    machine = mistaken.built_as(message, point)
+    if machine is None:
+        return None
+    if name.startswith("kinetic_energy_"):
+        return mistaken.kinetic_energy(machine[name.removeprefix("kinetic_energy_")], point)
+    return mistaken.eliminated(machine, point)[name]
+
+
+OMEGA = "natural_frequency_squared"
+
+
+def _rotation(name: str) -> sp.Expr:
+    beta, mass, rate = {"hoop": (1, mp, phid), "cylinder": (half, mp, phid), "top": (half, m, Phid)}[
+        name.split("_")[-1]
+    ]
+    return half * beta * mass * R**2 * rate**2
+
+
+def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: sp.Expr) -> bool:
+    """Whether a verdict names a term and says rightly how its coefficient, ratio times the right one, differs."""
+    place = r"(?: in the (?:numerator|denominator))?"
+    of_term = rf"Your coefficient of {re.escape(term)}{place}"
+    if ratio == 0:
+        return bool(re.search(rf"The term with {re.escape(term)}{place} is missing\.", message))
+    sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"
+    if found := re.search(rf"{of_term} is (.+?) what it should be\.", message):
+        return factor_of(found[1]) / ratio == 1
+    if found := re.search(rf"{of_term} should be (negative|positive), and its size is (.+?) what", message):
+        return found[1] == sign and factor_of(found[2]) / ratio == -1
+    if found := re.search(rf"{of_term} should be (negative|positive)\.", message):
+        return found[1] == sign and ratio == -1
+    if found := re.search(rf"{of_term} lacks a factor (.+?)\.", message):
+        return factor_of(found[1]) * ratio == 1
+    if found := re.search(rf"{of_term} contains a factor (.+?) too many\.", message):
+        return factor_of(found[1]) / ratio == 1
+    if found := re.search(rf"{of_term} contains (m′?) instead of (m′?)\.", message):
+        yours, theirs = map(factor_of, found.groups())
+        return yours / theirs == ratio and right_coefficient.has(theirs)
+    return False
+
+
+def true_multiple(message: str, ratio: sp.Expr) -> bool:
+    """Whether a verdict says rightly how many times the right answer the given one is."""
+    if found := re.search(r"Your answer is (.+?) what it should be\.", message):
+        return factor_of(found[1]) / ratio == 1
+    if found := re.search(r"Your answer has the wrong sign, and its size is (.+?) what it should be\.", message):
+        return factor_of(found[1]) / ratio == -1
+    return ratio == -1 and "Your answer has the wrong sign." in message
+
+
+# Spoiled energies
+
+
+def monomials(expression: sp.Expr, variables: tuple[sp.Symbol, ...]) -> dict[sp.Expr, sp.Expr]:
+    polynomial = sp.Poly(expression, *variables)
+    return {sp.prod(v**n for v, n in zip(variables, p, strict=True)): c for p, c in polynomial.terms()}
+
+
+def spoiled_factor(source: random.Random, of_energy: bool) -> sp.Expr:
+    kind = source.randrange(8 if of_energy else 5)
+    if kind == 0:
+        return sp.Integer(-1)
+    if kind == 1:
+        return sp.Integer(0)
+    if kind <= 3:
+        return source.choice([-1, 1]) * sp.sympify(source.choice(FACTORS))
+    if kind == 4:
+        return sp.Rational(source.randrange(1, 99), source.randrange(1, 99))
+    return sp.sympify(source.choice([R, 1 / R, m / mp, mp / m, k, R**2, 2 * R, sp.sqrt(2), 3 * mp / m]))
+
+
+@pytest.mark.parametrize("name", ENERGIES)
+def test_a_spoiled_coefficient_is_named_or_a_mistake_that_really_gives_it(name: str) -> None:
+    source = random.Random(name)
+    variables = (m, mp, R) if name == "phi_equation" else (Xd, phid, Phid, X, phi, Phi)
+    right = monomials(ENERGIES[name], variables)
+    hints = 0
+    for _ in range(COUNT):
+        monomial = source.choice(list(right))
+        ratio = spoiled_factor(source, name != "phi_equation")
+        if ratio == 1 or (ratio == 0 and len(right) == 1):
+            continue
+        term = right[monomial] * monomial
+        text = typed(spoiled_text(ENERGIES[name], term, ratio, source), source)
+        verdict = judge(name, text)
+        assert verdict.kind == "wrong", text
+        told = true_difference(verdict.message, shown(monomial), ratio, right[monomial])
+        hinted = not told and true_hint(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
+        hints += hinted
+        assert told or hinted, (text, verdict.message)
+        assert "rounded" not in verdict.message
+    assert hints < COUNT
+
+
+@pytest.mark.parametrize("name", ENERGIES)
+def test_a_term_too_many_is_named(name: str) -> None:
+    source = random.Random(name)
+    variables = (m, mp, R) if name == "phi_equation" else (Xd, phid, Phid, X, phi, Phi)
+    right = monomials(ENERGIES[name], variables)
+    for _ in range(COUNT // 4):
+        extra = sp.prod(source.choices(variables, k=source.choice([1, 2, 2, 3])))
+        if extra in right:
+            continue
+        coefficient = sp.sympify(source.choice(FACTORS)) * (1 if name == "phi_equation" else source.choice([m, mp, k]))
+        given = ENERGIES[name] + source.choice([-1, 1]) * coefficient * extra
+        verdict = judge(name, typed(text_of(given), source))
+        assert verdict.kind == "wrong"
+        said = f"Your term with {shown(extra)} does not belong here."
+        assert said in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
+
+
+# Spoiled quotients
+
+
+@pytest.mark.parametrize("name", QUOTIENTS)
+def test_a_spoiled_fraction_is_told_where(name: str) -> None:
+    source = random.Random(name)
+    above, below = QUOTIENTS[name]
+    vague = 0
+    for _ in range(COUNT):
+        place = source.randrange(2)
+        part = QUOTIENTS[name][place]
+        term = source.choice(sp.Add.make_args(part))
+        ratio = spoiled_factor(source, of_energy=False)
+        if ratio == 1:
+            continue
+        texts = [text_of(sp.factor(each)) for each in (above, below)]
+        texts[place] = spoiled_text(part, term, ratio, source)
+        verdict = judge(name, typed(f"({texts[0]})/({texts[1]})", source))
+        assert verdict.kind == "wrong"
+        number, product = term.as_coeff_Mul()
+        where = f"{shown(product)} in the {('numerator', 'denominator')[place]}"
+        told = f"right {('denominator', 'numerator')[place]}" in verdict.message and true_difference(
+            verdict.message, where, ratio, number
+        )
+        if told:
+            continue
+        spoiled = [above, below]
+        spoiled[place] = part + (ratio - 1) * term
+        given = spoiled[0] / spoiled[1]
+        if true_multiple(verdict.message, sp.cancel(given * below / above)) or true_hint(name, verdict.message, given):
+            continue
+        # The spoiled fraction cancels to a simpler one, and is right for special masses only, or for none.
+        assert sp.fraction(sp.cancel(given))[1].as_poly(m, mp).total_degree() < below.as_poly(m, mp).total_degree() or (
+            sp.fraction(sp.cancel(given))[0].as_poly(m, mp).total_degree() < above.as_poly(m, mp).total_degree()
+        ), (given, verdict.message)
+        assert true_special_masses(verdict.message, given, above / below), (given, verdict.message)
+        vague += 1
+    assert vague <= COUNT / 20
+
+
+def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
+    difference = sp.cancel(given - right)
+    if "For equal masses, m′ = m, your answer is right" in message:
+        return difference.subs(mp, m) == 0
+    if found := re.search("With (m′?) = 0 your answer is right", message):
+        return difference.subs(factor_of(found[1]), 0) == 0
+    return "wrong even for equal masses" in message and sp.cancel(difference.subs(mp, m)) != 0
+
+
+# Spoiled numbers
+
+RIGHT_RATIO = (sp.sqrt(1729) - 1) / 36
+BY_QUADRATIC = {
+    "other root": (-1 - sp.sqrt(1729)) / 36,
+    "sign in front of b": (1 + sp.sqrt(1729)) / 36,
+    "the ratio m/m′": 36 / (sp.sqrt(1729) - 1),
+    "leave out the root": sp.Integer(48),
+    "divide by a": (sp.sqrt(1729) - 1) / 18,
+    "leave out b in front": sp.sqrt(1729) / 36,
+    "leave out b² under": (sp.sqrt(1728) - 1) / 36,
+}
+
+
+def same(left: sp.Expr, right: sp.Expr) -> bool:
+    """Whether two numbers agree to 40 digits."""
+    return bool(abs((left - right).n(60)) < sp.Float(10, 60) ** -40)
+
+
+@pytest.mark.parametrize("decimal", [False, True], ids=["roots", "decimals"])
+def test_what_is_said_of_a_wrong_mass_ratio_is_true(decimal: bool) -> None:
+    source = random.Random(1729)
+    for _ in range(COUNT):
+        if decimal:
+            places = source.randrange(1, 12)
+            text = f"{float(RIGHT_RATIO) + source.gauss(0, 3 * 10.0**-places):.{places}f}"
+            given = sp.Rational(text)
+        else:
+            a, b, n = (
+                source.choice([1, 1, 2, -1]),
+                source.choice([-1, -1, 1, -2, 0, -49, 5]),
+                source.randrange(1700, 1760),
+            )
+            n, c = source.choice([1729, 1729, n, 1728, 33, 37]), source.choice([36, 36, 18, 35, 72])
+            text, given = f"({a}*√{n}+({b}))/{c}", (a * sp.sqrt(n) + b) / c
+        verdict = judge(RATIO, text)
+        if same(given, RIGHT_RATIO):
+            assert verdict.kind in ("right", "unsimplified")
+            continue
+        assert verdict.kind == "wrong"
+        close = decimal and abs(given - RIGHT_RATIO) < sp.Rational(1, 10**places)
+        assert ("rounded" in verdict.message) == bool(close), (text, verdict.message)
+        if "fits the following case" in verdict.message:
+            assert any(map(partial(_true_of_number, verdict.message), _cases_near(given, places)))
+        else:
+            assert close or _true_of_number(verdict.message, given), (text, verdict.message)
+
+
+def _cases_near(given: sp.Rational, places: int) -> list[sp.Expr]:
+    """The numbers that a mistake leads to within the last digit of a decimal number."""
+    return [n for n in BY_QUADRATIC.values() if abs(n - given) < sp.Rational(1, 10**places)]
+
+
+def _true_of_number(message: str, given: sp.Expr) -> bool:
+    for words, number in BY_QUADRATIC.items():
+        if words in message:
+            return same(given, number)
+    rational, irrational = given.expand().as_independent(*given.atoms(sp.Pow))
+    parts_true = (
+        "part of your answer with the root is right" not in message or same(irrational, sp.sqrt(1729) / 36)
+    ) and ("part of your answer without the root is right" not in message or rational == sp.Rational(-1, 36))
+    if "A ratio of two masses is positive" in message:
+        return bool(given <= 0) and parts_true
+    if found := re.search(r"With ε = ([0-9.e+-]+) you get Ω² = ([0-9.e+-]+) k/m", message):
+        epsilon = float(given)
+        frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
+        stated = [float(text) for text in found.groups()]
+        return parts_true and stated == pytest.approx([epsilon, frequency], rel=1e-5)
+    if found := re.search(r"difference between Ω² and k/m is ([0-9.e+-]+) k/m", message):
+        epsilon = given.n(30)
+        frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
+        return parts_true and float(found[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
+    return mistaken_ratio(message, given)
+
+
+def mistaken_ratio(message: str, given: sp.Expr) -> bool:
+    """Whether the machine of a hint has Ω² = k/m at the given mass ratio, to 12 digits."""
+    ratio = Fraction(str(given.n(30)))
+    point = {name: Fraction(1) for name in NAMES} | {"m'": ratio}
+    machine = mistaken.built_as(message, point)
+    if machine is None:
+        return False
+    return abs(float(mistaken.eliminated(machine, point)[OMEGA] - 1)) < 1e-12
+
+
+def test_a_false_sentence_would_be_found() -> None:
+    """Negative control: the checks above refuse sentences that are nearly true."""
+    said = "Your coefficient of Ẋφ̇ is twice what it should be."
+    right = -mp * R
+    assert true_difference(said, "Ẋφ̇", sp.Integer(2), right)
+    assert not true_difference(said, "Ẋφ̇", sp.Integer(3), right)
+    assert not true_difference(said, "Ẋ²", sp.Integer(2), right)
+    assert not true_difference("Your coefficient of Ẋφ̇ should be positive.", "Ẋφ̇", sp.Integer(-1), right)
+    hint = "You get this result if you leave out the rotation of the hoop. What?"
+    assert true_hint("kinetic_energy_hoop", hint, half * mp * (R * phid - Xd) ** 2)
+    assert not true_hint("kinetic_energy_hoop", hint, half * mp * (R * phid + Xd) ** 2)
+    assert not true_hint("kinetic_energy_cylinder", hint, half * mp * Xd**2)
+
+
+def test_every_question_is_covered() -> None:
+    assert {*ENERGIES, *QUOTIENTS, RATIO} == set(QUESTIONS)
