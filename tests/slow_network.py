@@ -52,7 +52,7 @@ class Network:
         """Accept connections again."""
         self._up = True
 
-    def _call(self, coroutine):  # noqa: ANN202
+    def _call(self, coroutine):
         return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(timeout=30)
 
     async def _break(self) -> None:
