@@ -11,6 +11,7 @@ The topics of the bus, where NAME is the name of a stage:
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+    say               {sentence, urgent}: news for the page's live region
 """
 
 from __future__ import annotations
@@ -62,6 +63,21 @@ def cursor(stage: str) -> Any:
 def give_back(*keys: str) -> None:
     """Let the choices under these widget keys give the keyboard back to the page when they are clicked."""
     _component("keys", "keys.js")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+
+
+def voice() -> Any:
+    """Put the live region on the page, the only one: it says what the topic `say` brings."""
+    return _component("voice", "voice.js")(key="voice")
+
+
+def follow_theme(theme: str) -> Any:
+    """Run the page again when the visitor switches the theme, so that figures follow.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    """
+    return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
 
 
 def link() -> Any:
