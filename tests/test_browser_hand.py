@@ -305,7 +305,7 @@ def test_a_lost_capture_lets_the_slab_go(visit):
     page = visit()
     page.get_by_role("button", name="Release again").click()
     take_slab(page, -2)
-    inside(page, "root.querySelector('.body.slab').releasePointerCapture(1)")
+    inside(page, "root.querySelector('.moving .body.slab').releasePointerCapture(1)")
     x, y = centre(page)
     page.mouse.move(x - 100, y)
     page.mouse.move(x - 150, y)
@@ -363,7 +363,7 @@ def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(visit):
         assert page.evaluate("globalThis.ramanujan.last('present/oscillator').parameters.compression") == pytest.approx(
             compression / 100
         )
-        floor = page.locator(".st-key-stage .machine").bounding_box()
+        floor = page.locator(".st-key-stage svg.machine").bounding_box()
         beside = (floor["x"] + floor["width"] - 20, floor["y"] + 30)
         finger(page, client, [(beside[0], beside[1] + 150 - 15 * i) for i in range(12)])
         assert page.evaluate(top) > 20
