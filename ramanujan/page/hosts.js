@@ -5,6 +5,17 @@ const hosts = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
+  /** Let the thumb of a slider and its label stand at a value before the server knows it; the slider itself is not told. */
+  moveThumb(key, value) {
+    const input = hosts.slider(key);
+    const thumb = input?.closest("[style*='left']");
+    if (!thumb) return;
+    const [least, most] = [Number(input.min), Number(input.max)];
+    thumb.style.left = `${(100 * (value - least)) / (most - least)}%`;
+    const shown = thumb.querySelector("[data-testid=stSliderThumbValue] p");
+    if (shown) shown.textContent = value.toFixed((input.step.split(".")[1] ?? "").length);
+  },
+
   /** Which of these keys belongs to the slider that contains a node. */
   sliderKey: (node, keys) => keys.find((key) => node.closest?.(`.st-key-${CSS.escape(key)}`)),
 
