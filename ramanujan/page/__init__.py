@@ -16,6 +16,7 @@ The topics of the bus, where NAME is the name of a stage:
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -83,6 +84,52 @@ def follow_theme(theme: str) -> Any:
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
     return _component("link", "link.js")(key="link")
+
+
+def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
+    """Put the head of a slider on the page, with a box that shows its value in full and takes any text.
+
+    Parameters
+    ----------
+    key : of the element
+    data : key of the slider; symbol, unit and meaning; label of the box; value and its full text; scale to SI units;
+        longest text; stages whose slab moves the value; judged, the number of texts that have been answered so far
+    on_typed : called with what was typed
+    """
+
+    def typed() -> None:
+        if (text := st.session_state[key].typed) is not None:
+            on_typed(text)
+
+    return _component("exact", "exact.js")(key=key, data=dict(data), on_typed_change=typed)
+
+
+def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
+    """Hear of every click on a point of a figure, also of a second one on the same point.
+
+    Parameters
+    ----------
+    figure : key of the figure
+    on_picked : called with the point's x and y, in the units of the axes
+    """
+    key = f"{figure}_pick"
+
+    def picked() -> None:
+        if (point := st.session_state[key].picked) is not None:
+            on_picked(point)
+
+    return _component("pick", "pick.js")(key=key, data={"figure": figure}, on_picked_change=picked)
+
+
+def receipt(key: str, number: int) -> Any:
+    """Let the page tell the highest number that has reached it: it stands in the state of this key as `received`.
+
+    Parameters
+    ----------
+    key : of the element
+    number : what the page is to receive
+    """
+    return _component("receipt", "receipt.js")(key=key, data={"number": number}, on_received_change=lambda: None)
 
 
 @cache
