@@ -14,9 +14,8 @@ from fractions import Fraction
 
 import streamlit as st
 
-from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan import UNIT_MASS_RATIO, Oscillator, page
 from ramanujan.scenes import links
-from ramanujan.stage.link import link
 
 
 @dataclass(frozen=True)
@@ -84,7 +83,7 @@ def sidebar() -> None:
         with st.expander("More"):
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
             _slider(CONTROLS["radius"])
-        link()
+        page.link()
         complaint = st.session_state.pop(_COMPLAINT, None) or said_in_sidebar
         if complaint:
             st.warning(complaint)

@@ -7,11 +7,11 @@ from functools import partial
 
 import streamlit as st
 
-from ramanujan import stage
+from ramanujan import page, stage
 from ramanujan.derivation.parser import MAX_LENGTH
 from ramanujan.derivation.shares import PARTS
 from ramanujan.motion import InitialState
-from ramanujan.scenes import controls, keys, links, look
+from ramanujan.scenes import controls, links, look
 from ramanujan.scenes.cached import derivation as cached
 
 VIEWS = ("Lecture", "Reading")
@@ -279,4 +279,4 @@ compare()
 modes()
 margin()
 try_it()
-keys.give_back("route", "view", "values", "body")
+page.give_back("route", "view", "values", "body")

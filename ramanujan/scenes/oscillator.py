@@ -6,10 +6,9 @@ import math
 
 import streamlit as st
 
-from ramanujan import stage
+from ramanujan import page, stage
 from ramanujan.scenes import controls, look
 from ramanujan.scenes.cached import oscillator as cached
-from ramanujan.scenes.ring import ring
 
 
 def ratio_clicked() -> None:
@@ -28,13 +27,14 @@ machine, base = controls.oscillator(), cached.curve()
 st.title("Ramanujan’s oscillator", anchor=False)
 stage.mount(
     stage.payload(machine, controls.compression()),
+    name="oscillator",
     limits=controls.limits("compression"),
     watch=controls.WATCH,
     on_released=controls.set_compression,
 )
 
 st.subheader("When is it in step with √(k/m)?", anchor=False)
-ring()
+page.ring("oscillator")
 st.plotly_chart(
     cached.figure(look.colors()),
     key="curve",

@@ -1,8 +1,10 @@
 """The animated scene: a Components v2 component that draws the machine and listens to the sliders.
 
-Lives here: what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is stage.html
-(what there is), stage.css (how it looks), picture.js (how a body is drawn) and stage.js (how it moves). No physics is
-written in JavaScript: its formulas are printed by SymPy from the derivation.
+This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is
+stage.html (what there is), stage.css (how it looks), and one module for each concern, put together in this order:
+motion.js and drawing.js (pure), picture.js with layers.js and dial.js (the picture), clock.js (time), words.js (what is
+said), slab.js and thumb.js (the hand), stage.js (the wiring). No physics is written in JavaScript: its formulas are
+printed by SymPy from the derivation.
 
 What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
 Streamlit sends it once a session, and a second component without any content, the feed, carries the numbers.
@@ -27,8 +29,7 @@ and by the feed, at every change:
     slipping     the contact that is marked, such as hoop_slab; left out: none
     unity        what the gauge's mark at 1 says; left out: the paper's number
 
-What else looks at a stage finds its time [s] in globalThis.ramanujanTimes, and its mass ratio ε and Ω²m/k in
-globalThis.ramanujanMachines, both by its name.
+What else on the page looks at a stage, or speaks to it, does so by the topics of the bus; `ramanujan.page` lists them.
 
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
@@ -45,6 +46,7 @@ from typing import Any
 import streamlit as st
 import sympy as sp
 
+from ramanujan import page
 from ramanujan.derivation.euler_lagrange import eliminate
 from ramanujan.derivation.newton import contact_forces
 from ramanujan.derivation.numbers import unit
@@ -59,11 +61,7 @@ SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": 
 """β of the paper's rollers."""
 
 _HERE = Path(__file__).parent
-_FEED = """
-export default ({ data }) => {
-  (globalThis.ramanujanFeed ??= {})[data.stage] = data.payload;
-};
-"""
+_MODULES = ("motion", "drawing", "layers", "dial", "picture", "clock", "words", "slab", "thumb", "stage")
 _WORDS = {
     "apart": "The slab swings over the block once every {period} s. The machine’s clock runs {side} of the plain "
     "mass’s: {turns} periods part them by one full turn.",
@@ -147,6 +145,7 @@ def mount(
     limits: tuple[float, float],
     watch: Mapping[str, Mapping[str, Any]],
     key: str = "stage",
+    name: str | None = None,
     clock: str = "main",
     layers: tuple[str, ...] = ("energy",),
     compact: bool = False,
@@ -162,6 +161,7 @@ def mount(
     limits : the range of x₀ that the slab can be dragged through [m]
     watch : slider key → parameter and scale, for following a drag without the server
     key : of the stage among the page's elements
+    name : by which the page's bus knows the stage, no two alike in the whole app; without it, the key
     clock : name of the clock, shared by stages that are to run together
     layers : shown at first, of energy, arrows, traces, forces
     compact : only the picture and its label, without controls
@@ -170,8 +170,9 @@ def mount(
     on_released : called with the compression [m] at which the slab was let go
     """
     stage, feed = _components()
+    name = name or key
     fixed = {
-        "stage": key,
+        "stage": name,
         "limits": {"compression": limits},
         "watch": watch,
         "clock": clock,
@@ -187,7 +188,7 @@ def mount(
             on_released(st.session_state[key].released)
 
     result = stage(key=key, data=fixed, on_released_change=released)
-    feed(key=f"{key}_feed", data={"stage": key, "payload": data})
+    feed(key=f"{key}_feed", data={"stage": name, "payload": data})
     return result
 
 
@@ -198,10 +199,10 @@ def warm_up() -> None:
 
 @cache
 def _components() -> tuple[Callable[..., Any], Callable[..., Any]]:
-    names = ("stage.html", "stage.css", "picture.js", "stage.js")
-    html, css, *scripts = ((_HERE / name).read_text(encoding="utf-8") for name in names)
+    html, css = ((_HERE / name).read_text(encoding="utf-8") for name in ("stage.html", "stage.css"))
     words = {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
-    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js="\n".join([given, *scripts]))
-    feed = st.components.v2.component("ramanujan_feed", js=_FEED)
+    script = page.script(*(_HERE / f"{module}.js" for module in _MODULES))
+    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
+    feed = st.components.v2.component("ramanujan_feed", js=page.script(_HERE / "feed.js"))
     return stage, feed

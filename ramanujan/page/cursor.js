@@ -1,10 +1,10 @@
 // The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
-// is in cursor.py, the drawing in marks.js. The cursor is kept as a share of the time shown, so that it stays when the
-// machine changes. It goes along with the stage, whose time stands in globalThis.ramanujanTimes, unless a hand takes it.
+// is in __init__.py, the drawing in marks.js. The cursor is kept as a share of the time shown, so that it stays when the
+// machine changes. It follows the stage by the topic time/NAME, unless a hand takes it.
 
 const CURSOR = "time-cursor";
 
-export default function ({ parentElement }) {
+export default function ({ data, parentElement }) {
   const slider = parentElement.querySelector("input");
   const output = parentElement.querySelector("output");
   const stop = new AbortController();
@@ -14,8 +14,8 @@ export default function ({ parentElement }) {
 
   // Moving over any figure takes the cursor along.
   const follow = (event) => {
-    const graph = event.target.closest?.(".js-plotly-plot");
-    inHand = graph?.layout?.meta?.cursor === "time" && event.target.matches(PANEL);
+    const graph = hosts.graphOf(event.target);
+    inHand = graph?.layout?.meta?.cursor === "time" && hosts.isPanel(event.target);
     if (!inHand) return;
     const { period, periods } = graph.layout.meta;
     const [from, to] = graph.layout.xaxis.range;
@@ -27,7 +27,7 @@ export default function ({ parentElement }) {
 
   /** Take over the stage's time, if that has moved and nobody holds the cursor. */
   const goAlong = ({ period, periods }) => {
-    const time = globalThis.ramanujanTimes?.stage;
+    const time = bus.last(`time/${data.stage}`)?.time;
     if (time === stageTime || inHand || parentElement.activeElement === slider) return;
     stageTime = time;
     const share = time / (period * periods);
@@ -35,13 +35,13 @@ export default function ({ parentElement }) {
   };
 
   const tick = () => {
-    const first = document.querySelector(".js-plotly-plot")?.layout?.meta;
+    const first = hosts.graphs()[0]?.layout?.meta;
     if (first?.cursor) goAlong(first);
     const share = Number(slider.value);
-    for (const graph of document.querySelectorAll(".js-plotly-plot")) {
+    for (const graph of hosts.graphs()) {
       const meta = graph.layout?.meta;
       if (!meta?.cursor) continue;
-      const panels = [...graph.querySelectorAll(PANEL)].map((panel) => panel.getBoundingClientRect());
+      const panels = hosts.panels(graph).map((panel) => panel.getBoundingClientRect());
       if (panels.length) mark(graph, meta, share, panels);
       say(meta, share);
     }
@@ -59,7 +59,7 @@ export default function ({ parentElement }) {
   return () => {
     cancelAnimationFrame(frame);
     stop.abort();
-    for (const node of document.querySelectorAll(`.js-plotly-plot .${CURSOR}`)) node.remove();
+    for (const node of document.querySelectorAll(`.${CURSOR}`)) node.remove();
   };
 }
 

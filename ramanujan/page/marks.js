@@ -1,7 +1,4 @@
-// Marks laid over Plotly's figures, so that they move without a redrawing. Of Plotly they use what stands in the page: the
-// graph's own data and layout, and the rectangle that covers each panel.
-
-const PANEL = ".nsewdrag";
+// Marks laid over Plotly's figures, so that they move without a redrawing.
 
 const place = ([from, to], value) => (value - from) / (to - from);
 

@@ -1,18 +1,18 @@
-// The ring around the present machine on a curve. It follows the stage, whose machine stands in
-// globalThis.ramanujanMachines; the contract with the figure is in ring.py, the drawing in marks.js.
+// The ring around the present machine on a curve. It follows the stage by the topic present/NAME; the contract with the
+// figure is in __init__.py, the drawing in marks.js.
 
 const RING = "present-machine";
 const SIZE = 22;
 
-export default function () {
+export default function ({ data }) {
   let frame = 0;
   let shown = null;
 
   const tick = () => {
     frame = requestAnimationFrame(tick);
-    const machine = globalThis.ramanujanMachines?.stage;
-    const graph = [...document.querySelectorAll(".js-plotly-plot")].find((graph) => graph.layout?.meta?.ring);
-    const panel = graph?.querySelector(PANEL);
+    const machine = bus.last(`present/${data.stage}`);
+    const graph = hosts.graphs().find((graph) => graph.layout?.meta?.ring);
+    const panel = graph && hosts.panels(graph)[0];
     if (!machine || !panel) return;
     const now = { machine, graph, width: graph.offsetWidth, height: graph.offsetHeight };
     const same = shown && Object.keys(now).every((key) => now[key] === shown[key]);

@@ -1,0 +1,80 @@
+"""The page's side: what runs in the browser beside the machine, and all that knows Streamlit's and Plotly's pages.
+
+bus.js carries the news between the components, hosts.js holds every selector into the host pages, page.css every style
+rule for them. The other files belong to one component each. Components v2 takes one script for each component: `script`
+puts the files together, without a build step, and every script begins with bus.js and hosts.js. No physics here.
+
+The topics of the bus, where NAME is the name of a stage:
+
+    machine/NAME      what `stage.payload` returns; published by the stage's feed, forgotten when the page is left
+    time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
+    present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
+    seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
+    compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import streamlit as st
+
+_HERE = Path(__file__).parent
+
+
+def script(*paths: Path | str) -> str:
+    """Return one script: bus.js, hosts.js, then the given files (names are of this folder) in this order."""
+    return "\n".join((_HERE / path).read_text(encoding="utf-8") for path in ("bus.js", "hosts.js", *paths))
+
+
+def style() -> str:
+    """Return page.css."""
+    return (_HERE / "page.css").read_text(encoding="utf-8")
+
+
+def ring(stage: str) -> Any:
+    """Let a ring around the present machine follow a stage on a curve; call it once, beside the figure.
+
+    A figure takes part by its layout's `meta`: ring is the colour. Its axes are the mass ratio ε and Ω²m/k.
+
+    Parameters
+    ----------
+    stage : the name of the stage
+    """
+    return _component("ring", "marks.js", "ring.js")(key="ring", data={"stage": stage})
+
+
+def cursor(stage: str) -> Any:
+    """Put the time cursor on the page: one instant, marked in every figure, moved without the server.
+
+    A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
+    time), period [s] and periods, the number of them that it shows. What is marked is the figure's own data.
+
+    Parameters
+    ----------
+    stage : the name of the stage that shares the cursor's clock
+    """
+    return _component("cursor", "marks.js", "cursor.js")(key="cursor", data={"stage": stage})
+
+
+def give_back(*keys: str) -> None:
+    """Let the choices under these widget keys give the keyboard back to the page when they are clicked."""
+    _component("keys", "keys.js")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+
+
+def link() -> Any:
+    """Put a button on the page that copies its address, in which everything stands that is set."""
+    return _component("link", "link.js")(key="link")
+
+
+@cache
+def _component(name: str, *scripts: str) -> Any:
+    """Return a component of this folder; its HTML and CSS are the files of its name, if there are any."""
+    look = {
+        kind: (_HERE / f"{name}.{kind}").read_text(encoding="utf-8")
+        for kind in ("html", "css")
+        if (_HERE / f"{name}.{kind}").exists()
+    }
+    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts), **look)
