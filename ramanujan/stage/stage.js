@@ -251,7 +251,7 @@ class Stage {
   showClock() {
     if (this.clock.playing) this.picture.ghosts(null);
     const play = this.find("[data-do=play]");
-    play.textContent = this.clock.playing ? "⏸" : "▶";
+    this.host.classList.toggle("playing", this.clock.playing);
     play.setAttribute("aria-label", this.clock.playing ? "Pause" : "Play");
     for (const button of this.all("[data-speed]"))
       button.setAttribute("aria-checked", String(Number(button.dataset.speed) === this.clock.speed));
