@@ -381,7 +381,7 @@ def test_labels_of_the_curve_never_overlap(visit):
         page.wait_for_timeout(800)
         page.locator(".st-key-curve .annotation-text").first.wait_for()
         boxes = [label.bounding_box() for label in page.locator(".st-key-curve .annotation-text").all()]
-        assert len(boxes) == 4
+        assert len(boxes) == 5
         for i, a in enumerate(boxes):
             assert a["x"] >= 0
             assert a["x"] + a["width"] <= width

@@ -15,7 +15,7 @@ The contract, version 1. To the page, once:
     limits       compression: the least and the greatest that the slab can be dragged to [m]
     watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
-    layers       which of energy, arrows, traces, forces are shown at first
+    layers       which of energy, arrows, traces, forces, coordinates are shown at first
     compact      only the picture and its label, without controls
     dials        the two clock hands, the gauge and the readouts are shown
     periods      after so many periods the motion begins again; left out: never
@@ -30,6 +30,7 @@ and by the feed, at every change:
     slipping     the contact that is marked, such as hoop_slab; left out: none
     unity        what the gauge's mark at 1 says; left out: the paper's number
     awaiting     true while samples are being computed: the machine stands still
+    lit          the body, or the spring, that stands out; left out: none
 
 What else on the page looks at a stage, or speaks to it, does so by the topics of the bus; `ramanujan.page` lists them.
 
@@ -63,20 +64,8 @@ SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": 
 """β of the paper's rollers."""
 
 _HERE = Path(__file__).parent
-_MODULES = (
-    "motion",
-    "drawing",
-    "layers",
-    "dial",
-    "picture",
-    "clock",
-    "words",
-    "playback",
-    "slab",
-    "thumb",
-    "toolbar",
-    "stage",
-)
+_PICTURE = ("motion", "drawing", "coordinates", "layers", "dial", "picture")
+_MODULES = (*_PICTURE, "clock", "words", "playback", "slab", "thumb", "toolbar", "stage")
 _WORDS = {
     "picture": "A stepped block carries two rollers under a sprung slab: on the left a {left}, on the right a {right}. "
     "On the block’s upper step a {top} rolls free.",
@@ -89,10 +78,16 @@ _WORDS = {
     "paused": "Paused.",
     "playing": "Playing.",
     "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
-    "in_step": "In step",
-    "ahead": "Machine ahead by {turns} turn",
-    "behind": "Machine behind by {turns} turn",
-    "lead": "{lead} after {periods} periods of the plain mass",
+    "start": "Both hands start together.",
+    "close": "Less than {least} turn apart after {periods} periods of the plain mass.",
+    "ahead": "Machine ahead by {turns} turn after {periods} periods of the plain mass.",
+    "behind": "Machine behind by {turns} turn after {periods} periods of the plain mass.",
+    "before": "{turns} turn apart {periods} periods before the release.",
+    "parting": "One full turn apart after {turns} periods.",
+    "nearly": "Nearly in step: one full turn apart after {turns} periods.",
+    "in_step": "In step: less than {least} turn apart after a million periods.",
+    "shared": "Mass m: block, slab, {top}. Mass m′: {hoop}, {cylinder}. Radius R: all rollers. "
+    "Arrows at X, φ, Φ: positive sense.",
     "edge": "The top roller reached the edge of the block. The machine was released again.",
     "struck": "The slab ran into the block. The machine was released again.",
     "ended": "The computed motion ends here. The machine was released again.",
@@ -150,6 +145,7 @@ def payload(
     samples: Mapping[str, Any] | None = None,
     slipping: str | None = None,
     unity: str | None = None,
+    lit: str | None = None,
     awaiting: bool = False,
 ) -> dict[str, Any]:
     """Return what the feed carries: the machine, and how it moves, as plain numbers.
@@ -163,12 +159,18 @@ def payload(
     samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
     slipping : the contact to mark, such as hoop_slab
     unity : what the gauge says at 1, for bodies whose number is not the paper's
+    lit : the body that stands out, such as hoop, or spring
     awaiting : samples will come, but are not there yet
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
-    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping, "unity": unity}
-    if awaiting:
-        optional["awaiting"] = True
+    optional = {
+        "initial": initial and asdict(initial),
+        "samples": samples,
+        "slipping": slipping,
+        "unity": unity,
+        "lit": lit,
+        "awaiting": awaiting or None,
+    }
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},
@@ -201,7 +203,7 @@ def mount(
     key : of the stage among the page's elements
     name : by which the page's bus knows the stage, no two alike in the whole app; without it, the key
     clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
-    layers : shown at first, of energy, arrows, traces, forces
+    layers : shown at first, of energy, arrows, traces, forces, coordinates
     compact : only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
     periods : of the machine, after which its motion begins again; without it, never

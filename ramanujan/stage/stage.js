@@ -191,7 +191,7 @@ class Stage {
   }
 
   showClock() {
-    if (this.clock.playing && this.still !== undefined) this.still = false;
+    if (this.clock.playing) this.still = false;
     if (!this.still) this.picture.ghosts(null);
     showControls(this.root, { ...this.clock, layers: this.layers });
     this.showSlowing();
