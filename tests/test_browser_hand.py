@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
+from itertools import pairwise
+
 import pytest
 
 from ramanujan import Oscillator
@@ -9,6 +12,8 @@ from tests.browser import ROOT, STAGE, next_frame, settle
 from tests.slow_network import delayed
 
 SLAB = ".st-key-stage .moving .body.slab"
+TOLD = "globalThis.ramanujan.last('machine/oscillator').parameters"
+PRESENT = "globalThis.ramanujan.last('present/oscillator').parameters"
 COMPRESSION = ".st-key-compression input[type=range]"
 
 
@@ -121,10 +126,8 @@ def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
 
 
 @pytest.fixture
-def slowly(visit, server, monkeypatch):
+def slowly(visit, server):
     """Open a page as `visit` does, over a network that delays every message by so much."""
-    from contextlib import ExitStack
-
     with ExitStack() as networks:
 
         def open_page(seconds, link="", **options):
@@ -159,13 +162,13 @@ def test_a_slow_answer_to_one_slider_does_not_take_another_back(slowly, seconds)
     page.mouse.up()
     settle(page)
     seen = page.evaluate("window.seen")
-    machine = page.evaluate("globalThis.ramanujan.last('machine/oscillator').parameters")
+    machine = page.evaluate(TOLD)
     final = Oscillator(machine["m"], machine["m_prime"], machine["k"], machine["radius"])
     assert machine["m"] > 1.5
     assert machine["m_prime"] > 1.5
     assert normalized(page) == pytest.approx(final.normalized_frequency_squared, rel=1e-6)
     # m′ grew, then m: Ω²m/k fell at once and then rose step by step. A message that won would make it fall again.
-    falls = [a - b for a, b in zip(seen, seen[1:], strict=False) if b < a - 1e-9]
+    falls = [a - b for a, b in pairwise(seen) if b < a - 1e-9]
     assert seen[0] <= before
     assert len(falls) <= 1
 
@@ -182,8 +185,8 @@ def test_many_drags_over_a_slow_network_end_where_the_server_is(slowly):
     settle(page)
     page.wait_for_timeout(800)
     settle(page)
-    told = page.evaluate("globalThis.ramanujan.last('machine/oscillator').parameters")
-    drawn = page.evaluate("globalThis.ramanujan.last('present/oscillator').parameters")
+    told = page.evaluate(TOLD)
+    drawn = page.evaluate(PRESENT)
     assert drawn == told
     assert told["m_prime"] == pytest.approx(0.1 * told["m"])
 
@@ -207,7 +210,7 @@ def test_no_message_moves_the_slab_while_it_is_held(slowly):
     page.wait_for_timeout(900)
     settle(page)
     assert set(page.evaluate("window.bent")) == {0.05}
-    assert page.evaluate("globalThis.ramanujan.last('machine/oscillator').parameters.compression") == pytest.approx(0.05)
+    assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
 
 
 # ---- the slab
@@ -329,11 +332,15 @@ def test_home_and_end_and_arrows_move_the_slab(visit):
 
 def finger(page, client, path, end: str = "touchEnd") -> None:
     """Put a finger on the screen, move it along a path and end the touch."""
-    client.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [dict(zip("xy", path[0], strict=True))]})
+
+    def touch(kind: str, *points) -> None:
+        client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]})
+
+    touch("touchStart", path[0])
     for point in path[1:]:
-        client.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": [dict(zip("xy", point, strict=True))]})
+        touch("touchMove", point)
         page.wait_for_timeout(20)
-    client.send("Input.dispatchTouchEvent", {"type": end, "touchPoints": []})
+    touch(end)
     page.wait_for_timeout(150)
 
 
@@ -358,11 +365,10 @@ def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(visit):
         compression = float(page.url.split("compression=")[1].split("&")[0])
         assert compression == pytest.approx(max(0.5, 8 - 55 / per_cm), abs=4 / per_cm)
         # Taken back by the system, the finger leaves what was before.
-        finger(page, client, [centre(page), *((centre(page)[0] + 4 * i, centre(page)[1]) for i in range(8))], "touchCancel")
+        x, y = centre(page)
+        finger(page, client, [(x + 4 * i, y) for i in range(8)], "touchCancel")
         settle(page)
-        assert page.evaluate("globalThis.ramanujan.last('present/oscillator').parameters.compression") == pytest.approx(
-            compression / 100
-        )
+        assert page.evaluate(PRESENT)["compression"] == pytest.approx(compression / 100)
         floor = page.locator(".st-key-stage svg.machine").bounding_box()
         beside = (floor["x"] + floor["width"] - 20, floor["y"] + 30)
         finger(page, client, [(beside[0], beside[1] + 150 - 15 * i) for i in range(12)])
@@ -390,9 +396,13 @@ def test_the_listed_transitions_are_all_there_are(visit):
           }}))]);
         }}"""
     )
+    listed = {
+        "idle": {"grab": "following", "take": "held"},
+        "following": {"grab": "following", "leave": "awaiting", "take": "held"},
+        "held": {"drop": "awaiting"},
+        "awaiting": {"grab": "following", "take": "held", "settle": "idle"},
+    }
     assert dict(table) == {
-        "idle": {"grab": "following", "leave": "idle", "take": "held", "drop": "idle", "settle": "idle"},
-        "following": {"grab": "following", "leave": "awaiting", "take": "held", "drop": "following", "settle": "following"},
-        "held": {"grab": "held", "leave": "held", "take": "held", "drop": "awaiting", "settle": "held"},
-        "awaiting": {"grab": "following", "leave": "awaiting", "take": "held", "drop": "awaiting", "settle": "idle"},
+        state: {event: nexts.get(event, state) for event in ("grab", "leave", "take", "drop", "settle")}
+        for state, nexts in listed.items()
     }

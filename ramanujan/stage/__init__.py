@@ -7,7 +7,7 @@ is said, slab and thumb are the hand, toolbar the controls; stage wires them. No
 formulas are printed by SymPy from the derivation.
 
 What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
-Streamlit sends it once a session, and a second component without any content, the feed, carries the numbers.
+Streamlit sends it once a session, and a feed of the page (`page.feed`) carries the numbers.
 
 The contract, version 1. To the page, once:
 
@@ -210,7 +210,7 @@ def mount(
     label : a few words under the picture, also its name for screen readers
     on_released : called with the compression [m] at which the slab was let go
     """
-    stage, feed = _components()
+    stage = _component()
     name = name or key
     fixed = {
         "stage": name,
@@ -230,21 +230,19 @@ def mount(
             on_released(st.session_state[key].released)
 
     result = stage(key=key, data=fixed, on_released_change=released)
-    feed(key=f"{key}_feed", data={"stage": name, "payload": data})
+    page.feed(f"{key}_feed", {f"machine/{name}": data})
     return result
 
 
 def warm_up() -> None:
     """Derive and print the stage's formulas before the first visitor asks for them."""
-    _components()
+    _component()
 
 
 @cache
-def _components() -> tuple[Callable[..., Any], Callable[..., Any]]:
+def _component() -> Callable[..., Any]:
     html, css = ((_HERE / name).read_text(encoding="utf-8") for name in ("stage.html", "stage.css"))
     words = {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
     script = page.script(*(_HERE / f"{module}.js" for module in _MODULES))
-    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
-    feed = st.components.v2.component("ramanujan_feed", js=page.script(_HERE / "feed.js"))
-    return stage, feed
+    return st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
