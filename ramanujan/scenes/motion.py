@@ -144,7 +144,7 @@ def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> No
 machine, compression = controls.oscillator(), controls.compression()
 st.title("Motion", anchor=False)
 controls.complain(links.complaints([GLIDE.in_links, SPIN.in_links, MU.in_links, links.one_of("figure", cached.VIEWS)]))
-scene = st.container()
+scene = st.container(key="without_dials")
 glide, spin, mu = (column for column in st.columns(3, gap="medium"))
 with glide:
     glide = controls.page_slider(GLIDE)
