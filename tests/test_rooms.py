@@ -28,7 +28,8 @@ ROOMS = {
     "accuracy": (CORE | {"quantities", "frequency", "integrators"}, {"numpy", "mpmath"}),
     "derivation": (set(), {"sympy"}),
     "figures": (set(), {"numpy", "plotly"}),
-    "stage": (CORE | {"derivation"}, {"streamlit", "sympy"}),
+    "page": (set(), {"streamlit"}),
+    "stage": (CORE | {"derivation", "page"}, {"streamlit", "sympy"}),
 }
 """Room → rooms it may import from, third-party packages it may import. `scenes` may import all."""
 

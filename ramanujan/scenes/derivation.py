@@ -7,11 +7,11 @@ from functools import partial
 
 import streamlit as st
 
-from ramanujan import stage
+from ramanujan import page, stage
 from ramanujan.derivation.parser import MAX_LENGTH
 from ramanujan.derivation.shares import PARTS
 from ramanujan.motion import InitialState
-from ramanujan.scenes import controls, keys, links, look
+from ramanujan.scenes import controls, links, look
 from ramanujan.scenes.cached import derivation as cached
 
 VIEWS = ("Lecture", "Reading")
@@ -30,7 +30,7 @@ VERDICTS = {
 
 
 def choose_route() -> None:
-    """Draw the choice of the route, of how it is shown, and of the body whose terms are told apart."""
+    """Draw the choice of the route and of how it is shown."""
     with st.container(horizontal=True, gap="medium", key="choices"):
         st.segmented_control(
             "Route",
@@ -54,6 +54,10 @@ def choose_route() -> None:
                 bind="query-params",
                 label_visibility="collapsed",
             )
+
+
+def choose_body() -> None:
+    """Draw the choice of the body whose terms are told apart."""
     with st.container(horizontal=True, vertical_alignment="center", key="bodies"):
         st.markdown("Whose terms?", width="content")
         st.pills(
@@ -77,8 +81,8 @@ def turn(pages: int) -> None:
     st.session_state["step"] += pages
 
 
-def lecture(count: int) -> None:
-    """Draw one step, and what turns the pages."""
+def turn_pages(count: int) -> None:
+    """Draw what turns the pages of a lecture."""
     with st.container(horizontal=True, vertical_alignment="center", key="pages"):
         # The link's step is known once the slider is made, so that the button before it comes later.
         before = st.container(width="content")
@@ -87,8 +91,19 @@ def lecture(count: int) -> None:
         )
         before.button("Back", on_click=turn, args=(-1,), shortcut="Left", disabled=now == 1, key="back")
         st.button("Next", on_click=turn, args=(1,), shortcut="Right", disabled=now == count, key="next", type="primary")
-    with st.container(border=True, key="lecture"):
-        draw(now)
+
+
+def beside() -> None:
+    """Draw the machine in motion, with the chosen body lit."""
+    stage.mount(
+        stage.payload(machine, compression, lit=st.session_state["body"]),
+        limits=controls.limits("compression"),
+        watch=controls.WATCH,
+        key="beside",
+        clock="beside",
+        layers=("coordinates",),
+        compact=True,
+    )
 
 
 def draw(number: int) -> None:
@@ -111,6 +126,7 @@ def dress() -> None:
         ".stMarkdown .katex-display{overflow:auto hidden;padding:.15em 0 .6em;margin-bottom:.8em}"
         ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
+        f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
         "</style>"
     )
 
@@ -256,15 +272,25 @@ st.title("Five ways to one frequency", anchor=False)
 choices = {"route": titles.values(), "view": VIEWS, "values": VALUES, "body": PARTS.values()}
 controls.complain(links.complaints(links.one_of(key, offered) for key, offered in choices.items()))
 choose_route()
-name, part = st.session_state["route"], st.session_state["body"]
+name, is_lecture = st.session_state["route"], st.session_state["view"] == VIEWS[0]
+count = len(cached.route(name).steps)
+controls.complain(links.complaints([links.count("step", count)]))
+# One who reads keeps the machine and the choice of a body in view; in a lecture they take no room from the step.
+with st.container(key="lectured" if is_lecture else "reading"):
+    controls_column, picture_column = st.columns([3, 1], vertical_alignment="center")
+with controls_column:
+    choose_body()
+    if is_lecture:
+        turn_pages(count)
+with picture_column:
+    beside()
+part = st.session_state["body"]
 present = (machine.m, machine.m_prime, machine.k)
 masses = present if st.session_state["values"] == VALUES[1] else None
 ink = colors[f"{part}_ink"] if part else None
-count = len(cached.route(name).steps)
-controls.complain(links.complaints([links.count("step", count)]))
-
-if st.session_state["view"] == VIEWS[0]:
-    lecture(count)
+if is_lecture:
+    with st.container(border=True, key="lecture"):
+        draw(st.session_state["step"])
 else:
     for number in range(1, count + 1):
         draw(number)
@@ -276,4 +302,4 @@ compare()
 modes()
 margin()
 try_it()
-keys.give_back("route", "view", "values", "body")
+page.give_back("route", "view", "values", "body")

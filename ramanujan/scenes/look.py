@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import streamlit as st
 
+from ramanujan import page
+
 BODY_COLORS = {
     "block": "gray",
     "hoop": "orange",
@@ -39,14 +41,8 @@ def colors() -> dict[str, str]:
     }
 
 
-def tighten() -> None:
-    """Take Streamlit's wide margins away, so that the machine stands on the first screen of a projector.
-
-    This hangs on class names of the page; where they change, the margins are wide again and nothing else happens.
-    """
-    st.html(
-        "<style>.stMainBlockContainer{padding:3.25rem 2.5rem 3rem}"
-        "@media(max-width:760px){.stMainBlockContainer{padding:3.25rem 1rem 2rem}}"
-        ".stMarkdown .katex-display{margin:.35em 0}.stMarkdown h5{padding-top:1.1rem}"
-        "[data-testid=stSidebarUserContent]{padding-top:0}</style>"
-    )
+def dress() -> None:
+    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
+    st.html(f"<style>{page.style()}</style>")
+    page.follow_theme(theme())
+    page.voice()

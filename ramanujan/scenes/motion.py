@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import streamlit as st
 
-from ramanujan import stage
+from ramanujan import page, stage
 from ramanujan.contact import first_to_slip, largest_compression, required_friction
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
@@ -14,7 +14,6 @@ from ramanujan.record import Record, table
 from ramanujan.scenes import controls, links, look
 from ramanujan.scenes.cached import motion as cached
 from ramanujan.scenes.controls import Control
-from ramanujan.scenes.cursor import cursor
 
 GLIDE = Control("glide", "−Ẋ₀", "Push of the whole machine", "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
 SPIN = Control("spin", "Φ̇₀", "Push of the top cylinder", "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f", "")
@@ -145,7 +144,7 @@ def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> No
 machine, compression = controls.oscillator(), controls.compression()
 st.title("Motion", anchor=False)
 controls.complain(links.complaints([GLIDE.in_links, SPIN.in_links, MU.in_links, links.one_of("figure", cached.VIEWS)]))
-scene = st.container()
+scene = st.container(key="without_dials")
 glide, spin, mu = (column for column in st.columns(3, gap="medium"))
 with glide:
     glide = controls.page_slider(GLIDE)
@@ -163,16 +162,17 @@ with scene:
         stage.payload(machine, compression, initial=motion.initial, slipping=None if compression <= largest else first),
         limits=controls.limits("compression"),
         watch=controls.WATCH,
-        key="stage",
+        name="motion",
         layers=("forces",),
         dials=False,
+        periods=cached.PERIODS,
         on_released=controls.set_compression,
     )
 verdict(mu, largest, first, compression)
 
 marker, download = st.columns([5, 1], vertical_alignment="center")
 with marker:
-    cursor()
+    page.cursor("motion")
 download.download_button(
     "CSV",
     lambda: table(motion, mu),

@@ -1,14 +1,5 @@
-// The picture: how long, how high, where, and how a body is drawn and moved. No time, no listening, no state.
-// All lengths here are centimetres of the picture, x to the right and y UP from the floor.
-
-const CM = 100; // per metre
-const TURN = 2 * Math.PI;
-const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
-const ROLLERS = ["hoop", "cylinder", "top"];
-const RING = 0.78; // inner radius of a hoop over its outer one
-
-const mapValues = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value)]));
-const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
+// The picture of one stage: puts the drawing's attributes on the nodes of stage.html, and is the only one that does. The
+// layers that can be chosen are in layers.js, the clock hands, gauge and readouts in dial.js.
 
 const set = (node, attributes) => {
   for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
@@ -20,94 +11,133 @@ const element = (name, attributes = {}, parent) => {
   return node;
 };
 
-/** Where things stand at φ = 0, to scale: room for the largest travel, nothing more. */
-function layout({ radius }, [, largest]) {
-  const R = radius * CM;
-  const travel = largest * CM; // of the slab over the block, to either side
-  const roll = travel / 2;
-  const deck = 8, thick = 4.5, step = 3, gap = 2.5;
-  const hoop = roll + R + gap;
-  const cylinder = hoop + 2.4 * R + 5;
-  const slab = { left: hoop - roll - 4, right: cylinder + roll + 4, bottom: deck + 2 * R };
-  const riser = slab.right + travel + 8;
-  const upper = slab.bottom + thick + step;
-  const top = riser + R + roll + gap;
-  const right = top + R + gap + 2;
-  const shelf = upper + R * 0.45; // of the plain mass, with its caption above
-  const view = { left: -7, right: right + travel + 3, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) };
-  const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
-  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf };
-}
+/**
+ * The picture under a root.
+ *
+ * geometry(parameters)                              the radius or a body's shape has changed
+ * machine({ parameters, solution, data })           any parameter has changed
+ * frame({ known, phase, plainPhase, shift, write })  a frame: known = parameters, state, Omega; shift [m] of the view;
+ *                                                   write: the running numbers, too
+ * show(layers)                                      the set of layers that are seen
+ * ghosts(states | null)                             the still of the present machine
+ * place                                             the layout's lengths
+ * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
+ * dispose()
+ */
+function makePicture(root, { compact, dials, limits, label }) {
+  const find = (selector) => root.querySelector(selector);
+  const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
+  const parts = movingParts(moving), layers = makeLayers(root), dial = makeDial(root);
+  const sizes = new ResizeObserver(fitText);
+  let place = null, ghosts = [], shifted = 0, ends = [0, 0];
 
-/** Centres of mass at φ = 0, along the floor. */
-function centresOfMass(g) {
-  const low = g.riser * g.deck, high = (g.right - g.riser) * g.upper; // areas of the block's two steps
-  const block = (low * (g.riser / 2) + high * ((g.riser + g.right) / 2)) / (low + high);
-  return { block, slab: (g.slab.left + g.slab.right) / 2, ...mapValues(g.centre, ([x]) => x) };
-}
+  host.classList.toggle("compact", compact);
+  host.classList.toggle("no-dials", !dials);
+  find(".label").textContent = label ?? "";
+  if (label) set(host, { "aria-label": label });
+  sizes.observe(svg);
 
-/** Where a velocity arrow begins, at φ = 0. */
-function anchors(g) {
+  /** Tell the style sheet how many picture units a pixel is. */
+  function fitText() {
+    if (!place) return;
+    const scale = svg.getScreenCTM()?.a;
+    if (!scale) return;
+    svg.style.setProperty("--u", String(1 / scale));
+    // What the screen shows can be wider than the view, and a label of the ruler is whole or not there.
+    const { left, right } = place.view, half = svg.clientWidth / scale / 2 - 45 / scale;
+    ends = [(left + right) / 2 - half, (left + right) / 2 + half];
+    slideFloor(svg, shifted, ends);
+  }
+
+  function geometry(parameters) {
+    place = layout(parameters, limits.compression);
+    const { left, right, bottom, top } = place.view;
+    set(svg, { viewBox: `${left} ${-top} ${right - left} ${top - bottom}` });
+    drawFloor(svg, place);
+    drawBodies(moving, place, parameters);
+    layers.geometry(place, parameters);
+    drawPlain();
+    fitText();
+  }
+
+  function drawPlain() {
+    const wide = 10, high = 6.5, end = place.slab.right, start = end - place.travel - wide - 2;
+    set(find(".shelf"), { d: `M${start} ${-place.shelf}H${place.riser}` });
+    set(find(".wall"), { d: `M${place.riser} ${-place.shelf + 1.5}V${-place.shelf - high - 3}` });
+    set(find(".plain .form"), { x: end - wide, y: -place.shelf - high, width: wide, height: high });
+    set(find(".plain .body text"), { x: end - wide / 2, y: -place.shelf - high / 2 });
+    set(find(".plain .caption"), { x: place.riser - 1, y: -place.shelf - high - 4 });
+  }
+
+  function machine({ parameters, solution, data }) {
+    for (const name of BODIES) parts[name].group.style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
+    find(".plain .body").style.setProperty("--weight", weight(parameters.m));
+    light(data.lit);
+    dial.machine(solution, data);
+    layers.machine(parameters, solution, data);
+  }
+
+  /** Let one body, or the spring, stand out; without a name, all are alike. */
+  function light(name) {
+    host.classList.toggle("one-lit", Boolean(name));
+    for (const body of BODIES) parts[body].group.classList.toggle("lit", body === name);
+    parts.spring.classList.toggle("lit", name === "spring");
+  }
+
+  function frame({ known, phase, plainPhase, shift, write }) {
+    moveBodies(parts, known, place, shift);
+    const plain = known.plain * CM;
+    set(find(".plain .body"), { transform: `translate(${plain})` });
+    set(find(".plain .coil"), { d: coil(place.slab.right + plain, place.riser, place.shelf + 3.2, 1.8) });
+    set(find(".centre"), { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` });
+    if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
+    layers.frame(known, shift, write);
+    dial.frame(phase, plainPhase, write);
+  }
+
+  /** The still of someone who asked for less motion: the machine in several exposures, that nobody can take hold of. */
+  function drawGhosts(states) {
+    for (const ghost of ghosts) ghost.remove();
+    ghosts = (states ?? []).map((known) => {
+      const ghost = moving.cloneNode(true);
+      set(ghost, { class: "ghost" });
+      for (const node of ghost.querySelectorAll("text, title, .grip")) node.remove();
+      for (const node of ghost.querySelectorAll("*"))
+        for (const name of node.getAttributeNames()) if (name === "tabindex" || name === "role" || name.startsWith("aria-")) node.removeAttribute(name);
+      find(".ghosts").append(ghost);
+      moveBodies(movingParts(ghost), known, place);
+      return ghost;
+    });
+  }
+
   return {
-    block: [(g.riser + g.right) / 2, g.upper * 0.35],
-    slab: [(g.slab.left + g.slab.right) / 2, g.slab.bottom + g.thick + 2.5],
-    ...g.centre,
+    geometry,
+    machine,
+    frame,
+    show: layers.show,
+    ghosts: drawGhosts,
+    get place() {
+      return place;
+    },
+    toMetres: (clientX) => new DOMPoint(clientX, 0).matrixTransform(svg.getScreenCTM().inverse()).x / CM,
+    dispose: () => sizes.disconnect(),
   };
-}
-
-/** Where a contact lies over its roller's centre, in radii. */
-const CONTACTS = {
-  hoop_slab: ["hoop", 1],
-  cylinder_slab: ["cylinder", 1],
-  hoop_block: ["hoop", -1],
-  cylinder_block: ["cylinder", -1],
-  top_block: ["top", -1],
-};
-
-/** A spring between two points at one height: a zigzag whose ends are straight. */
-function coil(from, to, y, height) {
-  const turns = 10, lead = clamp((to - from) / 8, 0, 3);
-  const pitch = (to - from - 2 * lead) / turns;
-  const wave = `l${pitch / 4} ${-height}l${pitch / 2} ${2 * height}l${pitch / 4} ${-height}`;
-  return `M${from} ${-y}H${from + lead}${wave.repeat(turns)}H${to}`;
-}
-
-/** Heavier looks heavier: nearly empty for the lightest body that the sliders allow, nearly full for the heaviest. */
-const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
-
-/** What a roller of shape factor β = I/(mass·R²) is. */
-const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
-
-/** A roller's outline, and the marks that show how it turns. */
-function rollerPaths(shape, R) {
-  const circle = (r, sweep = 1) => `M0 ${-r}A${r} ${r} 0 1 ${sweep} 0 ${r}A${r} ${r} 0 1 ${sweep} 0 ${-r}z`;
-  const meridian = `M0 ${-R}A${0.4 * R} ${R} 0 1 1 0 ${R}A${0.4 * R} ${R} 0 1 1 0 ${-R}z`;
-  return {
-    hoop: { form: circle(R) + circle(RING * R, 0), mark: `M0 ${-RING * R}V${-R}` },
-    shell: { form: circle(R), mark: circle(0.9 * R) + meridian },
-    cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}` },
-    sphere: { form: circle(R), mark: meridian },
-  }[shape];
-}
-
-/** What the bodies are called, the two lower rollers by their sides where their shapes do not tell them apart. */
-function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
-  const [left, right] = [shapeOf(beta_hoop), shapeOf(beta_cylinder)];
-  const [hoop, cylinder] = left === right ? [`left ${left}`, `right ${right}`] : [left, right];
-  return { block: "block", hoop, cylinder, slab: "slab", top: `top ${shapeOf(beta_top)}` };
 }
 
 function drawBodies(root, g, parameters) {
   const body = (name, selector) => root.querySelector(`.body.${name} ${selector}`);
-  set(body("block", "path"), { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` });
+  root.style.setProperty("--R", g.R);
+  set(body("block", ".form"), { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` });
   set(body("block", "text"), { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 });
   for (const name of ROLLERS) {
     const { form, mark } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
     set(body(name, ".form"), { d: form });
     set(body(name, ".mark"), { d: mark });
+    // Below the centre, where no arrow begins.
+    set(body(name, "text"), { y: 0.44 * g.R });
   }
   const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
-  set(body("slab", "rect:not(.grip)"), slab);
+  set(body("slab", ".form"), slab);
   // A finger needs more than the slab's own height.
   set(body("slab", ".grip"), { ...slab, y: slab.y - 3, height: slab.height + 6 });
   set(body("slab", "text"), { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 });
@@ -123,38 +153,38 @@ function movingParts(root) {
   return found;
 }
 
-/** Put every body where the coordinates, by name, have it; `shift` is how far the view has moved over the floor. */
-function moveBodies(moving, known, g, shift = 0) {
-  const x = mapValues(FORMULAS.displacement, (displacement) => displacement(known) * CM - shift);
-  const home = { block: [0, 0], slab: [0, 0], ...g.centre };
+function moveBodies(parts, known, g, shift) {
+  const at = placed(known, g, shift);
   for (const name of BODIES) {
-    const [x0, y0] = home[name];
-    set(moving[name].group, { transform: `translate(${x0 + x[name]} ${-y0})` });
-    if (moving[name].spin) set(moving[name].spin, { transform: `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})` });
+    set(parts[name].group, { transform: at.bodies[name] });
+    if (parts[name].spin) set(parts[name].spin, { transform: at.spins[name] });
   }
-  set(moving.spring, { d: coil(g.slab.right + x.slab, g.riser + x.block, g.slab.bottom + g.thick / 2, 2) });
+  set(parts.spring, { d: at.spring });
 }
 
-/** The floor and its ruler, as wide as the view and one labelled stretch more, so that it can slide. */
-const STRETCH = 50;
+/** The floor and its ruler: both far beyond the view, so that they end at the edge of the screen and not before. */
+const STRETCH = 50, BEYOND = 3 * STRETCH;
 function drawFloor(root, g) {
-  const { left, right } = g.view;
-  set(root.querySelector(".earth"), { d: `M${left} 0H${right}V2.2H${left}z` });
-  set(root.querySelector(".ground"), { d: `M${left} 0H${right}` });
+  const from = -BEYOND, to = Math.ceil((g.view.right + BEYOND) / STRETCH) * STRETCH;
+  set(root.querySelector(".earth"), { d: `M${from} 0H${to}V2.2H${from}z` });
+  set(root.querySelector(".ground"), { d: `M${from} 0H${to}` });
   const ruler = root.querySelector(".ruler");
   ruler.replaceChildren();
   delete ruler.dataset.at;
   let ticks = "";
-  for (let x = -STRETCH; x <= right + STRETCH; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
+  for (let x = from; x <= to; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
   element("path", { d: ticks }, ruler);
-  for (let x = -STRETCH; x <= right + STRETCH; x += STRETCH) element("text", { x, y: 5.6 }, ruler);
+  for (let x = from; x <= to; x += STRETCH) element("text", { x, y: 5.9 }, ruler);
 }
 
-/** Slide the ruler under a view that has moved; the labels say where on the floor one looks. */
-function slideFloor(root, shift) {
-  const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH);
-  set(ruler, { transform: `translate(${stretches * STRETCH - shift})` });
-  if (ruler.dataset.at === String(stretches)) return;
+/** Slide the ruler under a view that has moved; the labels between the ends say where on the floor one looks. */
+function slideFloor(root, shift, [left, right]) {
+  const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
+  set(ruler, { transform: `translate(${moved})` });
+  for (const label of ruler.querySelectorAll("text")) {
+    const x = Number(label.getAttribute("x"));
+    label.style.visibility = x + moved > left && x + moved < right ? "" : "hidden";
+    if (ruler.dataset.at !== String(stretches)) label.textContent = `${x + stretches * STRETCH} cm`.replace("-", "−");
+  }
   ruler.dataset.at = stretches;
-  for (const label of ruler.querySelectorAll("text")) label.textContent = `${Number(label.getAttribute("x")) + stretches * STRETCH} cm`;
 }

@@ -1,7 +1,4 @@
-// Marks laid over Plotly's figures, so that they move without a redrawing. Of Plotly they use what stands in the page: the
-// graph's own data and layout, and the rectangle that covers each panel.
-
-const PANEL = ".nsewdrag";
+// Marks laid over Plotly's figures, so that they move without a redrawing.
 
 const place = ([from, to], value) => (value - from) / (to - from);
 
@@ -13,3 +10,6 @@ function draw(graph, name, i, x, style) {
   node.style.display = x >= 0 && x <= 1 ? "" : "none";
   return node;
 }
+
+/** Take the marks of a name off a graph. */
+const erase = (graph, name) => graph.querySelectorAll(`.${name}`).forEach((node) => node.remove());

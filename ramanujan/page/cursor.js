@@ -1,0 +1,149 @@
+// The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
+// is in __init__.py, the drawing in marks.js. Cursor and stage are one clock: where the stage is, the cursor is (topic
+// time/NAME), and where a hand puts the cursor, the stage goes (topic seek/NAME). A hand moves it by the slider, by the
+// line itself, or by a click on a figure over time.
+
+const CURSOR = "time-cursor";
+const GRIP = 14; // px, the width in which a pointer gets hold of the line
+const STILL = 5; // px that a click may move
+
+export default function ({ data, parentElement }) {
+  return live(parentElement, (signal) => new Cursor(parentElement, data.stage, signal)).end;
+}
+
+class Cursor {
+  share = 0; // of the time shown; it stays when the machine changes
+  graphs = new Set();
+
+  constructor(root, stage, signal) {
+    this.stage = stage;
+    this.slider = root.querySelector("input");
+    this.output = root.querySelector("output");
+    const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
+    on(this.slider, "input", () => this.seek(Number(this.slider.value)));
+    on(document, "pointerdown", (event) => this.press(event));
+    on(document, "pointermove", (event) => this.drag(event));
+    on(document, "pointerup", (event) => this.letGo(event));
+    on(document, "pointercancel", () => (this.pressed = null));
+    hosts.watchGraphs((graph) => this.drawn(graph), signal);
+    bus.subscribe(`time/${stage}`, ({ time }) => this.goTo(time), { signal });
+    signal.addEventListener("abort", () => this.graphs.forEach((graph) => erase(graph, CURSOR)));
+  }
+
+  /** The time [s] that the figures show. */
+  get span() {
+    const { period, periods } = this.meta;
+    return period * periods;
+  }
+
+  drawn(graph) {
+    for (const old of this.graphs) if (!old.isConnected) this.graphs.delete(old);
+    const meta = graph.layout?.meta;
+    if (!meta?.cursor) return;
+    const changed = this.meta?.period !== meta.period;
+    this.graphs.add(graph);
+    this.meta = meta;
+    const time = bus.last(`time/${this.stage}`)?.time;
+    if (changed && time !== undefined) this.goTo(time);
+    else this.show(graph);
+  }
+
+  goTo(time) {
+    if (!this.meta) return;
+    this.share = Math.min(1, Math.max(0, time / this.span));
+    if (Math.abs(Number(this.slider.value) - this.share) > 5e-4) this.slider.value = this.share;
+    this.graphs.forEach((graph) => this.show(graph));
+  }
+
+  seek(share) {
+    if (!this.meta) return;
+    const time = Math.min(1, Math.max(0, share)) * this.span;
+    this.goTo(time);
+    bus.publish(`seek/${this.stage}`, { time, by: "cursor" });
+  }
+
+  show(graph) {
+    const panels = hosts.panels(graph).map((panel) => panel.getBoundingClientRect());
+    if (panels.length) mark(graph, graph.layout.meta, this.share, panels);
+    const { period, periods } = this.meta;
+    const text = `t = ${(this.share * period * periods).toFixed(2)} s, ${(this.share * periods).toFixed(2)} periods`;
+    if (this.output.textContent === text) return;
+    this.output.textContent = text;
+    this.slider.setAttribute("aria-valuetext", text);
+  }
+
+  // ---- the pointer on a figure over time
+
+  press(event) {
+    const graph = hosts.graphOf(event.target);
+    if (event.button !== 0 || !event.isPrimary || graph?.layout?.meta?.cursor !== "time") return;
+    const line = event.target.matches(`.${CURSOR}`);
+    if (!line && !hosts.isPanel(event.target)) return;
+    this.pressed = { graph, line, id: event.pointerId, x: event.clientX, y: event.clientY };
+    if (!line) return;
+    event.target.setPointerCapture(event.pointerId);
+    event.preventDefault();
+  }
+
+  drag(event) {
+    if (this.pressed?.line && event.pointerId === this.pressed.id) this.seek(this.shareAt(event));
+  }
+
+  letGo(event) {
+    if (event.pointerId !== this.pressed?.id) return;
+    const { x, y, line } = this.pressed;
+    if (!line && Math.hypot(event.clientX - x, event.clientY - y) < STILL) this.seek(this.shareAt(event));
+    this.pressed = null;
+  }
+
+  shareAt({ clientX }) {
+    const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number);
+    const { left, width } = hosts.panels(graph)[0].getBoundingClientRect();
+    return (from + ((clientX - left) / width) * (to - from)) / this.span;
+  }
+}
+
+function mark(graph, meta, share, panels) {
+  const home = graph.getBoundingClientRect();
+  const [top, bottom] = [Math.min(...panels.map((p) => p.top)), Math.max(...panels.map((p) => p.bottom))];
+  const { left, width } = panels[0];
+  if (meta.cursor === "time") {
+    const x = place(graph.layout.xaxis.range, share * meta.period * meta.periods);
+    const line = {
+      width: `${GRIP}px`,
+      height: `${bottom - top}px`,
+      background: "linear-gradient(currentColor, currentColor) center / 2px 100% no-repeat",
+      pointerEvents: "auto",
+      touchAction: "pan-y",
+      cursor: "ew-resize",
+    };
+    draw(graph, CURSOR, 0, x, { ...line, left: `${left - home.left + x * width - GRIP / 2}px`, top: `${top - home.top}px` });
+    return;
+  }
+  graph.data.forEach((orbit, i) => {
+    const x = place(graph.layout.xaxis.range, between(numbers(orbit, "x"), share));
+    const y = place(graph.layout.yaxis.range, between(numbers(orbit, "y"), share));
+    const dot = { background: "currentColor", width: "12px", height: "12px", borderRadius: "50%" };
+    const style = { left: `${left - home.left + x * width - 6}px`, top: `${bottom - home.top - y * (bottom - top) - 6}px` };
+    draw(graph, CURSOR, i, orbit.visible === "legendonly" || y < 0 || y > 1 ? -1 : x, { ...dot, ...style });
+  });
+}
+
+function between(values, share) {
+  const at = share * (values.length - 1);
+  const i = Math.min(Math.floor(at), values.length - 2);
+  return values[i] + (at - i) * (values[i + 1] - values[i]);
+}
+
+const decoded = new WeakMap();
+
+/** The numbers of a trace, as Plotly got them: an array, or single precision in base 64. */
+function numbers(trace, axis) {
+  const given = trace[axis];
+  if (!given.bdata) return given;
+  if (!decoded.has(given)) {
+    const bytes = Uint8Array.from(atob(given.bdata), (letter) => letter.charCodeAt(0));
+    decoded.set(given, new Float32Array(bytes.buffer));
+  }
+  return decoded.get(given);
+}

@@ -1,0 +1,21 @@
+// The button that copies the address of the page. Browsers keep the clipboard from pages that are not served securely:
+// there the text itself is offered.
+
+export default ({ parentElement }) => {
+  const [button, told, input] = parentElement.querySelectorAll("button, .told, input");
+  const tell = (sentence) => {
+    told.textContent = sentence;
+    bus.publish("say", { sentence, urgent: true });
+  };
+  button.onclick = async () => {
+    try {
+      await navigator.clipboard.writeText(location.href);
+      tell("Copied.");
+    } catch {
+      tell("Copy it from here:");
+      input.hidden = false;
+      input.value = location.href;
+      input.select();
+    }
+  };
+};

@@ -1,0 +1,159 @@
+// The drawing, pure: from a machine and its state to lengths, outlines and attributes. No page, no clock, no listening.
+// All lengths here are centimetres of the picture, x to the right and y UP from the floor.
+
+const CM = 100; // per metre
+const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
+const ROLLERS = ["hoop", "cylinder", "top"];
+const RING = 0.78; // inner radius of a hoop over its outer one
+const ASPECT = 2; // width of every picture over its height; stage.css keeps the same room for it
+
+/** Where things stand at φ = 0, to scale, with room for the largest travel, in a view of one shape for every radius. */
+function layout({ radius }, [, largest]) {
+  const R = radius * CM;
+  const travel = largest * CM; // of the slab over the block, to either side
+  const roll = travel / 2;
+  const deck = 8, thick = 4.5, step = 3, gap = 2.5;
+  const hoop = roll + R + gap;
+  const cylinder = hoop + 2.4 * R + 5;
+  const slab = { left: hoop - roll - 4, right: cylinder + roll + 4, bottom: deck + 2 * R };
+  const riser = slab.right + travel + 8;
+  const upper = slab.bottom + thick + step;
+  const top = riser + R + roll + gap;
+  const right = top + R + gap + 2;
+  const shelf = upper + R * 0.45; // of the plain mass, with its caption above
+  const view = fitted({ left: -9, right: right + travel + 2, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) });
+  const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
+  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf };
+}
+
+/** The view widened to both sides, or upwards, until it has the shape of every picture. */
+function fitted({ left, right, bottom, top }) {
+  const wide = Math.max(right - left, ASPECT * (top - bottom)), more = (wide - (right - left)) / 2;
+  return { left: left - more, right: right + more, bottom, top: bottom + wide / ASPECT };
+}
+
+/** Centres of mass at φ = 0, along the floor. */
+function centresOfMass(g) {
+  const low = g.riser * g.deck, high = (g.right - g.riser) * g.upper; // areas of the block's two steps
+  const block = (low * (g.riser / 2) + high * ((g.riser + g.right) / 2)) / (low + high);
+  return { block, slab: (g.slab.left + g.slab.right) / 2, ...mapValues(g.centre, ([x]) => x) };
+}
+
+/** Where a velocity arrow begins, at φ = 0. */
+function anchors(g) {
+  return {
+    block: [(g.riser + g.right) / 2, g.upper * 0.35],
+    slab: [(g.slab.left + g.slab.right) / 2, g.slab.bottom + g.thick + 2.5],
+    ...g.centre,
+  };
+}
+
+const SHORTEST = 0.05; // of an arrow
+
+/** How long an arrow's head is at most: in proportion to a roller, so that it never reaches the letter on it. */
+const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
+
+/** A velocity: a slender arrow with an open head. Its length is signed, its head never longer than itself. */
+function velocityArrow(x, y, length, longest) {
+  if (Math.abs(length) < SHORTEST) return "";
+  const head = Math.sign(length) * Math.min(Math.abs(length), longest);
+  return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
+}
+
+/** A force: a broad, filled arrow. */
+function forceArrow(x, y, length, longest) {
+  if (Math.abs(length) < SHORTEST) return "";
+  const head = Math.sign(length) * Math.min(Math.abs(length), longest), shaft = length - head;
+  const [thick, wide] = [0.22 * head, 0.62 * head];
+  const barb = wide - thick;
+  return `M${x} ${-y - thick}h${shaft}v${-barb}l${head} ${wide}l${-head} ${wide}v${-barb}h${-shaft}z`;
+}
+
+/** The largest of 1, 2, 5, 10, 20, … that is not above a value. */
+function roundBelow(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const factor = [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9));
+  return factor * power;
+}
+
+/** Where a contact lies over its roller's centre, in radii. */
+const CONTACTS = {
+  hoop_slab: ["hoop", 1],
+  cylinder_slab: ["cylinder", 1],
+  hoop_block: ["hoop", -1],
+  cylinder_block: ["cylinder", -1],
+  top_block: ["top", -1],
+};
+
+/** A spring between two points at one height: a zigzag whose ends are straight. */
+function coil(from, to, y, height) {
+  const turns = 10, lead = clamp((to - from) / 8, 0, 3);
+  const pitch = (to - from - 2 * lead) / turns;
+  const wave = `l${pitch / 4} ${-height}l${pitch / 2} ${2 * height}l${pitch / 4} ${-height}`;
+  return `M${from} ${-y}H${from + lead}${wave.repeat(turns)}H${to}`;
+}
+
+/** Heavier looks heavier: nearly empty for the lightest body that the sliders allow, nearly full for the heaviest. */
+const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
+
+/** What a roller of shape factor β = I/(mass·R²) is. */
+const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
+
+/** A roller's outline, and the marks that show how it turns. */
+function rollerPaths(shape, R) {
+  const circle = (r, sweep = 1) => `M0 ${-r}A${r} ${r} 0 1 ${sweep} 0 ${r}A${r} ${r} 0 1 ${sweep} 0 ${-r}z`;
+  const meridian = `M0 ${-R}A${0.4 * R} ${R} 0 1 1 0 ${R}A${0.4 * R} ${R} 0 1 1 0 ${-R}z`;
+  return {
+    hoop: { form: circle(R) + circle(RING * R, 0), mark: `M0 ${-RING * R}V${-R}` },
+    shell: { form: circle(R), mark: circle(0.9 * R) + meridian },
+    cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}` },
+    sphere: { form: circle(R), mark: meridian },
+  }[shape];
+}
+
+/** What the bodies are called, the two lower rollers by their sides where their shapes do not tell them apart. */
+function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
+  const [left, right] = [shapeOf(beta_hoop), shapeOf(beta_cylinder)];
+  const [hoop, cylinder] = left === right ? [`left ${left}`, `right ${right}`] : [left, right];
+  return { block: "block", hoop, cylinder, slab: "slab", top: `top ${shapeOf(beta_top)}` };
+}
+
+/** Where the coordinates put every body and the spring: the attribute `transform` of each, `d` of the spring. */
+function placed(known, g, shift = 0) {
+  const x = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+  const home = { block: [0, 0], slab: [0, 0], ...g.centre };
+  return {
+    bodies: mapValues(home, ([x0, y0], name) => `translate(${x0 + x[name]} ${-y0})`),
+    spins: Object.fromEntries(ROLLERS.map((name) => [name, `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})`])),
+    spring: coil(g.slab.right + x.slab, g.riser + x.block, g.slab.bottom + g.thick / 2, 2),
+  };
+}
+
+/** Where the centre of mass of the whole machine lies in a view that has moved by `shift` [m]. */
+function centreOfMass(known, g, shift) {
+  const home = centresOfMass(g);
+  let moment = 0, total = 0;
+  for (const name of BODIES) {
+    const mass = FORMULAS.mass[name](known);
+    total += mass;
+    moment += mass * (home[name] + (FORMULAS.displacement[name](known) - shift) * CM);
+  }
+  return moment / total;
+}
+
+/** How a roller's rim travels over the floor through these states: the path of the mark on it. */
+function rimTrace(name, states, g) {
+  const [x, y] = g.centre[name];
+  const points = states.map((known) => {
+    const angle = FORMULAS.angle[name](known);
+    return `${x + FORMULAS.displacement[name](known) * CM + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
+  });
+  return `M${points.join("L")}`;
+}
+
+/** What has left its place, if anything has: the top roller over an edge, or the slab into the block. */
+function leftPlace(known, g) {
+  const over = (FORMULAS.displacement.top(known) - FORMULAS.displacement.block(known)) * CM + g.centre.top[0];
+  if (over < g.riser || over > g.right) return "edge";
+  return Math.abs(FORMULAS.deformation(known)) * CM > g.travel + 8 ? "struck" : null;
+}

@@ -1,0 +1,67 @@
+// The motion of a machine, evaluated: pure functions of FORMULAS, which SymPy prints. SI units; no page, no clock.
+
+const TURN = 2 * Math.PI;
+const COORDINATES = ["X", "phi", "Phi"];
+
+const mapValues = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
+const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
+
+/** Ω, √(k/m), Ω²m/k, a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, and the velocity of the centre of mass. */
+function solve(parameters, initial) {
+  const Omega = FORMULAS.natural_frequency(parameters);
+  const start = initial ?? { X: 0, phi: FORMULAS.released_angle(parameters), Phi: 0, X_dot: 0, phi_dot: 0, Phi_dot: 0 };
+  const known = { ...parameters, ...start, Omega };
+  const motion = mapValues(FORMULAS.motion, (parts) => mapValues(parts, (part) => part(known)));
+  return {
+    Omega,
+    plain: FORMULAS.plain_frequency(parameters),
+    normalized: FORMULAS.normalized_frequency_squared(parameters),
+    motion,
+    drift: driftOf(parameters, motion),
+  };
+}
+
+/** The velocity of the centre of mass over the floor: nothing outside pushes it, so only the drifts b count. */
+function driftOf(parameters, motion) {
+  const rates = Object.fromEntries(COORDINATES.map((name) => [`${name}_dot`, motion[name].b]));
+  const known = { ...parameters, ...rates };
+  let momentum = 0, total = 0;
+  for (const [body, mass] of Object.entries(FORMULAS.mass)) {
+    momentum += mass(known) * FORMULAS.velocity[body](known);
+    total += mass(known);
+  }
+  return momentum / total;
+}
+
+/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. */
+function stateAt({ Omega, motion }, phase, time) {
+  const [cosine, sine] = [Math.cos(phase), Math.sin(phase)];
+  const state = {};
+  for (const [name, { a, b, c, d }] of Object.entries(motion)) {
+    state[name] = a + b * time + c * cosine + d * sine;
+    state[`${name}_dot`] = b + Omega * (d * cosine - c * sine);
+  }
+  return state;
+}
+
+/** The same from samples at equal steps, straight between two of them: an integrator's idea of the motion. */
+function sampleAt(samples, time) {
+  const last = samples.phi.length - 2;
+  const i = clamp(Math.floor(time / samples.step), 0, last);
+  const part = clamp(time / samples.step - i, 0, 1);
+  const state = {};
+  for (const name of COORDINATES) {
+    const [from, to] = [samples[name][i], samples[name][i + 1]];
+    state[name] = from + part * (to - from);
+    state[`${name}_dot`] = (to - from) / samples.step;
+  }
+  return state;
+}
+
+/** The states of one period, from release on, with what the formulas need besides. */
+function onePeriod(parameters, solution, points) {
+  return Array.from({ length: points + 1 }, (_, i) => {
+    const phase = (TURN * i) / points;
+    return { ...parameters, ...stateAt(solution, phase, phase / solution.Omega), Omega: solution.Omega };
+  });
+}
