@@ -11,10 +11,14 @@ The topics of the bus, where NAME is the name of a stage:
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+    exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
+    say               {sentence, urgent}: news for the page's live region
 """
 
 from __future__ import annotations
 
+import re
+from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -22,16 +26,40 @@ from typing import Any
 import streamlit as st
 
 _HERE = Path(__file__).parent
+_BASE = ("bus.js", "hosts.js")
 
 
-def script(*paths: Path | str) -> str:
-    """Return one script: bus.js, hosts.js, then the given files (names are of this folder) in this order."""
-    return "\n".join((_HERE / path).read_text(encoding="utf-8") for path in ("bus.js", "hosts.js", *paths))
+def script(*paths: Path | str, base: tuple[str, ...] = _BASE) -> str:
+    """Return one script: its base, then the given files (names are of this folder) in this order, without comments.
+
+    Comments stay here, since a script travels with every message of its component.
+
+    Parameters
+    ----------
+    paths : the component's own files
+    base : what the component needs of bus.js and hosts.js
+    """
+    whole = "\n".join((_HERE / path).read_text(encoding="utf-8") for path in (*base, *paths))
+    bare = re.sub(r"^\s*/\*\*.*?\*/$", "", whole, flags=re.DOTALL | re.MULTILINE)
+    lines = (line.strip() for line in bare.splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def style() -> str:
-    """Return page.css."""
-    return (_HERE / "page.css").read_text(encoding="utf-8")
+    """Return page.css without comments."""
+    whole = (_HERE / "page.css").read_text(encoding="utf-8")
+    return re.sub(r"/\*.*?\*/|\n\s*", "", whole, flags=re.DOTALL)
+
+
+def feed(key: str, topics: Mapping[str, Any]) -> Any:
+    """Bring values to the bus of the page; only they travel at a change.
+
+    Parameters
+    ----------
+    key : of the element
+    topics : topic → value; what has not changed since the last run is not published again
+    """
+    return _component("feed", "feed.js", base=("bus.js",))(key=key, data=dict(topics))
 
 
 def ring(stage: str) -> Any:
@@ -64,17 +92,81 @@ def give_back(*keys: str) -> None:
     _component("keys", "keys.js")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
+def voice() -> Any:
+    """Put the live region on the page, the only one: it says what the topic `say` brings."""
+    return _component("voice", "voice.js")(key="voice")
+
+
+def follow_theme(theme: str) -> Any:
+    """Run the page again when the visitor switches the theme, so that figures follow.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    """
+    return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
+
+
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
     return _component("link", "link.js")(key="link")
 
 
+def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
+    """Put the head of a slider on the page, with a box that shows its value in full and takes any text.
+
+    Parameters
+    ----------
+    key : of the element
+    data : key of the slider; symbol, unit and meaning; label of the box; scale to SI units; longest text; stages whose
+        slab moves the value. What changes comes by the topic exact/KEY: value, its full text, and judged, the number of
+        texts that have been answered so far
+    on_typed : called with what was typed
+    """
+
+    def typed() -> None:
+        if (text := st.session_state[key].typed) is not None:
+            on_typed(text)
+
+    return _component("exact", "exact.js")(key=key, data=dict(data), on_typed_change=typed)
+
+
+def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
+    """Hear of every click on a point of a figure, also of a second one on the same point.
+
+    Parameters
+    ----------
+    figure : key of the figure
+    on_picked : called with the point's x and y, in the units of the axes
+    """
+    key = f"{figure}_pick"
+
+    def picked() -> None:
+        if (point := st.session_state[key].picked) is not None:
+            on_picked(point)
+
+    return _component("pick", "pick.js")(key=key, data={"figure": figure}, on_picked_change=picked)
+
+
+def receipt(key: str, number: int) -> Any:
+    """Let the page tell the highest number that has reached it: it stands in the state of this key as `received`.
+
+    Parameters
+    ----------
+    key : of the element
+    number : what the page is to receive
+    """
+    return _component("receipt", "receipt.js", base=())(
+        key=key, data={"number": number}, on_received_change=lambda: None
+    )
+
+
 @cache
-def _component(name: str, *scripts: str) -> Any:
+def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE) -> Any:
     """Return a component of this folder; its HTML and CSS are the files of its name, if there are any."""
     look = {
         kind: (_HERE / f"{name}.{kind}").read_text(encoding="utf-8")
         for kind in ("html", "css")
         if (_HERE / f"{name}.{kind}").exists()
     }
-    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts), **look)
+    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **look)

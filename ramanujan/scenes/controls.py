@@ -1,21 +1,23 @@
 """The sidebar: sliders, exact entries, presets, link; what a person has set, as an `Oscillator`.
 
-Each quantity is one slider, bound to the URL; the slider is the only holder of its value. The box beside it shows that
-value in full and takes any number or fraction. What is no good, from wherever it comes, is answered with one sentence,
-and the last good value stays.
+Each quantity is one slider, bound to the URL; the slider is the only holder of its value. The box above it shows that
+value in full, and what is typed into it comes as one message: the box holds nothing itself. What cannot be used, from
+wherever it comes, is answered with one sentence, and the last good value stays.
 """
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, page
-from ramanujan.scenes import links
+from ramanujan.scenes import given, links
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,10 @@ class Control:
         """The range in words."""
         return f"from {self.least:g} to {self.most:g} {self.unit}".rstrip()
 
+    def written(self, value: float) -> str:
+        """Return a value with its unit, for a sentence."""
+        return f"{value:.7g} {self.unit}".rstrip()
+
     @property
     def in_links(self) -> links.Key:
         """What a link may say of it."""
@@ -57,45 +63,60 @@ CONTROLS = {
 }
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
+STAGES = ("oscillator", "motion", "stage_bodies")
+"""Names of the stages whose slab can be dragged: while it is held, the box of x₀ follows it."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 _LONGEST = 60
 _PRESET = "preset"
-_COMPLAINT = "complaint"
+_TYPED = "typed"
+"""Session state: key of a control → the text typed into its box, until the run that follows has judged it."""
+_NOTES = "notes"
+"""Session state: key of a control → what is to be said at its box, and whether it is a complaint."""
+_JUDGED = "judged"
+_TOO_HEAVY = "m was changed from {old} to {new}, because m′ can be at most {bound}."
+_TOO_LIGHT = "m was changed from {old} to {new}, because m′ must be at least {bound}."
+_OUT_OF_REACH = "The mass ratio is now {ratio:.3g}, the nearest that can be had."
 _SAID = "said"
 _RUN_AGAIN = "run_again"
 
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
-    nothing: tuple[list[str], str | None] = ([], None)
+    given.hold()
+    for key, text in st.session_state.pop(_TYPED, {}).items():
+        _take_exact(CONTROLS[key], text)
     # A page that runs itself again has not been answered yet: what was said stays.
     again = st.session_state.pop(_RUN_AGAIN, False)
-    said, said_in_sidebar = st.session_state.get(_SAID, nothing) if again else nothing
+    said, notes = st.session_state.get(_SAID, ([], {})) if again else ([], {})
+    notes = notes | st.session_state.pop(_NOTES, {})
     # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
     complaints = [*said, *links.complaints(control.in_links for control in CONTROLS.values()), *links.unknown(CONTROLS)]
     if complaints:
         st.warning(" ".join(complaints))
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
-        for key in ("m", "m_prime", "k", "compression"):
-            _slider(CONTROLS[key])
+        keys = ("m", "m_prime", "k", "compression")
+        values = {key: _slider(CONTROLS[key], notes.get(key)) for key in keys}
         with st.expander("More"):
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
-            _slider(CONTROLS["radius"])
+            values["radius"] = _slider(CONTROLS["radius"], notes.get("radius"))
+        judged = st.session_state.get(_JUDGED, 0)
+        boxes = {
+            f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
+        }
+        page.feed("exact_feed", boxes)
         page.link()
-        complaint = st.session_state.pop(_COMPLAINT, None) or said_in_sidebar
-        if complaint:
-            st.warning(complaint)
-    st.session_state[_SAID] = (complaints, complaint)
+        given.receipt()
+    st.session_state[_SAID] = (complaints, notes)
 
 
 def complain(sentences: list[str]) -> None:
     """Say on the page what of its link it cannot use."""
     if sentences:
         st.warning(" ".join(sentences))
-        complaints, complaint = st.session_state[_SAID]
-        st.session_state[_SAID] = ([*complaints, *sentences], complaint)
+        complaints, notes = st.session_state[_SAID]
+        st.session_state[_SAID] = ([*complaints, *sentences], notes)
 
 
 def run_again() -> None:
@@ -122,24 +143,52 @@ def limits(key: str) -> tuple[float, float]:
 
 def set_compression(metres: float) -> None:
     """Set x₀ [m] from the slab that was dragged."""
+    given.hold()
     control = CONTROLS["compression"]
     # Ten digits are finer than any pointer, and keep 7.9 cm from turning into 7.900000000000001 cm.
-    st.session_state["compression"] = _clamp(control, round(metres / control.scale, 10))
+    given.give("compression", _clamp(control, round(metres / control.scale, 10)))
 
 
-def take_ratio(ratio: float) -> None:
-    """Set m′ = εm; where m′ would leave its range, m gives way instead."""
+def enter(key: str, text: str) -> None:
+    """Take what was typed into the box of a control; the next run judges it."""
+    st.session_state[_TYPED] = {**st.session_state.get(_TYPED, {}), key: text}
+
+
+def take_ratio(ratio: float, digits: int = 17) -> None:
+    """Set m′ = εm; where m′ would leave its range, m gives way, and the page says so.
+
+    Parameters
+    ----------
+    ratio : ε = m′/m
+    digits : significant digits of m′ that are wanted, where round values matter more than the exact ratio
+    """
+    given.hold()
     rollers, others = CONTROLS["m_prime"], CONTROLS["m"]
     m = st.session_state.get("m", others.default)
-    m_prime = _clamp(rollers, ratio * m)
-    st.session_state["m_prime"] = m_prime
-    st.session_state["m"] = m if m_prime == ratio * m else _clamp(others, m_prime / ratio)
+    m_prime = _times(ratio, m, digits)
+    if rollers.least <= m_prime <= rollers.most:
+        given.give("m_prime", m_prime)
+        return
+    bound = _clamp(rollers, m_prime)
+    # The m nearest to the old one, on the slider's steps, with which the ratio can be had.
+    steps = round(bound / ratio / others.step, 6)
+    nearest = (math.floor if m_prime > bound else math.ceil)(steps) * others.step
+    new_m = _clamp(others, round(nearest, 10))
+    given.give("m", new_m)
+    given.give("m_prime", _clamp(rollers, _times(ratio, new_m, digits)))
+    sentences = [] if new_m == m else [_TOO_HEAVY if m_prime > bound else _TOO_LIGHT]
+    if not math.isclose(new_m, nearest):
+        sentences.append(_OUT_OF_REACH)
+    words = {"old": m, "new": new_m, "bound": bound}
+    written = {name: others.written(value) for name, value in words.items()}
+    _note("m", " ".join(sentences).format(**written, ratio=bound / new_m))
 
 
 def reset() -> None:
     """Put every quantity back to its default."""
+    given.hold()
     for control in CONTROLS.values():
-        st.session_state[control.key] = control.default
+        given.give(control.key, control.default)
 
 
 PRESETS: dict[str, Callable[[], None]] = {
@@ -158,10 +207,11 @@ def _take_preset() -> None:
     st.session_state[_PRESET] = None
 
 
-def _slider(control: Control) -> None:
+def _slider(control: Control, note: tuple[str, bool] | None) -> float:
+    """Draw a slider with its box, and return its value."""
     label = f"{control.symbol}, {control.meaning} [{control.unit}]"
-    heading = st.container(horizontal=True, vertical_alignment="center")
-    heading.markdown(f"**{control.symbol}** [{control.unit}]  \n:small[{control.meaning}]", width=118)
+    # The box stands above its slider but is made after it, so that it shows what the slider holds.
+    head = st.container()
     value = st.slider(
         label,
         control.least,
@@ -173,30 +223,45 @@ def _slider(control: Control) -> None:
         bind="query-params",
         label_visibility="collapsed",
     )
-    # The box stands above its slider but is made after it, so that it shows what the slider holds.
-    st.session_state[_exact(control)] = repr(value)
-    heading.text_input(
-        f"{label}, exactly",
-        key=_exact(control),
-        label_visibility="collapsed",
-        max_chars=_LONGEST,
-        on_change=_take_exact,
-        args=(control,),
-    )
-
-
-def _take_exact(control: Control) -> None:
-    """Take what was typed, or say in one sentence what would do."""
-    text = st.session_state[_exact(control)]
-    number = read_number(text)
-    if number is None:
-        st.session_state[_COMPLAINT] = (
-            f"{control.symbol} takes a number such as 1.25 or a fraction such as 9/8; it stays as it was."
+    with head:
+        page.exact(
+            f"{control.key}_exact",
+            {
+                "key": control.key,
+                "symbol": control.symbol,
+                "unit": control.unit,
+                "meaning": control.meaning,
+                "label": f"{label}, exactly",
+                "longest": _LONGEST,
+                "scale": control.scale,
+                "stages": STAGES if control.key == "compression" else (),
+            },
+            partial(enter, control.key),
         )
+        if note:
+            sentence, complaint = note
+            (st.warning if complaint else st.info)(sentence)
+    return value
+
+
+def _take_exact(control: Control, text: str) -> None:
+    """Take what was typed, or say what would do and that the old value stays."""
+    # The box shows its value again whether it has changed or not, so that it must hear of every text that was judged.
+    st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
+    number = read_number(text)
+    old = f"The old value, {control.written(st.session_state.get(control.key, control.default))}, was kept."
+    if number is None:
+        _note(control.key, f"Type {control.symbol} as a number such as 1.25 or as a fraction such as 9/8. {old}", True)
     elif not control.least <= number <= control.most:
-        st.session_state[_COMPLAINT] = f"{control.symbol} goes {control.range}; it stays as it was."
+        least, most = f"{control.least:g}", control.written(control.most)
+        _note(control.key, f"{control.symbol} must be between {least} and {most}. {old}", True)
     else:
-        st.session_state[control.key] = number
+        given.give(control.key, number)
+
+
+def _note(key: str, sentence: str, complaint: bool = False) -> None:
+    """Say a sentence at the box of a control in the run that follows."""
+    st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, complaint)}
 
 
 def read_number(text: str) -> float | None:
@@ -231,8 +296,10 @@ def _value(key: str) -> float:
     return st.session_state.get(key, control.default) * control.scale
 
 
-def _exact(control: Control) -> str:
-    return f"{control.key}_exact"
+def _times(ratio: float, m: float, digits: int) -> float:
+    """Return εm to so many digits; a short ratio gives a product without the noise of binary fractions."""
+    short = ratio == float(f"{ratio:.6g}")
+    return float(f"{ratio * m:.{min(digits, 12) if short else digits}g}")
 
 
 def _clamp(control: Control, value: float) -> float:

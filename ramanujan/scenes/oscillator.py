@@ -11,15 +11,14 @@ from ramanujan.scenes import controls, look
 from ramanujan.scenes.cached import oscillator as cached
 
 
-def ratio_clicked() -> None:
-    """Take the mass ratio of the point that was clicked on the curve, exactly that of a mark if it lies under one."""
-    points = st.session_state["curve"].selection.points
-    if points:
-        ratio = points[0]["x"]
-        marks = (base.equal.ratio, base.unit.ratio)
-        controls.take_ratio(
-            next((mark for mark in marks if math.isclose(ratio, mark, rel_tol=0.02)), float(f"{ratio:.4g}"))
-        )
+def take_clicked(point: dict[str, float]) -> None:
+    """Take the mass ratio of the clicked point: exactly that of a mark if one lies there, else with round masses."""
+    marks = (base.equal.ratio, base.unit.ratio)
+    mark = next((mark for mark in marks if math.isclose(point["x"], mark, rel_tol=0.02)), None)
+    if mark is None:
+        controls.take_ratio(point["x"], digits=3)
+    else:
+        controls.take_ratio(mark)
 
 
 machine, base = controls.oscillator(), cached.curve()
@@ -38,13 +37,12 @@ page.ring("oscillator")
 st.plotly_chart(
     cached.figure(look.colors()),
     key="curve",
-    on_select=ratio_clicked,
-    selection_mode="points",
     theme=None,
     config={"displayModeBar": False},
     # What changes with the machine is said by the ring: so the figure is sent to a page only once.
     alt=f"Ω²m/k over the mass ratio ε: it falls from {base.light_label} to {base.heavy_label.replace('<br>', ' ')}.",
 )
+page.pick("curve", take_clicked)
 st.caption("Click on the curve to build the machine with that mass ratio.")
 
 st.subheader("In six steps", anchor=False)

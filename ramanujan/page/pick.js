@@ -1,0 +1,21 @@
+// A click on a point of a figure, as one message for each click: Streamlit reports a selection, and a second click on the
+// same point changes none.
+
+export default function ({ data, parentElement, setTriggerValue }) {
+  const { begun, end } = live(parentElement, (signal) => {
+    const told = {};
+    const tell = ({ points }) => points.length && told.send({ x: points[0].x, y: points[0].y });
+    const listen = (event) => {
+      const graph = hosts.graphOf(event.target);
+      if (!graph?.on || !event.target.closest(told.figure)) return;
+      // Plotly forgets its listeners when it draws a figure anew.
+      graph.removeListener("plotly_click", tell);
+      graph.on("plotly_click", tell);
+    };
+    document.addEventListener("pointerdown", listen, { capture: true, signal });
+    return told;
+  });
+  begun.figure = `.st-key-${CSS.escape(data.figure)}`;
+  begun.send = (point) => setTriggerValue("picked", point);
+  return end;
+}

@@ -1,0 +1,216 @@
+"""A class in the app at once: how long each student waits for an answer, and what it costs the server.
+
+    python -m tests.benchmarks.classroom [--sessions 100] [--page oscillator | … | spread | every] [--seconds 30]
+    python -m tests.benchmarks.classroom --visits 1000
+
+Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
+random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
+something on a busy machine; the load comes from this machine as well. With --visits, sessions are only opened and
+closed, and the growth of the server's memory is printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import os
+import random
+import resource
+import statistics
+import tempfile
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import perf_counter
+
+from tests.benchmarks.app import BARE
+from tests.benchmarks.visitor import Visitor, VisitError
+from tests.browser import ROOT, running
+
+PAGES = {"oscillator": "", "derivation": "derivation", "motion": "motion", "1729": "1729", "speed": "speed?periods=1"}
+EVERY = 2.0
+"""Seconds between two changes of one session, on average."""
+
+AT_ONCE = 20
+"""Sessions that are being opened at the same time."""
+
+
+@dataclass
+class Lesson:
+    """What a class saw: seconds of each answer, the server's processor time [s] and memory [bytes], bytes sent."""
+
+    opened: list[float] = field(default_factory=list)
+    waits: list[float] = field(default_factory=list)
+    errors: Counter[str] = field(default_factory=Counter)
+    processor: float = 0.0
+    memory: float = 0.0
+    bytes: int = 0
+    messages: int = 0
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--sessions", type=int, default=100)
+    parser.add_argument("--page", default="oscillator", choices=[*PAGES, "spread", "every"])
+    parser.add_argument("--slider", default="m", help="the widget key of the slider that is moved (default: m)")
+    parser.add_argument("--seconds", type=float, default=30, help="how long the class works (default: 30)")
+    parser.add_argument("--seed", type=int, default=1729)
+    parser.add_argument("--visits", type=int, default=0, help="open and close so many sessions instead")
+    given = parser.parse_args()
+    _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
+    print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, {given.sessions} sessions, {given.seconds:g} s\n")
+    with tempfile.TemporaryDirectory() as folder:
+        bare = Path(folder) / "bare.py"
+        bare.write_text(BARE)
+        if given.visits:
+            visits(ROOT / "app.py", given)
+            return
+        print(HEAD)
+        lessons = {"bare page": lesson(bare, [""], given)}
+        report("bare page", lessons["bare page"])
+        for name in PAGES if given.page == "every" else [given.page]:
+            pages = list(PAGES.values()) if name == "spread" else [PAGES[name]]
+            lessons[name] = lesson(ROOT / "app.py", pages, given)
+            report(name, lessons[name], lessons["bare page"])
+
+
+def lesson(script: Path, pages: list[str], given: argparse.Namespace) -> Lesson:
+    """Let a class work on these pages, and return what it saw."""
+    server = running(script)
+    with server as address:
+        return asyncio.run(_lesson(address, [server.process.pid], pages, given))
+
+
+async def _lesson(address: str, processes: list[int], pages: list[str], given: argparse.Namespace) -> Lesson:
+    seen = Lesson()
+    # The first visitors pay for the warm-up.
+    for page in pages:
+        await _warm(address, page, given)
+    before = memory(processes)
+    visitors = [Visitor(address, pages[number % len(pages)]) for number in range(given.sessions)]
+    gate = asyncio.Semaphore(AT_ONCE)
+    opened = await asyncio.gather(*(_open(visitor, gate, seen) for visitor in visitors))
+    visitors = [visitor for visitor in opened if visitor]
+    seen.memory = (memory(processes) - before) / max(len(visitors), 1)
+    received = [(visitor.received, visitor.messages) for visitor in visitors]
+    start = processor_time(processes)
+    end = perf_counter() + given.seconds
+    await asyncio.gather(*(_work(visitor, end, number, seen, given) for number, visitor in enumerate(visitors)))
+    seen.processor = processor_time(processes) - start
+    seen.bytes = sum(visitor.received - bytes_ for visitor, (bytes_, _) in zip(visitors, received, strict=True))
+    seen.messages = sum(visitor.messages - count for visitor, (_, count) in zip(visitors, received, strict=True))
+    await asyncio.gather(*(visitor.close() for visitor in visitors))
+    return seen
+
+
+async def _warm(address: str, page: str, given: argparse.Namespace) -> None:
+    visitor = Visitor(address, page)
+    await visitor.open()
+    await visitor.move(given.slider, random.Random(given.seed))
+    await visitor.close()
+
+
+async def _open(visitor: Visitor, gate: asyncio.Semaphore, seen: Lesson) -> Visitor | None:
+    async with gate:
+        try:
+            seen.opened.append(await visitor.open())
+        except (VisitError, OSError) as problem:
+            seen.errors[f"opening: {problem}"] += 1
+            return None
+        return visitor
+
+
+async def _work(visitor: Visitor, end: float, number: int, seen: Lesson, given: argparse.Namespace) -> None:
+    """Move the slider now and then until the end."""
+    chance = random.Random(given.seed * 100_003 + number)
+    due = perf_counter() + chance.uniform(0, EVERY)
+    while due < end:
+        await asyncio.sleep(max(0.0, due - perf_counter()))
+        due = perf_counter() + chance.uniform(0.75, 1.25) * EVERY
+        try:
+            seen.waits.append(await visitor.move(given.slider, chance))
+        except (VisitError, OSError) as problem:
+            seen.errors[str(problem)] += 1
+            return
+
+
+HEAD = (
+    f"{'':<14}{'p50':>9}{'p95':>9}{'p99':>9}{'longest':>9}{'answers':>9}{'errors':>8}{'CPU a run':>11}{'bytes':>9}"
+    f"{'messages':>10}{'a session':>12}{'opening p95':>13}"
+)
+
+
+def report(name: str, seen: Lesson, bare: Lesson | None = None) -> None:
+    """Print one line on a lesson, and how it compares with the bare page."""
+    runs = max(len(seen.waits), 1)
+    p50, p95, p99 = quantiles(seen.waits)
+    columns = [f"{1000 * value:>6.0f} ms" for value in (p50, p95, p99, max(seen.waits, default=float("nan")))]
+    columns += [f"{len(seen.waits):>9}", f"{sum(seen.errors.values()):>8}"]
+    columns += [f"{1000 * seen.processor / runs:>8.1f} ms", f"{seen.bytes / runs:>9.0f}", f"{seen.messages / runs:>10.0f}"]
+    columns += [f"{seen.memory / 2**20:>8.2f} MiB", f"{1000 * quantiles(seen.opened)[1]:>10.0f} ms"]
+    print(f"{name:<14}{''.join(columns)}", flush=True)
+    if bare:
+        ratio = (seen.processor / runs) / (bare.processor / max(len(bare.waits), 1))
+        print(f"{'':<14}{ratio:.2f} × the bare page’s processor time a run")
+    for error, count in seen.errors.most_common(5):
+        print(f"{'':<14}{count} × {error}")
+
+
+def quantiles(values: list[float]) -> tuple[float, float, float]:
+    """Return the median, the 95th and the 99th percentile."""
+    if len(values) < 2:
+        return (float("nan"),) * 3
+    cuts = statistics.quantiles(values, n=100, method="inclusive")
+    return cuts[49], cuts[94], cuts[98]
+
+
+def visits(script: Path, given: argparse.Namespace) -> None:
+    """Open and close sessions, each with one change, and print the server's memory as their number grows."""
+    server = running(script)
+    with server as address:
+        asyncio.run(_visits(address, [server.process.pid], given))
+
+
+async def _visits(address: str, processes: list[int], given: argparse.Namespace) -> None:
+    pages = [PAGES[given.page]] if given.page in PAGES else list(PAGES.values())
+    chance = random.Random(given.seed)
+    gate = asyncio.Semaphore(AT_ONCE)
+    seen = Lesson()
+
+    async def visit(number: int) -> None:
+        async with gate:
+            visitor = Visitor(address, pages[number % len(pages)])
+            try:
+                await visitor.open()
+                await visitor.move(given.slider, chance)
+                await visitor.close()
+            except (VisitError, OSError) as problem:
+                seen.errors[str(problem)] += 1
+
+    print(f"{'visits':>8}{'memory':>12}{'errors':>8}")
+    done, tenth = 0, max(given.visits // 10, 1)
+    # The caches fill with the first visits, as they are meant to.
+    for count in [given.sessions, *[tenth] * 10]:
+        await asyncio.gather(*(visit(done + number) for number in range(count)))
+        done += count
+        await asyncio.sleep(2)
+        print(f"{done:>8}{memory(processes) / 2**20:>8.1f} MiB{sum(seen.errors.values()):>8}", flush=True)
+
+
+def processor_time(processes: Iterable[int]) -> float:
+    """Return the seconds of processor time that these processes have used."""
+    ticks = os.sysconf("SC_CLK_TCK")
+    fields = (Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split() for process in processes)
+    return sum((int(stat[11]) + int(stat[12])) / ticks for stat in fields)
+
+
+def memory(processes: Iterable[int]) -> float:
+    """Return the bytes of memory that these processes hold."""
+    pages = (int(Path(f"/proc/{process}/statm").read_text().split()[1]) for process in processes)
+    return sum(pages) * os.sysconf("SC_PAGE_SIZE")
+
+
+if __name__ == "__main__":
+    main()

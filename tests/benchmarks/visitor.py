@@ -1,0 +1,223 @@
+"""A visitor without a browser: speaks Streamlit's websocket protocol as its page does, the cached messages included.
+
+A message that is large and stays the same is sent once; the page keeps it, lists the hashes of all that it keeps with
+every question, and the server answers with a hash where it can. The page forgets a message that it has not seen for
+`max_cached_message_age` finished runs.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import random
+from dataclasses import dataclass, field
+from time import perf_counter
+from urllib.parse import parse_qsl, urlencode, urlsplit
+
+import websockets
+from streamlit.proto.BackMsg_pb2 import BackMsg
+from streamlit.proto.Element_pb2 import Element
+from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
+from streamlit.proto.NumberInput_pb2 import NumberInput
+from streamlit.proto.Slider_pb2 import Slider
+from streamlit.proto.WidgetStates_pb2 import WidgetState
+
+PATIENCE = 60.0
+"""Seconds after which an answer is given up."""
+
+_LARGEST_MESSAGE = 2**24
+
+
+class VisitError(Exception):
+    """What went wrong with a visit: the connection, the protocol, or an error on the page."""
+
+
+@dataclass
+class Visitor:
+    """One open page.
+
+    address : of the server, such as http://127.0.0.1:8501
+    page : the page's name in the URL, with a query if there is one: "motion?figure=Energy"
+    received, sent, messages : bytes and messages so far
+    runs : how many runs the page has seen to their end
+    cache : hash of a message that the page keeps → the count of runs when it was last seen
+    """
+
+    address: str
+    page: str = ""
+    received: int = 0
+    sent: int = 0
+    messages: int = 0
+    runs: int = 0
+    widgets: dict[str, WidgetState] = field(default_factory=dict)
+    sliders: dict[str, Slider] = field(default_factory=dict)
+    cache: dict[str, int] = field(default_factory=dict)
+
+    async def open(self) -> float:
+        """Open the page and return the seconds until its first run has ended."""
+        path, _, query = self.page.partition("?")
+        self.path, self.query = path, dict(parse_qsl(query))
+        self.script_hash, self.max_age, self.new_session = "", 2, False
+        start = perf_counter()
+        cookie = await _cookie(self.address)
+        host = urlsplit(self.address).netloc
+        self.socket = await websockets.connect(
+            f"ws://{host}/_stcore/stream",
+            subprotocols=["streamlit"],
+            additional_headers={"Cookie": cookie} if cookie else {},
+            compression=None,
+            max_size=_LARGEST_MESSAGE,
+            open_timeout=PATIENCE,
+            ping_interval=None,
+        )
+        await self._ask()
+        await self._finished()
+        return perf_counter() - start
+
+    async def close(self) -> None:
+        """Leave the page."""
+        await self.socket.close()
+
+    async def move(self, key: str, chance: random.Random) -> float:
+        """Release the slider of that widget key at a random value on its steps; return the seconds to the answer."""
+        identifier, slider = next(
+            ((name, slider) for name, slider in self.sliders.items() if name.endswith(f"-{key}")), (None, None)
+        )
+        if slider is None:
+            raise VisitError(f"the page has no slider {key}")
+        steps = round((slider.max - slider.min) / slider.step)
+        value = round(slider.min + chance.randint(0, steps) * slider.step, 10)
+        self.widgets[identifier].double_array_value.data[:] = [value]
+        # A slider that is bound to the URL writes there what it is set to, unless that is its default.
+        self.query[key] = f"{value:g}"
+        if value == slider.default[0]:
+            del self.query[key]
+        start = perf_counter()
+        await self._ask()
+        await self._finished()
+        return perf_counter() - start
+
+    async def _ask(self) -> None:
+        question = BackMsg()
+        state = question.rerun_script
+        state.query_string = urlencode(self.query)
+        state.page_script_hash = self.script_hash
+        state.page_name = "" if self.script_hash else self.path
+        state.widget_states.widgets.extend(self.widgets.values())
+        state.cached_message_hashes.extend(self.cache)
+        state.context_info.url = f"{self.address}/{self.path}"
+        state.context_info.timezone, state.context_info.locale = "UTC", "en-US"
+        state.context_info.color_scheme = "light"
+        self.new_session = False
+        data = question.SerializeToString()
+        self.sent += len(data)
+        await self.socket.send(data)
+
+    async def _finished(self) -> None:
+        """Take in messages until a run has ended that was begun after the question."""
+        try:
+            async with asyncio.timeout(PATIENCE):
+                while not self._take(await self.socket.recv()):
+                    pass
+        except TimeoutError:
+            raise VisitError("no answer") from None
+        except websockets.ConnectionClosed as closed:
+            raise VisitError(f"the connection was closed: {closed}") from None
+
+    def _take(self, data: bytes) -> bool:
+        """Take in one message; return whether it ends a run."""
+        self.received += len(data)
+        self.messages += 1
+        message = ForwardMsg.FromString(data)
+        kind = message.WhichOneof("type")
+        if kind == "ref_hash":
+            if message.ref_hash not in self.cache:
+                raise VisitError("a message that the page no longer keeps")
+            self.cache[message.ref_hash] = self.runs
+        elif message.metadata.cacheable:
+            self.cache[message.hash] = self.runs
+        if kind == "delta" and message.delta.WhichOneof("type") == "new_element":
+            self._take_element(message.delta.new_element)
+        elif kind == "new_session":
+            self.new_session = True
+            self.script_hash = message.new_session.page_script_hash
+            self.max_age = message.new_session.config.max_cached_message_age
+        elif kind == "script_finished":
+            return self._end_of_run(message.script_finished)
+        return False
+
+    def _end_of_run(self, status: int) -> bool:
+        if status == ForwardMsg.FINISHED_WITH_COMPILE_ERROR:
+            raise VisitError("the script does not compile")
+        if status == ForwardMsg.FINISHED_EARLY_FOR_RERUN or not self.new_session:
+            return False
+        self.runs += 1
+        self.cache = {name: seen for name, seen in self.cache.items() if self.runs - seen <= self.max_age}
+        return True
+
+    def _take_element(self, element: Element) -> None:
+        kind = element.WhichOneof("type")
+        if kind == "exception":
+            raise VisitError(f"{element.exception.type}: {element.exception.message}")
+        widget = getattr(element, kind)
+        if kind == "slider" and widget.type != Slider.SELECT_SLIDER:
+            self.sliders[widget.id] = widget
+        if kind in _STATES and (widget.id not in self.widgets or getattr(widget, "set_value", False)):
+            state = WidgetState(id=widget.id)
+            _STATES[kind](widget, state)
+            self.widgets[widget.id] = state
+
+
+def _slider(widget: Slider, state: WidgetState) -> None:
+    values = widget.value if widget.set_value else widget.default
+    if widget.type == Slider.SELECT_SLIDER:
+        state.string_array_value.data.extend(widget.options[int(value)] for value in values)
+    else:
+        state.double_array_value.data.extend(values)
+
+
+def _number(widget: NumberInput, state: WidgetState) -> None:
+    value = widget.value if widget.set_value else widget.default
+    if widget.data_type == NumberInput.INT:
+        state.int_value = int(value)
+    else:
+        state.double_value = value
+
+
+def _group(widget: object, state: WidgetState) -> None:
+    state.string_array_value.SetInParent()
+    state.string_array_value.data.extend(widget.options[index].content for index in widget.default)
+
+
+def _text(widget: object, state: WidgetState) -> None:
+    state.string_value = widget.value if widget.set_value else widget.default
+
+
+def _choice(widget: object, state: WidgetState) -> None:
+    state.string_value = widget.options[widget.default]
+
+
+def _checkbox(widget: object, state: WidgetState) -> None:
+    state.bool_value = widget.value if widget.set_value else widget.default
+
+
+_STATES = {
+    "slider": _slider,
+    "number_input": _number,
+    "button_group": _group,
+    "text_input": _text,
+    "selectbox": _choice,
+    "checkbox": _checkbox,
+}
+"""Element → how a page tells the server what the widget holds."""
+
+
+async def _cookie(address: str) -> str:
+    """Ask for the page itself, as a browser does first, and return the cookies that come with it."""
+    parts = urlsplit(address)
+    reader, writer = await asyncio.open_connection(parts.hostname, parts.port)
+    writer.write(f"GET / HTTP/1.1\r\nHost: {parts.netloc}\r\nConnection: close\r\n\r\n".encode())
+    head = (await reader.readuntil(b"\r\n\r\n")).decode("latin-1")
+    writer.close()
+    lines = (line.partition(":") for line in head.split("\r\n"))
+    given = (value.strip() for name, _, value in lines if name.lower() == "set-cookie")
+    return "; ".join(cookie.partition(";")[0] for cookie in given)

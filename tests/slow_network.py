@@ -1,0 +1,133 @@
+"""A slow or broken network between the browser and the app: a small proxy on the loopback address.
+
+    with delayed(server, 0.1) as address:
+        page.goto(address)
+
+Only websockets are delayed: a page's scripts would otherwise take a minute to load, and they decide nothing.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import threading
+from collections.abc import Iterator
+from urllib.parse import urlsplit
+
+_HEAD = 65536
+"""Bytes that the head of a request may take."""
+
+
+class Network:
+    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`."""
+
+    def __init__(self, server: str, seconds: float) -> None:
+        parts = urlsplit(server)
+        self.target, self.seconds = (parts.hostname, parts.port), seconds
+        self.address = ""
+        self._up = True
+        self._connections: set[asyncio.Task] = set()
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
+
+    def start(self) -> None:
+        """Begin to listen on a free port, at `address`."""
+        self._thread.start()
+        self._listener = self._call(asyncio.start_server(self._serve, "127.0.0.1", 0, limit=_HEAD))
+        host, port = self._listener.sockets[0].getsockname()
+        self.address = f"http://{host}:{port}"
+
+    def stop(self) -> None:
+        """Close every connection and stop listening."""
+        self._call(self._close())
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join()
+        self._loop.close()
+
+    def down(self) -> None:
+        """Break every connection, and accept none until `up`."""
+        self._call(self._break())
+
+    def up(self) -> None:
+        """Accept connections again."""
+        self._up = True
+
+    def _call(self, coroutine):
+        return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(timeout=30)
+
+    async def _break(self) -> None:
+        self._up = False
+        for task in self._connections:
+            task.cancel()
+        await asyncio.gather(*self._connections, return_exceptions=True)
+
+    async def _close(self) -> None:
+        self._listener.close()
+        await self._break()
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        task = asyncio.current_task()
+        self._connections.add(task)
+        task.add_done_callback(self._connections.discard)
+        there = None
+        # A connection may end at any moment, from either side: that is no error here.
+        with contextlib.suppress(OSError, asyncio.IncompleteReadError, asyncio.CancelledError):
+            if self._up:
+                head = await reader.readuntil(b"\r\n\r\n")
+                delay = b"\r\nupgrade: websocket" in head.lower()
+                back, there = await asyncio.open_connection(*self.target)
+                there.write(head)
+                await self._relay_both((reader, there), (back, writer), delay=delay)
+        for end in filter(None, (writer, there)):
+            end.close()
+
+    async def _relay_both(self, *ways: tuple[asyncio.StreamReader, asyncio.StreamWriter], delay: bool) -> None:
+        """Relay both ways until one of them ends."""
+        tasks = [asyncio.create_task(self._relay(*way, delay)) for way in ways]
+        try:
+            await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+
+    async def _relay(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, delay: bool) -> None:
+        """Hand on what comes, in order, each piece as late as the network is slow."""
+        pieces: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue()
+
+        async def hand_on() -> None:
+            while True:
+                due, data = await pieces.get()
+                await asyncio.sleep(max(0.0, due - self._loop.time()))
+                if not data:
+                    return
+                writer.write(data)
+                await writer.drain()
+
+        sender = asyncio.create_task(hand_on())
+        try:
+            data = b" "
+            while data:
+                data = await reader.read(65536)
+                pieces.put_nowait((self._loop.time() + (self.seconds if delay else 0.0), data))
+            await sender
+        finally:
+            sender.cancel()
+
+
+@contextlib.contextmanager
+def network(server: str, seconds: float = 0.0) -> Iterator[Network]:
+    """Yield a network before the server for as long as the block lasts, with `seconds` of delay each way."""
+    way = Network(server, seconds)
+    way.start()
+    try:
+        yield way
+    finally:
+        way.stop()
+
+
+@contextlib.contextmanager
+def delayed(server: str, seconds: float) -> Iterator[str]:
+    """Yield an address at which the server is reached, each message late by `seconds` each way."""
+    with network(server, seconds) as way:
+        yield way.address
