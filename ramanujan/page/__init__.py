@@ -15,7 +15,7 @@ The topics of the bus, where NAME is the name of a stage:
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -114,6 +114,25 @@ def receipt(key: str, number: int) -> Any:
     number : what the page is to receive
     """
     return _component("receipt", "receipt.js")(key=key, data={"number": number}, on_received_change=lambda: None)
+
+
+def steps(route: str, step: int, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
+    """Turn the steps of a lecture on the page: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+
+    Parameters
+    ----------
+    route : name of what is lectured; another one begins at its own step
+    step : where to begin, counted from 1
+    headings : of the steps in their order, for screen readers
+    on_turned : called with the route and the step, some time after the last turn
+    """
+
+    def turned() -> None:
+        at = st.session_state["steps"].at
+        on_turned(at["route"], at["step"])
+
+    data = {"route": route, "step": step, "headings": list(headings), "place": "Step {now} of {count}:"}
+    return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
 
 
 @cache

@@ -30,4 +30,19 @@ const hosts = {
 
   /** Whether a node is the rectangle over a panel. */
   isPanel: (node) => node.matches?.(".nsewdrag") ?? false,
+
+  /** What needs the arrow and page keys for itself when it has the focus, and what needs the space bar. */
+  TAKES_KEYS: "input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *, .stage",
+  TAKES_SPACE: "input, textarea, select, button, summary, a[href], [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=button], [role=option], .stage",
+
+  /** The box in which a lecture's steps are drawn. */
+  lecture: () => document.querySelector(".st-key-lecture"),
+
+  /** Whether a good part of a node is on the screen. */
+  inView(node) {
+    const box = node?.getBoundingClientRect();
+    if (!box?.height) return false;
+    const seen = Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
+    return seen > 0.3 * Math.min(box.height, innerHeight);
+  },
 };

@@ -74,26 +74,37 @@ def choose_route() -> None:
 
 def start_over() -> None:
     """Begin the route that was chosen at its first step."""
-    st.session_state["step"] = 1
+    st.query_params.pop("step", None)
 
 
-def turn(pages: int) -> None:
-    """Go on, or back, by so many steps."""
-    st.session_state["step"] += pages
+def turned(route: str, step: int) -> None:
+    """Keep in the address where the page has turned to; a message about another route comes too late."""
+    if route == st.session_state["route"]:
+        st.query_params["step"] = str(step)
+
+
+@st.fragment
+def turn_pages(route: str, headings: list[str]) -> None:
+    """Draw what turns the pages; a turn reruns nothing else."""
+    page.steps(route, place_in_link(len(headings)), headings, turned)
+
+
+def place_in_link(count: int) -> int:
+    """Return the step that the address names, or the first."""
+    step = st.query_params.get("step", "1")
+    return int(step) if links.count("step", count).fits(step) else 1
 
 
 def lecture(count: int) -> None:
-    """Draw one step, and what turns the pages."""
-    with st.container(horizontal=True, vertical_alignment="center", key="pages"):
-        # The link's step is known once the slider is made, so that the button before it comes later.
-        before = st.container(width="content")
-        now = st.select_slider(
-            "Step", range(1, count + 1), key="step", bind="query-params", label_visibility="collapsed"
-        )
-        before.button("Back", on_click=turn, args=(-1,), shortcut="Left", disabled=now == 1, key="back")
-        st.button("Next", on_click=turn, args=(1,), shortcut="Right", disabled=now == count, key="next", type="primary")
+    """Draw all steps, of which the page shows one, and what turns them."""
+    turn_pages(name, [step.heading for step in cached.route(name).steps])
+    now = place_in_link(count)
+    # Until the page decides which step is seen, it is the one of the address.
+    st.html(f"<style>.st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now}){{display:none}}</style>")
     with st.container(border=True, key="lecture"):
-        draw(now)
+        for number in range(1, count + 1):
+            with st.container(key=f"step_{number}"):
+                draw(number)
 
 
 def draw(number: int) -> None:
