@@ -17,6 +17,6 @@ page = st.navigation(
     position="top",
 )
 cached.warm_up()
-look.tighten()
+look.dress()
 controls.sidebar()
 page.run()

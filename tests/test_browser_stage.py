@@ -302,7 +302,7 @@ def test_reduced_motion_starts_with_a_still(visit):
 
 def test_the_scene_is_described_in_words(visit):
     page = visit()
-    live = page.locator(".st-key-stage .live")
+    live = page.locator(".st-key-voice [role=status]")
     expect(live).not_to_be_empty()
     spoken = live.text_content()
     period = f"{Oscillator(1, 1, 10).period:.2f}"
@@ -381,7 +381,7 @@ def test_labels_of_the_curve_never_overlap(visit):
         page.wait_for_timeout(800)
         page.locator(".st-key-curve .annotation-text").first.wait_for()
         boxes = [label.bounding_box() for label in page.locator(".st-key-curve .annotation-text").all()]
-        assert len(boxes) == 4
+        assert len(boxes) == 5
         for i, a in enumerate(boxes):
             assert a["x"] >= 0
             assert a["x"] + a["width"] <= width
@@ -396,8 +396,8 @@ def test_labels_of_the_curve_never_overlap(visit):
 def test_copy_link_gives_the_address(visit):
     page = visit("?m=2")
     page.locator(".st-key-link button").click()
-    expect(page.locator(".st-key-link output")).not_to_be_empty()
-    said = page.locator(".st-key-link output").inner_text()
+    expect(page.locator(".st-key-link .told")).not_to_be_empty()
+    said = page.locator(".st-key-link .told").inner_text()
     assert said in ("Copied.", "Copy it from here:")
     if said != "Copied.":
         assert page.locator(".st-key-link input").input_value() == page.url

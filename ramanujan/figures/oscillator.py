@@ -31,7 +31,9 @@ def frequency_curve(
     unit: Mark,
     colors: Mapping[str, str],
 ) -> go.Figure:
-    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios; a ring over it follows the present machine.
+    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios, and the line “in step” at 1.
+
+    A ring that the page moves over the figure follows the present machine.
 
     Parameters
     ----------
@@ -72,6 +74,7 @@ def frequency_curve(
         unselected={"marker": {"opacity": 0}},
         name="any machine",
     )
+    figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")
     shown = (
         (equal, "equal masses", "circle", 11, colors["marker"]),
         (unit, "unit frequency", "star", 15, colors["accent"]),
@@ -92,6 +95,15 @@ def frequency_curve(
     beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
     light_label, heavy_label = limit_labels
     figure.add_annotation(beside, x=_log(ratios[0]), y=light_limit, text=light_label, yanchor="bottom", xshift=6)
+    figure.add_annotation(
+        beside,
+        x=_log(ratios[0]),
+        y=unit.value,
+        text="in step",
+        yanchor="bottom",
+        xshift=6,
+        font={"color": colors["primary"]},
+    )
     # Half-way down the asymptote there is nothing to its right.
     half = int(np.argmin(np.abs(heavy_limit - light_limit / 2)))
     figure.add_annotation(

@@ -11,10 +11,13 @@ The topics of the bus, where NAME is the name of a stage:
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+    exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
+    say               {sentence, urgent}: news for the page's live region
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
@@ -23,16 +26,40 @@ from typing import Any
 import streamlit as st
 
 _HERE = Path(__file__).parent
+_BASE = ("bus.js", "hosts.js")
 
 
-def script(*paths: Path | str) -> str:
-    """Return one script: bus.js, hosts.js, then the given files (names are of this folder) in this order."""
-    return "\n".join((_HERE / path).read_text(encoding="utf-8") for path in ("bus.js", "hosts.js", *paths))
+def script(*paths: Path | str, base: tuple[str, ...] = _BASE) -> str:
+    """Return one script: its base, then the given files (names are of this folder) in this order, without comments.
+
+    Comments stay here, since a script travels with every message of its component.
+
+    Parameters
+    ----------
+    paths : the component's own files
+    base : what the component needs of bus.js and hosts.js
+    """
+    whole = "\n".join((_HERE / path).read_text(encoding="utf-8") for path in (*base, *paths))
+    bare = re.sub(r"^\s*/\*\*.*?\*/$", "", whole, flags=re.DOTALL | re.MULTILINE)
+    lines = (line.strip() for line in bare.splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))
 
 
 def style() -> str:
-    """Return page.css."""
-    return (_HERE / "page.css").read_text(encoding="utf-8")
+    """Return page.css without comments."""
+    whole = (_HERE / "page.css").read_text(encoding="utf-8")
+    return re.sub(r"/\*.*?\*/|\n\s*", "", whole, flags=re.DOTALL)
+
+
+def feed(key: str, topics: Mapping[str, Any]) -> Any:
+    """Bring values to the bus of the page; only they travel at a change.
+
+    Parameters
+    ----------
+    key : of the element
+    topics : topic → value; what has not changed since the last run is not published again
+    """
+    return _component("feed", "feed.js", base=("bus.js",))(key=key, data=dict(topics))
 
 
 def ring(stage: str) -> Any:
@@ -65,6 +92,21 @@ def give_back(*keys: str) -> None:
     _component("keys", "keys.js")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
+def voice() -> Any:
+    """Put the live region on the page, the only one: it says what the topic `say` brings."""
+    return _component("voice", "voice.js")(key="voice")
+
+
+def follow_theme(theme: str) -> Any:
+    """Run the page again when the visitor switches the theme, so that figures follow.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    """
+    return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
+
+
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
     return _component("link", "link.js")(key="link")
@@ -76,8 +118,9 @@ def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) ->
     Parameters
     ----------
     key : of the element
-    data : key of the slider; symbol, unit and meaning; label of the box; value and its full text; scale to SI units;
-        longest text; stages whose slab moves the value; judged, the number of texts that have been answered so far
+    data : key of the slider; symbol, unit and meaning; label of the box; scale to SI units; longest text; stages whose
+        slab moves the value. What changes comes by the topic exact/KEY: value, its full text, and judged, the number of
+        texts that have been answered so far
     on_typed : called with what was typed
     """
 
@@ -113,16 +156,19 @@ def receipt(key: str, number: int) -> Any:
     key : of the element
     number : what the page is to receive
     """
-    return _component("receipt", "receipt.js")(key=key, data={"number": number}, on_received_change=lambda: None)
+    return _component("receipt", "receipt.js", base=())(
+        key=key, data={"number": number}, on_received_change=lambda: None
+    )
 
 
-def steps(route: str, step: int, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
+def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
     """Turn the steps of a lecture on the page: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+
+    The lecture begins at the step that the address names, any further route at its first.
 
     Parameters
     ----------
-    route : name of what is lectured; another one begins at its own step
-    step : where to begin, counted from 1
+    route : name of what is lectured
     headings : of the steps in their order, for screen readers
     on_turned : called with the route and the step, some time after the last turn
     """
@@ -131,16 +177,16 @@ def steps(route: str, step: int, headings: Sequence[str], on_turned: Callable[[s
         at = st.session_state["steps"].at
         on_turned(at["route"], at["step"])
 
-    data = {"route": route, "step": step, "headings": list(headings), "place": "Step {now} of {count}:"}
+    data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
     return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
 
 
 @cache
-def _component(name: str, *scripts: str) -> Any:
+def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE) -> Any:
     """Return a component of this folder; its HTML and CSS are the files of its name, if there are any."""
     look = {
         kind: (_HERE / f"{name}.{kind}").read_text(encoding="utf-8")
         for kind in ("html", "css")
         if (_HERE / f"{name}.{kind}").exists()
     }
-    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts), **look)
+    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **look)

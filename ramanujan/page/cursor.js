@@ -1,66 +1,106 @@
 // The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
-// is in __init__.py, the drawing in marks.js. The cursor is kept as a share of the time shown, so that it stays when the
-// machine changes. It follows the stage by the topic time/NAME, unless a hand takes it.
+// is in __init__.py, the drawing in marks.js. Cursor and stage are one clock: where the stage is, the cursor is (topic
+// time/NAME), and where a hand puts the cursor, the stage goes (topic seek/NAME). A hand moves it by the slider, by the
+// line itself, or by a click on a figure over time.
 
 const CURSOR = "time-cursor";
+const GRIP = 14; // px, the width in which a pointer gets hold of the line
+const STILL = 5; // px that a click may move
 
 export default function ({ data, parentElement }) {
-  const slider = parentElement.querySelector("input");
-  const output = parentElement.querySelector("output");
-  const stop = new AbortController();
-  let frame = 0;
-  let inHand = false;
-  let stageTime = null;
+  return live(parentElement, (signal) => new Cursor(parentElement, data.stage, signal)).end;
+}
 
-  // Moving over any figure takes the cursor along.
-  const follow = (event) => {
+class Cursor {
+  share = 0; // of the time shown; it stays when the machine changes
+  graphs = new Set();
+
+  constructor(root, stage, signal) {
+    this.stage = stage;
+    this.slider = root.querySelector("input");
+    this.output = root.querySelector("output");
+    const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
+    on(this.slider, "input", () => this.seek(Number(this.slider.value)));
+    on(document, "pointerdown", (event) => this.press(event));
+    on(document, "pointermove", (event) => this.drag(event));
+    on(document, "pointerup", (event) => this.letGo(event));
+    on(document, "pointercancel", () => (this.pressed = null));
+    hosts.watchGraphs((graph) => this.drawn(graph), signal);
+    bus.subscribe(`time/${stage}`, ({ time }) => this.goTo(time), { signal });
+    signal.addEventListener("abort", () => this.graphs.forEach((graph) => erase(graph, CURSOR)));
+  }
+
+  /** The time [s] that the figures show. */
+  get span() {
+    const { period, periods } = this.meta;
+    return period * periods;
+  }
+
+  drawn(graph) {
+    for (const old of this.graphs) if (!old.isConnected) this.graphs.delete(old);
+    const meta = graph.layout?.meta;
+    if (!meta?.cursor) return;
+    const changed = this.meta?.period !== meta.period;
+    this.graphs.add(graph);
+    this.meta = meta;
+    const time = bus.last(`time/${this.stage}`)?.time;
+    if (changed && time !== undefined) this.goTo(time);
+    else this.show(graph);
+  }
+
+  goTo(time) {
+    if (!this.meta) return;
+    this.share = Math.min(1, Math.max(0, time / this.span));
+    if (Math.abs(Number(this.slider.value) - this.share) > 5e-4) this.slider.value = this.share;
+    this.graphs.forEach((graph) => this.show(graph));
+  }
+
+  seek(share) {
+    if (!this.meta) return;
+    const time = Math.min(1, Math.max(0, share)) * this.span;
+    this.goTo(time);
+    bus.publish(`seek/${this.stage}`, { time, by: "cursor" });
+  }
+
+  show(graph) {
+    const panels = hosts.panels(graph).map((panel) => panel.getBoundingClientRect());
+    if (panels.length) mark(graph, graph.layout.meta, this.share, panels);
+    const { period, periods } = this.meta;
+    const text = `t = ${(this.share * period * periods).toFixed(2)} s, ${(this.share * periods).toFixed(2)} periods`;
+    if (this.output.textContent === text) return;
+    this.output.textContent = text;
+    this.slider.setAttribute("aria-valuetext", text);
+  }
+
+  // ---- the pointer on a figure over time
+
+  press(event) {
     const graph = hosts.graphOf(event.target);
-    inHand = graph?.layout?.meta?.cursor === "time" && hosts.isPanel(event.target);
-    if (!inHand) return;
-    const { period, periods } = graph.layout.meta;
-    const [from, to] = graph.layout.xaxis.range;
-    const { left, width } = event.target.getBoundingClientRect();
-    const time = Number(from) + ((event.clientX - left) / width) * (to - from);
-    slider.value = time / (period * periods);
-  };
-  document.addEventListener("pointermove", follow, { signal: stop.signal });
+    if (event.button !== 0 || !event.isPrimary || graph?.layout?.meta?.cursor !== "time") return;
+    const line = event.target.matches(`.${CURSOR}`);
+    if (!line && !hosts.isPanel(event.target)) return;
+    this.pressed = { graph, line, id: event.pointerId, x: event.clientX, y: event.clientY };
+    if (!line) return;
+    event.target.setPointerCapture(event.pointerId);
+    event.preventDefault();
+  }
 
-  /** Take over the stage's time, if that has moved and nobody holds the cursor. */
-  const goAlong = ({ period, periods }) => {
-    const time = bus.last(`time/${data.stage}`)?.time;
-    if (time === stageTime || inHand || parentElement.activeElement === slider) return;
-    stageTime = time;
-    const share = time / (period * periods);
-    slider.value = share - Math.floor(share);
-  };
+  drag(event) {
+    if (this.pressed?.line && event.pointerId === this.pressed.id) this.seek(this.shareAt(event));
+  }
 
-  const tick = () => {
-    const first = hosts.graphs()[0]?.layout?.meta;
-    if (first?.cursor) goAlong(first);
-    const share = Number(slider.value);
-    for (const graph of hosts.graphs()) {
-      const meta = graph.layout?.meta;
-      if (!meta?.cursor) continue;
-      const panels = hosts.panels(graph).map((panel) => panel.getBoundingClientRect());
-      if (panels.length) mark(graph, meta, share, panels);
-      say(meta, share);
-    }
-    frame = requestAnimationFrame(tick);
-  };
+  letGo(event) {
+    if (event.pointerId !== this.pressed?.id) return;
+    const { x, y, line } = this.pressed;
+    if (!line && Math.hypot(event.clientX - x, event.clientY - y) < STILL) this.seek(this.shareAt(event));
+    this.pressed = null;
+  }
 
-  const say = ({ period, periods }, share) => {
-    const text = `t = ${(share * period * periods).toFixed(2)} s, ${(share * periods).toFixed(2)} periods`;
-    if (output.textContent === text) return;
-    output.textContent = text;
-    slider.setAttribute("aria-valuetext", text);
-  };
-
-  frame = requestAnimationFrame(tick);
-  return () => {
-    cancelAnimationFrame(frame);
-    stop.abort();
-    for (const node of document.querySelectorAll(`.${CURSOR}`)) node.remove();
-  };
+  shareAt({ clientX }) {
+    const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number);
+    const { left, width } = hosts.panels(graph)[0].getBoundingClientRect();
+    return (from + ((clientX - left) / width) * (to - from)) / this.span;
+  }
 }
 
 function mark(graph, meta, share, panels) {
@@ -69,8 +109,15 @@ function mark(graph, meta, share, panels) {
   const { left, width } = panels[0];
   if (meta.cursor === "time") {
     const x = place(graph.layout.xaxis.range, share * meta.period * meta.periods);
-    const line = { background: "currentColor", width: "2px", height: `${bottom - top}px`, borderRadius: "0" };
-    draw(graph, CURSOR, 0, x, { ...line, left: `${left - home.left + x * width - 1}px`, top: `${top - home.top}px` });
+    const line = {
+      width: `${GRIP}px`,
+      height: `${bottom - top}px`,
+      background: "linear-gradient(currentColor, currentColor) center / 2px 100% no-repeat",
+      pointerEvents: "auto",
+      touchAction: "pan-y",
+      cursor: "ew-resize",
+    };
+    draw(graph, CURSOR, 0, x, { ...line, left: `${left - home.left + x * width - GRIP / 2}px`, top: `${top - home.top}px` });
     return;
   }
   graph.data.forEach((orbit, i) => {

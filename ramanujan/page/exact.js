@@ -12,6 +12,7 @@ function exactBox(root, signal) {
   const box = root.querySelector("input");
   const label = root.querySelector("label");
   let data, send, watched;
+  let told = {}; // what the server said last: value, text, judged
   let slab = null; // x₀ while the slab is held, and until the server has answered
   let inHand = false;
   box.id = "box";
@@ -21,8 +22,8 @@ function exactBox(root, signal) {
   const held = () => {
     if (slab !== null) return slab;
     const slider = hosts.slider(data.key);
-    const same = !slider || Math.abs(Number(slider.value) - data.value) <= 0.501 * Number(slider.step);
-    return same ? data.text : slider.value;
+    const same = !slider || Math.abs(Number(slider.value) - told.value) <= 0.501 * Number(slider.step);
+    return same ? told.text ?? "" : slider.value;
   };
   const edited = () => root.activeElement === box && box.value !== box.dataset.shown;
   const show = () => {
@@ -59,27 +60,33 @@ function exactBox(root, signal) {
     box.select();
   }, { signal });
 
-  const receive = (given, sender) => {
-    const first = !data;
-    const before = data?.text;
-    [data, send] = [given, sender];
+  const hear = (given) => {
+    const before = told.text;
+    told = given;
+    watch();
+    // A new value from the server is what the slab was let go at, or what has been set since.
+    if (!inHand && told.text !== before) slab = null;
+    show();
+  };
+  const begin = () => {
     box.maxLength = data.longest;
     box.setAttribute("aria-label", data.label);
     for (const [selector, text] of [[".symbol", data.symbol], [".unit", `[${data.unit}]`], ["small", data.meaning]])
       root.querySelector(selector).textContent = text;
+    bus.subscribe(`exact/${data.key}`, hear, { signal });
     // While the slab is held, the value moves on the page alone.
-    if (first)
-      for (const name of data.stages)
-        bus.subscribe(`compression/${name}`, (moved) => {
-          inHand = moved.held;
-          slab = String(Number((moved.value / data.scale).toPrecision(10)));
-          hosts.moveThumb(data.key, Number(slab));
-          show();
-        }, { signal });
-    watch();
-    // A new value from the server is what the slab was let go at, or what has been set since.
-    if (!inHand && given.text !== before) slab = null;
-    show();
+    for (const name of data.stages)
+      bus.subscribe(`compression/${name}`, (moved) => {
+        inHand = moved.held;
+        slab = String(Number((moved.value / data.scale).toPrecision(10)));
+        show();
+      }, { signal });
   };
-  return { receive };
+  return {
+    receive(given, sender) {
+      const first = !data;
+      [data, send] = [given, sender];
+      if (first) begin();
+    },
+  };
 }

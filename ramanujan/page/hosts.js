@@ -5,22 +5,60 @@ const hosts = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
-  /** Let the thumb of a slider and its label stand at a value before the server knows it; the slider itself is not told. */
-  moveThumb(key, value) {
-    const input = hosts.slider(key);
-    const thumb = input?.closest("[style*='left']");
-    if (!thumb) return;
-    const [least, most] = [Number(input.min), Number(input.max)];
-    thumb.style.left = `${(100 * (value - least)) / (most - least)}%`;
-    const shown = thumb.querySelector("[data-testid=stSliderThumbValue] p");
-    if (shown) shown.textContent = value.toFixed((input.step.split(".")[1] ?? "").length);
-  },
-
   /** Which of these keys belongs to the slider that contains a node. */
   sliderKey: (node, keys) => keys.find((key) => node.closest?.(`.st-key-${CSS.escape(key)}`)),
 
+  /**
+   * Move a slider's thumb on the page. React hears of it by the event, Streamlit draws the thumb, and sends nothing, since
+   * only the end of a drag or a key stroke makes it send.
+   */
+  moveSlider(input, value) {
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(input, value);
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+  },
+
+  /** Whether a component's theme is light or dark, by the lightness of the colour that Streamlit gives it for the page. */
+  theme(parentElement) {
+    const host = parentElement.host ?? parentElement;
+    const canvas = document.createElement("canvas").getContext("2d");
+    canvas.fillStyle = getComputedStyle(host).getPropertyValue("--st-background-color").trim();
+    const channels = canvas.fillStyle.match(/^#(..)(..)(..)$/)?.slice(1).map((channel) => parseInt(channel, 16));
+    return channels && (channels[0] + channels[1] + channels[2] > 384 ? "light" : "dark");
+  },
+
   /** Plotly's graphs on the page; each carries its own `data` and `layout`. */
   graphs: () => [...document.querySelectorAll(".js-plotly-plot")],
+
+  /**
+   * Call a listener with a graph after each of its drawings, and with every graph that comes, until the signal aborts.
+   * Streamlit loads figures when it likes and says nothing of it, so that the page itself must be observed.
+   */
+  watchGraphs(listener, signal) {
+    const known = new Map(); // graph → its own listener
+    const look = () => {
+      const present = new Set(hosts.graphs().filter((graph) => graph.on));
+      for (const [graph, drawn] of known)
+        if (!present.has(graph)) {
+          graph.removeListener?.("plotly_afterplot", drawn);
+          known.delete(graph);
+        }
+      for (const graph of present)
+        if (!known.has(graph)) {
+          const drawn = () => listener(graph);
+          known.set(graph, drawn);
+          graph.on("plotly_afterplot", drawn);
+          if (graph.layout) drawn();
+        }
+    };
+    const observer = new MutationObserver(look);
+    observer.observe(document.body, { childList: true, subtree: true });
+    signal.addEventListener("abort", () => {
+      observer.disconnect();
+      for (const [graph, drawn] of known) graph.removeListener?.("plotly_afterplot", drawn);
+      known.clear();
+    });
+    look();
+  },
 
   /** The graph that contains a node. */
   graphOf: (node) => node.closest?.(".js-plotly-plot"),

@@ -2,13 +2,17 @@
 // there the text itself is offered.
 
 export default ({ parentElement }) => {
-  const [button, output, input] = parentElement.querySelectorAll("button, output, input");
+  const [button, told, input] = parentElement.querySelectorAll("button, .told, input");
+  const tell = (sentence) => {
+    told.textContent = sentence;
+    bus.publish("say", { sentence, urgent: true });
+  };
   button.onclick = async () => {
     try {
       await navigator.clipboard.writeText(location.href);
-      output.textContent = "Copied.";
+      tell("Copied.");
     } catch {
-      output.textContent = "Copy it from here:";
+      tell("Copy it from here:");
       input.hidden = false;
       input.value = location.href;
       input.select();

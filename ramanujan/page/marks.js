@@ -10,3 +10,6 @@ function draw(graph, name, i, x, style) {
   node.style.display = x >= 0 && x <= 1 ? "" : "none";
   return node;
 }
+
+/** Take the marks of a name off a graph. */
+const erase = (graph, name) => graph.querySelectorAll(`.${name}`).forEach((node) => node.remove());

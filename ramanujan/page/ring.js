@@ -4,28 +4,23 @@
 const RING = "present-machine";
 const SIZE = 22;
 
-export default function ({ data }) {
-  let frame = 0;
-  let shown = null;
-
-  const tick = () => {
-    frame = requestAnimationFrame(tick);
-    const machine = bus.last(`present/${data.stage}`);
-    const graph = hosts.graphs().find((graph) => graph.layout?.meta?.ring);
-    const panel = graph && hosts.panels(graph)[0];
-    if (!machine || !panel) return;
-    const now = { machine, graph, width: graph.offsetWidth, height: graph.offsetHeight };
-    const same = shown && Object.keys(now).every((key) => now[key] === shown[key]);
-    if (same && graph.querySelector(`.${RING}`)) return;
-    mark(machine, graph, panel.getBoundingClientRect());
-    shown = now;
-  };
-
-  frame = requestAnimationFrame(tick);
-  return () => {
-    cancelAnimationFrame(frame);
-    for (const node of document.querySelectorAll(`.${RING}`)) node.remove();
-  };
+export default function ({ data, parentElement }) {
+  return live(parentElement, (signal) => {
+    let graph = null;
+    const show = () => {
+      const machine = bus.last(`present/${data.stage}`);
+      const panel = graph && hosts.panels(graph)[0];
+      if (machine && panel) mark(machine, graph, panel.getBoundingClientRect());
+    };
+    const drawn = (each) => {
+      if (!each.layout?.meta?.ring) return;
+      graph = each;
+      show();
+    };
+    bus.subscribe(`present/${data.stage}`, show, { signal });
+    hosts.watchGraphs(drawn, signal);
+    signal.addEventListener("abort", () => graph && erase(graph, RING));
+  }).end;
 }
 
 function mark({ ratio, normalized }, graph, panel) {

@@ -58,15 +58,19 @@ function lecture(root, signal) {
   });
 
   const receive = (given, sender) => {
-    // Another route, or the view opened anew: the server says where to begin. Else the page knows better.
-    const fresh = given.route !== data?.route;
+    const another = data && given.route !== data.route;
+    const first = !data;
     [data, send] = [given, sender];
     slider.max = data.headings.length;
-    if (fresh) {
-      clearTimeout(timer);
-      now = data.step;
-    }
+    if (another) clearTimeout(timer);
+    if (first || another) now = another ? 1 : named(data.headings.length);
     show(false);
   };
   return { receive };
+}
+
+/** The step that the address names, if there is such a step, else the first. */
+function named(count) {
+  const text = new URLSearchParams(location.search).get("step") ?? "";
+  return /^\d+$/.test(text) && Number(text) >= 1 && Number(text) <= count ? Number(text) : 1;
 }

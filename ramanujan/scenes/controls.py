@@ -96,11 +96,16 @@ def sidebar() -> None:
         st.warning(" ".join(complaints))
     with st.sidebar:
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
-        for key in ("m", "m_prime", "k", "compression"):
-            _slider(CONTROLS[key], notes.get(key))
+        keys = ("m", "m_prime", "k", "compression")
+        values = {key: _slider(CONTROLS[key], notes.get(key)) for key in keys}
         with st.expander("More"):
             st.caption("The radius sets the size of the machine. Watch: it changes no frequency.")
-            _slider(CONTROLS["radius"], notes.get("radius"))
+            values["radius"] = _slider(CONTROLS["radius"], notes.get("radius"))
+        judged = st.session_state.get(_JUDGED, 0)
+        boxes = {
+            f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
+        }
+        page.feed("exact_feed", boxes)
         page.link()
         given.receipt()
     st.session_state[_SAID] = (complaints, notes)
@@ -202,7 +207,8 @@ def _take_preset() -> None:
     st.session_state[_PRESET] = None
 
 
-def _slider(control: Control, note: tuple[str, bool] | None) -> None:
+def _slider(control: Control, note: tuple[str, bool] | None) -> float:
+    """Draw a slider with its box, and return its value."""
     label = f"{control.symbol}, {control.meaning} [{control.unit}]"
     # The box stands above its slider but is made after it, so that it shows what the slider holds.
     head = st.container()
@@ -227,17 +233,15 @@ def _slider(control: Control, note: tuple[str, bool] | None) -> None:
                 "meaning": control.meaning,
                 "label": f"{label}, exactly",
                 "longest": _LONGEST,
-                "value": value,
-                "text": repr(value),
                 "scale": control.scale,
                 "stages": STAGES if control.key == "compression" else (),
-                "judged": st.session_state.get(_JUDGED, 0),
             },
             partial(enter, control.key),
         )
         if note:
             sentence, complaint = note
             (st.warning if complaint else st.info)(sentence)
+    return value
 
 
 def _take_exact(control: Control, text: str) -> None:

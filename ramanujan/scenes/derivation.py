@@ -35,7 +35,7 @@ VERDICTS = {
 
 
 def choose_route() -> None:
-    """Draw the choice of the route, of how it is shown, and of the body whose terms are told apart."""
+    """Draw the choice of the route and of how it is shown."""
     with st.container(horizontal=True, gap="medium", key="choices"):
         st.segmented_control(
             "Route",
@@ -59,6 +59,10 @@ def choose_route() -> None:
                 bind="query-params",
                 label_visibility="collapsed",
             )
+
+
+def choose_body() -> None:
+    """Draw the choice of the body whose terms are told apart."""
     with st.container(horizontal=True, vertical_alignment="center", key="bodies"):
         st.markdown("Whose terms?", width="content")
         st.pills(
@@ -85,26 +89,33 @@ def turned(route: str, step: int) -> None:
 
 @st.fragment
 def turn_pages(route: str, headings: list[str]) -> None:
-    """Draw what turns the pages; a turn reruns nothing else."""
-    page.steps(route, place_in_link(len(headings)), headings, turned)
-
-
-def place_in_link(count: int) -> int:
-    """Return the step that the address names, or the first."""
-    step = st.query_params.get("step", "1")
-    return int(step) if links.count("step", count).fits(step) else 1
+    """Draw what turns the pages of a lecture; a turn reruns nothing else."""
+    page.steps(route, headings, turned)
 
 
 def lecture(count: int) -> None:
-    """Draw all steps, of which the page shows one, and what turns them."""
-    turn_pages(name, [step.heading for step in cached.route(name).steps])
-    now = place_in_link(count)
+    """Draw all steps; the page shows one of them."""
+    step = st.query_params.get("step", "1")
+    now = step if links.count("step", count).fits(step) else "1"
     # Until the page decides which step is seen, it is the one of the address.
     st.html(f"<style>.st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now}){{display:none}}</style>")
     with st.container(border=True, key="lecture"):
         for number in range(1, count + 1):
             with st.container(key=f"step_{number}"):
                 draw(number)
+
+
+def beside() -> None:
+    """Draw the machine in motion, with the chosen body lit."""
+    stage.mount(
+        stage.payload(machine, compression, lit=st.session_state["body"]),
+        limits=controls.limits("compression"),
+        watch=controls.WATCH,
+        key="beside",
+        clock="beside",
+        layers=("coordinates",),
+        compact=True,
+    )
 
 
 def draw(number: int) -> None:
@@ -127,6 +138,7 @@ def dress() -> None:
         ".stMarkdown .katex-display{overflow:auto hidden;padding:.15em 0 .6em;margin-bottom:.8em}"
         ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
+        f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
         "</style>"
     )
 
@@ -272,14 +284,23 @@ st.title("Five ways to one frequency", anchor=False)
 choices = {"route": titles.values(), "view": VIEWS, "values": VALUES, "body": PARTS.values()}
 controls.complain(links.complaints(links.one_of(key, offered) for key, offered in choices.items()))
 choose_route()
-name, part = st.session_state["route"], st.session_state["body"]
+name, is_lecture = st.session_state["route"], st.session_state["view"] == VIEWS[0]
+count = len(cached.route(name).steps)
+controls.complain(links.complaints([links.count("step", count)]))
+# One who reads keeps the machine and the choice of a body in view; in a lecture they take no room from the step.
+with st.container(key="lectured" if is_lecture else "reading"):
+    controls_column, picture_column = st.columns([3, 1], vertical_alignment="center")
+with controls_column:
+    choose_body()
+    if is_lecture:
+        turn_pages(name, [step.heading for step in cached.route(name).steps])
+with picture_column:
+    beside()
+part = st.session_state["body"]
 present = (machine.m, machine.m_prime, machine.k)
 masses = present if st.session_state["values"] == VALUES[1] else None
 ink = colors[f"{part}_ink"] if part else None
-count = len(cached.route(name).steps)
-controls.complain(links.complaints([links.count("step", count)]))
-
-if st.session_state["view"] == VIEWS[0]:
+if is_lecture:
     lecture(count)
 else:
     for number in range(1, count + 1):

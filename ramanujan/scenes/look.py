@@ -41,6 +41,8 @@ def colors() -> dict[str, str]:
     }
 
 
-def tighten() -> None:
-    """Dress the pages of Streamlit by page.css."""
+def dress() -> None:
+    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
     st.html(f"<style>{page.style()}</style>")
+    page.follow_theme(theme())
+    page.voice()

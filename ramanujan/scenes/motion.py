@@ -165,6 +165,7 @@ with scene:
         name="motion",
         layers=("forces",),
         dials=False,
+        periods=cached.PERIODS,
         on_released=controls.set_compression,
     )
 verdict(mu, largest, first, compression)

@@ -111,7 +111,10 @@ with left:
 with right:
     played, first, last, leaves = thinned.samples(run, machine, compression, most) if run else (None, 0, 0, False)
     stage.mount(
-        stage.payload(machine, compression, samples=played), key="stepped", label="Computed step by step", **shared
+        stage.payload(machine, compression, samples=played, awaiting=run is None),
+        key="stepped",
+        label="Computed step by step",
+        **shared,
     )
 if run:
     span = f"period {last}" if last == first + 1 else f"periods {first + 1} to {last}"

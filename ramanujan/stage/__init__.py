@@ -1,13 +1,13 @@
 """The animated scene: a Components v2 component that draws the machine and listens to the sliders.
 
 This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is
-stage.html (what there is), stage.css (how it looks), and one module for each concern, put together in this order:
-motion.js and drawing.js (pure), picture.js with layers.js and dial.js (the picture), clock.js (time), words.js (what is
-said), slab.js and thumb.js (the hand), stage.js (the wiring). No physics is written in JavaScript: its formulas are
-printed by SymPy from the derivation.
+stage.html (what there is), stage.css (how it looks), and one JavaScript module for each concern, put together in the
+order of `_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; clock is time, words is what
+is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript: its
+formulas are printed by SymPy from the derivation.
 
 What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
-Streamlit sends it once a session, and a second component without any content, the feed, carries the numbers.
+Streamlit sends it once a session, and a feed of the page (`page.feed`) carries the numbers.
 
 The contract, version 1. To the page, once:
 
@@ -15,9 +15,10 @@ The contract, version 1. To the page, once:
     limits       compression: the least and the greatest that the slab can be dragged to [m]
     watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
-    layers       which of energy, arrows, traces, forces are shown at first
+    layers       which of energy, arrows, traces, forces, coordinates are shown at first
     compact      only the picture and its label, without controls
     dials        the two clock hands, the gauge and the readouts are shown
+    periods      after so many periods the motion begins again; left out: never
     label        what stands under the picture
 
 and by the feed, at every change:
@@ -28,6 +29,8 @@ and by the feed, at every change:
     samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
     slipping     the contact that is marked, such as hoop_slab; left out: none
     unity        what the gauge's mark at 1 says; left out: the paper's number
+    awaiting     true while samples are being computed: the machine stands still
+    lit          the body, or the spring, that stands out; left out: none
 
 What else on the page looks at a stage, or speaks to it, does so by the topics of the bus; `ramanujan.page` lists them.
 
@@ -61,20 +64,45 @@ SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": 
 """β of the paper's rollers."""
 
 _HERE = Path(__file__).parent
-_MODULES = ("motion", "drawing", "layers", "dial", "picture", "clock", "words", "slab", "thumb", "stage")
+_PICTURE = ("motion", "drawing", "coordinates", "layers", "dial", "picture")
+_MODULES = (*_PICTURE, "clock", "words", "playback", "slab", "thumb", "toolbar", "stage")
 _WORDS = {
-    "apart": "The slab swings over the block once every {period} s. The machine’s clock runs {side} of the plain "
-    "mass’s: {turns} periods part them by one full turn.",
-    "together": "The slab swings over the block once every {period} s, in step with the plain mass for ever.",
+    "picture": "A stepped block carries two rollers under a sprung slab: on the left a {left}, on the right a {right}. "
+    "On the block’s upper step a {top} rolls free.",
+    "faster": "The slab swings relative to the block once every {period} s. The machine is faster than the plain mass: "
+    "its clock hand gains one full turn in {turns} periods.",
+    "slower": "The slab swings relative to the block once every {period} s. The machine is slower than the plain mass: "
+    "its clock hand loses one full turn in {turns} periods.",
+    "together": "The slab swings relative to the block once every {period} s, in step with the plain mass for ever.",
+    "moment": "{turns} periods after release, t = {time} s.",
     "paused": "Paused.",
+    "playing": "Playing.",
     "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
-    "in_step": "In step",
-    "ahead": "Machine ahead by {turns} turn",
-    "behind": "Machine behind by {turns} turn",
-    "lead": "{lead} after {periods} periods of the plain mass",
-    "edge": "The top roller reached the edge of the block; released again.",
-    "struck": "The slab ran into the block; released again.",
-    "ended": "The computed stretch is over; released again.",
+    "start": "Both hands start together.",
+    "close": "Less than {least} turn apart after {periods} periods of the plain mass.",
+    "ahead": "Machine ahead by {turns} turn after {periods} periods of the plain mass.",
+    "behind": "Machine behind by {turns} turn after {periods} periods of the plain mass.",
+    "before": "{turns} turn apart {periods} periods before the release.",
+    "parting": "One full turn apart after {turns} periods.",
+    "nearly": "Nearly in step: one full turn apart after {turns} periods.",
+    "in_step": "In step: less than {least} turn apart after a million periods.",
+    "shared": "Mass m: block, slab, {top}. Mass m′: {hoop}, {cylinder}. Radius R: all rollers. "
+    "Arrows at X, φ, Φ: positive sense.",
+    "edge": "The top roller reached the edge of the block. The machine was released again.",
+    "struck": "The slab ran into the block. The machine was released again.",
+    "ended": "The computed motion ends here. The machine was released again.",
+    "edge_ahead": "Before this time the top roller reaches the edge of the block. The picture stops there.",
+    "struck_ahead": "Before this time the slab runs into the block. The picture stops there.",
+    "bound": "x₀ must be between {least} and {most} cm. It will be {value} cm when you let go.",
+    "kept": "x₀ is {value} cm again.",
+    "undo": "Back to x₀ = {value} cm",
+    "slips": {
+        "hoop_slab": "The hoop would slip on the slab: the model no longer holds.",
+        "cylinder_slab": "The lower cylinder would slip on the slab: the model no longer holds.",
+        "hoop_block": "The hoop would slip on the block: the model no longer holds.",
+        "cylinder_block": "The lower cylinder would slip on the block: the model no longer holds.",
+        "top_block": "The top cylinder would slip on the block: the model no longer holds.",
+    },
 }
 
 
@@ -117,6 +145,8 @@ def payload(
     samples: Mapping[str, Any] | None = None,
     slipping: str | None = None,
     unity: str | None = None,
+    lit: str | None = None,
+    awaiting: bool = False,
 ) -> dict[str, Any]:
     """Return what the feed carries: the machine, and how it moves, as plain numbers.
 
@@ -129,9 +159,18 @@ def payload(
     samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
     slipping : the contact to mark, such as hoop_slab
     unity : what the gauge says at 1, for bodies whose number is not the paper's
+    lit : the body that stands out, such as hoop, or spring
+    awaiting : samples will come, but are not there yet
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
-    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping, "unity": unity}
+    optional = {
+        "initial": initial and asdict(initial),
+        "samples": samples,
+        "slipping": slipping,
+        "unity": unity,
+        "lit": lit,
+        "awaiting": awaiting or None,
+    }
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},
@@ -146,10 +185,11 @@ def mount(
     watch: Mapping[str, Mapping[str, Any]],
     key: str = "stage",
     name: str | None = None,
-    clock: str = "main",
+    clock: str | None = None,
     layers: tuple[str, ...] = ("energy",),
     compact: bool = False,
     dials: bool = True,
+    periods: float | None = None,
     label: str | None = None,
     on_released: Callable[[float], None] | None = None,
 ) -> Any:
@@ -162,23 +202,25 @@ def mount(
     watch : slider key → parameter and scale, for following a drag without the server
     key : of the stage among the page's elements
     name : by which the page's bus knows the stage, no two alike in the whole app; without it, the key
-    clock : name of the clock, shared by stages that are to run together
-    layers : shown at first, of energy, arrows, traces, forces
+    clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
+    layers : shown at first, of energy, arrows, traces, forces, coordinates
     compact : only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
+    periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
     on_released : called with the compression [m] at which the slab was let go
     """
-    stage, feed = _components()
+    stage = _component()
     name = name or key
     fixed = {
         "stage": name,
         "limits": {"compression": limits},
         "watch": watch,
-        "clock": clock,
+        "clock": clock or name,
         "layers": layers,
         "compact": compact,
         "dials": dials,
+        "periods": periods,
         "label": label,
     }
 
@@ -188,21 +230,19 @@ def mount(
             on_released(st.session_state[key].released)
 
     result = stage(key=key, data=fixed, on_released_change=released)
-    feed(key=f"{key}_feed", data={"stage": name, "payload": data})
+    page.feed(f"{key}_feed", {f"machine/{name}": data})
     return result
 
 
 def warm_up() -> None:
     """Derive and print the stage's formulas before the first visitor asks for them."""
-    _components()
+    _component()
 
 
 @cache
-def _components() -> tuple[Callable[..., Any], Callable[..., Any]]:
+def _component() -> Callable[..., Any]:
     html, css = ((_HERE / name).read_text(encoding="utf-8") for name in ("stage.html", "stage.css"))
     words = {**_WORDS, "unity": f"1 ↔ √{unit().discriminant}"}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
     script = page.script(*(_HERE / f"{module}.js" for module in _MODULES))
-    stage = st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
-    feed = st.components.v2.component("ramanujan_feed", js=page.script(_HERE / "feed.js"))
-    return stage, feed
+    return st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)

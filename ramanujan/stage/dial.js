@@ -1,49 +1,77 @@
-// What compares the machine with the plain mass: two clock hands, the sentence below them, the gauge, the readouts.
+// What compares the machine with the plain mass: two clock hands, the sentences below them, the gauge, the readouts. When the
+// two are in step, all of these light up together.
+
+const LEAST = 0.01; // of a turn: the smallest angle between the hands that an eye can tell
+const IN_STEP = LEAST / 1e6; // turns in a period: not even a million periods would show a difference
+const NEARLY = 1 / 500; // turns in a period: close enough that the next step of a slider would only lose it
+
+/** How near the two frequencies are: "in step", "nearly" or "apart". */
+function nearness({ Omega, plain }) {
+  const parting = Math.abs(Omega / plain - 1);
+  return parting < IN_STEP ? "in-step" : parting < NEARLY ? "nearly" : "apart";
+}
+
+/** What the hands show now, in a sentence. Before the release they part, too, but nobody is ahead. */
+function lead(phase, plainPhase) {
+  const turns = (phase - plainPhase) / TURN, apart = Math.abs(turns), periods = plainPhase / TURN;
+  const values = { turns: apart.toFixed(2), periods: Math.abs(periods).toFixed(1), least: LEAST };
+  if (Math.abs(periods) < 0.05) return WORDS.start;
+  if (apart < LEAST) return fill(periods < 0 ? WORDS.start : WORDS.close, values);
+  if (periods < 0) return fill(WORDS.before, values);
+  return fill(turns > 0 ? WORDS.ahead : WORDS.behind, values);
+}
+
+/** How soon the hands are one full turn apart. */
+function parting({ Omega, plain }) {
+  const periods = 1 / Math.abs(Omega / plain - 1);
+  const turns = periods < 10 ? periods.toFixed(1) : Math.round(periods).toLocaleString("en").replaceAll(",", "\u202f");
+  const words = { "in-step": WORDS.in_step, nearly: WORDS.nearly, apart: WORDS.parting };
+  return fill(words[nearness({ Omega, plain })], { turns, least: LEAST });
+}
+
+/** The sector between the hands, from the plain mass's to the machine's. */
+function sector(phase, plainPhase, r) {
+  const lead = (phase - plainPhase) % TURN;
+  if (Math.abs(lead) < 1e-3) return "";
+  const point = (angle) => `${r * Math.sin(angle)} ${-r * Math.cos(angle)}`;
+  return `M0 0L${point(plainPhase)}A${r} ${r} 0 ${Math.abs(lead) > Math.PI ? 1 : 0} ${lead > 0 ? 1 : 0} ${point(phase)}z`;
+}
 
 function makeDial(root) {
   const find = (selector) => root.querySelector(selector);
   const reads = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
+  const write = (node, text) => node.textContent === text || (node.textContent = text);
   for (let i = 0; i < 12; i++) element("line", { y1: -46, y2: -52, transform: `rotate(${30 * i})` }, find(".dial .ticks"));
 
-  function machine({ Omega, normalized }, { unity }) {
-    reads.normalized.textContent = digits(normalized, 7);
-    reads.omega.textContent = `${digits(Omega, 5)} rad/s`;
-    reads.period.textContent = `${digits(TURN / Omega, 4)} s`;
-    drawGauge(normalized, unity ?? WORDS.unity);
+  function machine(solution, { unity }) {
+    reads.normalized.textContent = digits(solution.normalized, 7);
+    reads.omega.textContent = `${digits(solution.Omega, 5)} rad/s`;
+    reads.period.textContent = `${digits(TURN / solution.Omega, 4)} s`;
+    set(find(".step"), { "data-step": nearness(solution) });
+    write(find(".parting"), parting(solution));
+    drawGauge(solution.normalized, unity ?? WORDS.unity);
   }
 
   function drawGauge(normalized, unity) {
     const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
-    set(find(".scale"), { d: "M10 26H190" });
+    set(find(".scale"), { d: "M10 30H190" });
     set(find(".unity"), { x: at(1) });
-    find(".unity").textContent = unity;
-    set(find(".pointer"), { transform: `translate(${at(Math.min(normalized, limit))} 26)` });
+    write(find(".unity"), unity);
+    set(find(".pointer"), { transform: `translate(${at(Math.min(normalized, limit))} 30)` });
     const ticks = find(".gauge .ticks");
     ticks.replaceChildren();
     for (let value = 0; value <= limit; value += 0.5) {
-      element("path", { d: `M${at(value)} ${value === 1 ? 14 : 26}V32` }, ticks);
-      element("text", { x: at(value), y: 44 }, ticks).textContent = value;
+      element("path", { d: `M${at(value)} ${value === 1 ? 18 : 30}V36` }, ticks);
+      element("text", { x: at(value), y: 48 }, ticks).textContent = value;
     }
   }
 
-  function frame(phase, plainPhase, write) {
+  function frame(phase, plainPhase, running) {
     const degrees = (angle) => ((angle % TURN) * 360) / TURN;
     set(find(".hand.machine"), { transform: `rotate(${degrees(phase)})` });
     set(find(".hand.plain"), { transform: `rotate(${degrees(plainPhase)})` });
-    const lead = (phase - plainPhase) % TURN, r = 36;
-    const point = (angle) => `${r * Math.sin(angle)} ${-r * Math.cos(angle)}`;
-    const large = Math.abs(lead) > Math.PI ? 1 : 0, sweep = lead > 0 ? 1 : 0;
-    const sector = `M0 0L${point(plainPhase)}A${r} ${r} 0 ${large} ${sweep} ${point(phase)}z`;
-    set(find(".lead"), { d: Math.abs(lead) < 1e-3 ? "" : sector });
-    if (write) say(phase, plainPhase);
-  }
-
-  function say(phase, plainPhase) {
-    const turns = (phase - plainPhase) / TURN;
-    const lead = Math.abs(turns) < 0.005 ? WORDS.in_step : fill(turns > 0 ? WORDS.ahead : WORDS.behind, { turns: Math.abs(turns).toFixed(2) });
-    const text = fill(WORDS.lead, { lead, periods: Math.abs(plainPhase / TURN).toFixed(1) });
-    const verdict = find(".verdict");
-    if (verdict.textContent !== text) verdict.textContent = text;
+    set(find(".lead"), { d: sector(phase, plainPhase, 36) });
+    if (running) write(find(".verdict"), lead(phase, plainPhase));
   }
 
   return { machine, frame };

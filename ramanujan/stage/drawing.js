@@ -5,8 +5,9 @@ const CM = 100; // per metre
 const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
 const ROLLERS = ["hoop", "cylinder", "top"];
 const RING = 0.78; // inner radius of a hoop over its outer one
+const ASPECT = 2; // width of every picture over its height; stage.css keeps the same room for it
 
-/** Where things stand at φ = 0, to scale: room for the largest travel, nothing more. */
+/** Where things stand at φ = 0, to scale, with room for the largest travel, in a view of one shape for every radius. */
 function layout({ radius }, [, largest]) {
   const R = radius * CM;
   const travel = largest * CM; // of the slab over the block, to either side
@@ -20,9 +21,15 @@ function layout({ radius }, [, largest]) {
   const top = riser + R + roll + gap;
   const right = top + R + gap + 2;
   const shelf = upper + R * 0.45; // of the plain mass, with its caption above
-  const view = { left: -7, right: right + travel + 3, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) };
+  const view = fitted({ left: -9, right: right + travel + 2, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
   return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf };
+}
+
+/** The view widened to both sides, or upwards, until it has the shape of every picture. */
+function fitted({ left, right, bottom, top }) {
+  const wide = Math.max(right - left, ASPECT * (top - bottom)), more = (wide - (right - left)) / 2;
+  return { left: left - more, right: right + more, bottom, top: bottom + wide / ASPECT };
 }
 
 /** Centres of mass at φ = 0, along the floor. */
@@ -39,6 +46,34 @@ function anchors(g) {
     slab: [(g.slab.left + g.slab.right) / 2, g.slab.bottom + g.thick + 2.5],
     ...g.centre,
   };
+}
+
+const SHORTEST = 0.05; // of an arrow
+
+/** How long an arrow's head is at most: in proportion to a roller, so that it never reaches the letter on it. */
+const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
+
+/** A velocity: a slender arrow with an open head. Its length is signed, its head never longer than itself. */
+function velocityArrow(x, y, length, longest) {
+  if (Math.abs(length) < SHORTEST) return "";
+  const head = Math.sign(length) * Math.min(Math.abs(length), longest);
+  return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
+}
+
+/** A force: a broad, filled arrow. */
+function forceArrow(x, y, length, longest) {
+  if (Math.abs(length) < SHORTEST) return "";
+  const head = Math.sign(length) * Math.min(Math.abs(length), longest), shaft = length - head;
+  const [thick, wide] = [0.22 * head, 0.62 * head];
+  const barb = wide - thick;
+  return `M${x} ${-y - thick}h${shaft}v${-barb}l${head} ${wide}l${-head} ${wide}v${-barb}h${-shaft}z`;
+}
+
+/** The largest of 1, 2, 5, 10, 20, … that is not above a value. */
+function roundBelow(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const factor = [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9));
+  return factor * power;
 }
 
 /** Where a contact lies over its roller's centre, in radii. */
@@ -104,6 +139,16 @@ function centreOfMass(known, g, shift) {
     moment += mass * (home[name] + (FORMULAS.displacement[name](known) - shift) * CM);
   }
   return moment / total;
+}
+
+/** How a roller's rim travels over the floor through these states: the path of the mark on it. */
+function rimTrace(name, states, g) {
+  const [x, y] = g.centre[name];
+  const points = states.map((known) => {
+    const angle = FORMULAS.angle[name](known);
+    return `${x + FORMULAS.displacement[name](known) * CM + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
+  });
+  return `M${points.join("L")}`;
 }
 
 /** What has left its place, if anything has: the top roller over an edge, or the slab into the block. */

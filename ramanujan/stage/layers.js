@@ -1,5 +1,6 @@
-// The layers that can be chosen: energy bars by body, velocity arrows, contact forces, traces of the rims.
+// The layers that can be chosen: energy bars by body, velocity arrows, contact forces, traces of the rims, coordinates.
 
+const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // in which the greatest speed and force of a period are looked for
 
 function makeLayers(root) {
@@ -10,6 +11,7 @@ function makeLayers(root) {
   for (const name of [...BODIES, "spring"]) {
     const bar = document.createElement("i"), entry = document.createElement("li");
     entry.append(document.createElement("span"), " ", document.createElement("b"));
+    bar.dataset.body = name;
     for (const node of [bar, entry]) node.style.setProperty("--fill", `var(--${name})`);
     find(".bar").append(bar);
     find(".legend").append(entry);
@@ -17,26 +19,25 @@ function makeLayers(root) {
     shares.push(entry.lastChild);
     names.push(entry.firstChild);
   }
-  const path = (name, layer) => element("path", { stroke: `var(--${name}-ink)` }, find(`.${layer}`));
-  const arrow = (name, layer) => {
-    const drawn = path(name, layer);
-    set(drawn, { "marker-end": "url(#tip)" });
-    return drawn;
-  };
-  const arrows = Object.fromEntries(BODIES.map((name) => [name, arrow(name, "arrows")]));
-  const traces = Object.fromEntries(ROLLERS.map((name) => [name, path(name, "traces")]));
-  const forces = mapValues(CONTACTS, ([roller]) => arrow(roller, "forces"));
+  const line = (layer, name, data) => makeLine(name, data, find(`.${layer}`));
+  const arrows = Object.fromEntries(BODIES.map((name) => [name, line("arrows", name, { body: name })]));
+  const forces = mapValues(CONTACTS, ([roller], contact) => line("forces", roller, { contact }));
+  const traces = Object.fromEntries(ROLLERS.map((name) => [name, line("traces", name, { body: name })]));
+  const coordinates = makeCoordinates(find(".coordinates"));
 
   function geometry(newPlace, parameters) {
     place = newPlace;
     const words = { ...bodyNames(parameters), spring: "spring" };
     [...BODIES, "spring"].forEach((name, i) => (names[i].textContent = words[name]));
+    find(".shared").textContent = fill(WORDS.shared, words);
   }
 
   function machine(parameters, solution, newData) {
     data = newData;
     findPeaks(onePeriod(parameters, solution, PERIOD_POINTS));
-    drawTraces(onePeriod(parameters, solution, 90));
+    drawScales();
+    const states = onePeriod(parameters, solution, TRACE_POINTS);
+    for (const name of ROLLERS) traces[name](rimTrace(name, states, place));
   }
 
   /** The greatest speed and the greatest contact force of a period: they set the scale of the arrows. */
@@ -48,14 +49,22 @@ function makeLayers(root) {
     };
   }
 
-  function drawTraces(states) {
-    const { centre, R } = place;
-    for (const name of ROLLERS) {
-      const rim = states.map((known) => {
-        const angle = FORMULAS.angle[name](known), [x, y] = centre[name];
-        return `${x + FORMULAS.displacement[name](known) * CM + R * Math.sin(angle)} ${-(y + R * Math.cos(angle))}`;
-      });
-      set(traces[name], { d: `M${rim.join("L")}` });
+  /** How long an arrow is [cm] for a metre per second, and for a newton. */
+  const lengthOf = () => ({
+    speed: (1.5 * Math.max(place.R, 8)) / (peak.speed || 1),
+    force: (1.1 * Math.max(place.R, 8)) / (peak.force || 1),
+  });
+
+  /** An arrow of each kind of a round size, with its value: without it lengths would mean nothing. */
+  function drawScales() {
+    const x = place.view.left + 2, above = place.slab.bottom + place.thick, per = lengthOf();
+    const rows = { speed: [above + 16, velocityArrow, "m/s"], force: [above + 10, forceArrow, "N"] };
+    for (const [name, [y, draw, unit]] of Object.entries(rows)) {
+      const value = roundBelow(peak[name] || 1), length = value * per[name];
+      set(find(`.scales .${name} path`), { d: draw(x, y, length, headOf(place.R)) });
+      const label = find(`.scales .${name} text`);
+      set(label, { x: x + length + 1.5, y: -y });
+      label.textContent = `${Number(value.toPrecision(1))} ${unit}`;
     }
   }
 
@@ -63,26 +72,25 @@ function makeLayers(root) {
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${-shift * CM})` });
     if (shown.has("arrows")) drawArrows(known, shift);
     if (shown.has("forces")) drawForces(known, shift);
+    if (shown.has("coordinates")) coordinates.frame(known, place, shift);
     if (shown.has("energy")) drawEnergy(known, write);
   }
 
   function drawArrows(known, shift) {
-    const from = anchors(place), scale = (1.5 * Math.max(place.R, 8)) / (peak.speed || 1);
+    const from = anchors(place), { speed } = lengthOf();
     for (const name of BODIES) {
       const start = from[name][0] + (FORMULAS.displacement[name](known) - shift) * CM;
-      const length = FORMULAS.velocity[name](known) * scale;
-      set(arrows[name], { d: Math.abs(length) < 0.4 ? "" : `M${start} ${-from[name][1]}h${length}` });
+      arrows[name](velocityArrow(start, from[name][1], FORMULAS.velocity[name](known) * speed, headOf(place.R)));
     }
   }
 
   function drawForces(known, shift) {
-    const { centre, R } = place, scale = (1.1 * Math.max(R, 8)) / (peak.force || 1);
+    const { centre, R } = place, { force } = lengthOf();
     for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
       const [x, y] = centre[roller];
       const start = x + (FORMULAS.displacement[roller](known) - shift) * CM;
-      const height = -(y + side * R * 0.93); // on the roller's own side of the contact
-      const length = FORMULAS.contact_force[contact](known) * scale;
-      set(forces[contact], { d: Math.abs(length) < 0.4 ? "" : `M${start} ${height}h${length}` });
+      // On the roller's own side of the contact.
+      forces[contact](forceArrow(start, y + side * R * 0.9, FORMULAS.contact_force[contact](known) * force, headOf(R)));
       if (contact === data.slipping) set(find(".slipping"), { transform: `translate(${start} ${-(y + side * R)})` });
     }
     find(".slipping").style.display = data.slipping ? "" : "none";
@@ -100,8 +108,21 @@ function makeLayers(root) {
   function show(layers) {
     shown = layers;
     find(".energy").hidden = !shown.has("energy");
-    for (const name of ["arrows", "traces", "forces"]) find(`.${name}`).style.display = shown.has(name) ? "" : "none";
+    find(".shared").hidden = !shown.has("coordinates");
+    for (const name of ["arrows", "traces", "forces", "coordinates"]) see(`.${name}`, shown.has(name));
+    see(".scales .speed", shown.has("arrows"));
+    see(".scales .force", shown.has("forces"));
   }
+  const see = (selector, seen) => (find(selector).style.display = seen ? "" : "none");
 
   return { geometry, machine, frame, show };
+}
+
+/** A line in a body's ink on a rim of paper, so that it can be seen upon that body; what comes back draws it. */
+function makeLine(name, data, parent) {
+  const group = element("g", {}, parent);
+  Object.assign(group.dataset, data);
+  group.style.setProperty("--arrow", `var(--${name}-ink)`);
+  const paths = ["rim", "line"].map((kind) => element("path", { class: kind }, group));
+  return (d) => paths.forEach((path) => set(path, { d }));
 }

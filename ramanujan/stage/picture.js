@@ -29,7 +29,7 @@ function makePicture(root, { compact, dials, limits, label }) {
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
   const parts = movingParts(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
-  let place = null, ghosts = [];
+  let place = null, ghosts = [], shifted = 0, ends = [0, 0];
 
   host.classList.toggle("compact", compact);
   host.classList.toggle("no-dials", !dials);
@@ -39,8 +39,14 @@ function makePicture(root, { compact, dials, limits, label }) {
 
   /** Tell the style sheet how many picture units a pixel is. */
   function fitText() {
+    if (!place) return;
     const scale = svg.getScreenCTM()?.a;
-    if (scale) svg.style.setProperty("--u", String(1 / scale));
+    if (!scale) return;
+    svg.style.setProperty("--u", String(1 / scale));
+    // What the screen shows can be wider than the view, and a label of the ruler is whole or not there.
+    const { left, right } = place.view, half = svg.clientWidth / scale / 2 - 45 / scale;
+    ends = [(left + right) / 2 - half, (left + right) / 2 + half];
+    slideFloor(svg, shifted, ends);
   }
 
   function geometry(parameters) {
@@ -58,7 +64,7 @@ function makePicture(root, { compact, dials, limits, label }) {
     const wide = 10, high = 6.5, end = place.slab.right, start = end - place.travel - wide - 2;
     set(find(".shelf"), { d: `M${start} ${-place.shelf}H${place.riser}` });
     set(find(".wall"), { d: `M${place.riser} ${-place.shelf + 1.5}V${-place.shelf - high - 3}` });
-    set(find(".plain rect"), { x: end - wide, y: -place.shelf - high, width: wide, height: high });
+    set(find(".plain .form"), { x: end - wide, y: -place.shelf - high, width: wide, height: high });
     set(find(".plain .body text"), { x: end - wide / 2, y: -place.shelf - high / 2 });
     set(find(".plain .caption"), { x: place.riser - 1, y: -place.shelf - high - 4 });
   }
@@ -66,8 +72,16 @@ function makePicture(root, { compact, dials, limits, label }) {
   function machine({ parameters, solution, data }) {
     for (const name of BODIES) parts[name].group.style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
+    light(data.lit);
     dial.machine(solution, data);
     layers.machine(parameters, solution, data);
+  }
+
+  /** Let one body, or the spring, stand out; without a name, all are alike. */
+  function light(name) {
+    host.classList.toggle("one-lit", Boolean(name));
+    for (const body of BODIES) parts[body].group.classList.toggle("lit", body === name);
+    parts.spring.classList.toggle("lit", name === "spring");
   }
 
   function frame({ known, phase, plainPhase, shift, write }) {
@@ -76,7 +90,7 @@ function makePicture(root, { compact, dials, limits, label }) {
     set(find(".plain .body"), { transform: `translate(${plain})` });
     set(find(".plain .coil"), { d: coil(place.slab.right + plain, place.riser, place.shelf + 3.2, 1.8) });
     set(find(".centre"), { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` });
-    slideFloor(svg, shift * CM);
+    if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
     layers.frame(known, shift, write);
     dial.frame(phase, plainPhase, write);
   }
@@ -112,15 +126,18 @@ function makePicture(root, { compact, dials, limits, label }) {
 
 function drawBodies(root, g, parameters) {
   const body = (name, selector) => root.querySelector(`.body.${name} ${selector}`);
-  set(body("block", "path"), { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` });
+  root.style.setProperty("--R", g.R);
+  set(body("block", ".form"), { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` });
   set(body("block", "text"), { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 });
   for (const name of ROLLERS) {
     const { form, mark } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
     set(body(name, ".form"), { d: form });
     set(body(name, ".mark"), { d: mark });
+    // Below the centre, where no arrow begins.
+    set(body(name, "text"), { y: 0.44 * g.R });
   }
   const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
-  set(body("slab", "rect:not(.grip)"), slab);
+  set(body("slab", ".form"), slab);
   // A finger needs more than the slab's own height.
   set(body("slab", ".grip"), { ...slab, y: slab.y - 3, height: slab.height + 6 });
   set(body("slab", "text"), { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 });
@@ -145,26 +162,29 @@ function moveBodies(parts, known, g, shift) {
   set(parts.spring, { d: at.spring });
 }
 
-/** The floor and its ruler, as wide as the view and one labelled stretch more, so that it can slide. */
-const STRETCH = 50;
+/** The floor and its ruler: both far beyond the view, so that they end at the edge of the screen and not before. */
+const STRETCH = 50, BEYOND = 3 * STRETCH;
 function drawFloor(root, g) {
-  const { left, right } = g.view;
-  set(root.querySelector(".earth"), { d: `M${left} 0H${right}V2.2H${left}z` });
-  set(root.querySelector(".ground"), { d: `M${left} 0H${right}` });
+  const from = -BEYOND, to = Math.ceil((g.view.right + BEYOND) / STRETCH) * STRETCH;
+  set(root.querySelector(".earth"), { d: `M${from} 0H${to}V2.2H${from}z` });
+  set(root.querySelector(".ground"), { d: `M${from} 0H${to}` });
   const ruler = root.querySelector(".ruler");
   ruler.replaceChildren();
   delete ruler.dataset.at;
   let ticks = "";
-  for (let x = -STRETCH; x <= right + STRETCH; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
+  for (let x = from; x <= to; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
   element("path", { d: ticks }, ruler);
-  for (let x = -STRETCH; x <= right + STRETCH; x += STRETCH) element("text", { x, y: 5.6 }, ruler);
+  for (let x = from; x <= to; x += STRETCH) element("text", { x, y: 5.9 }, ruler);
 }
 
-/** Slide the ruler under a view that has moved; the labels say where on the floor one looks. */
-function slideFloor(root, shift) {
-  const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH);
-  set(ruler, { transform: `translate(${stretches * STRETCH - shift})` });
-  if (ruler.dataset.at === String(stretches)) return;
+/** Slide the ruler under a view that has moved; the labels between the ends say where on the floor one looks. */
+function slideFloor(root, shift, [left, right]) {
+  const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
+  set(ruler, { transform: `translate(${moved})` });
+  for (const label of ruler.querySelectorAll("text")) {
+    const x = Number(label.getAttribute("x"));
+    label.style.visibility = x + moved > left && x + moved < right ? "" : "hidden";
+    if (ruler.dataset.at !== String(stretches)) label.textContent = `${x + stretches * STRETCH} cm`.replace("-", "−");
+  }
   ruler.dataset.at = stretches;
-  for (const label of ruler.querySelectorAll("text")) label.textContent = `${Number(label.getAttribute("x")) + stretches * STRETCH} cm`;
 }

@@ -1,32 +1,189 @@
-// The slab in a hand: dragged by the pointer, moved by the keys.
+// The slab in a hand: dragged by the pointer or moved by the keys, within bounds that give way softly.
 
-/** Listen to the slab. `stage` answers: deformation() [m], parameters, hold(compression), let(go after ms). */
-function listenToSlab(node, picture, stage, signal) {
-  let held = null;
-  const on = (type, handler) => node.addEventListener(type, handler, { signal });
+const THRESHOLD = { mouse: 4, pen: 6, touch: 9 }; // px that a pointer must move before a click becomes a drag
+const GIVE = 0.02; // m, the most by which the slab gives way beyond its bounds
+const KEY_STEP = 0.005; // m
+const KEY_PAUSE = 400; // ms after the last key stroke until x₀ is sent
+
+/** Where the slab is drawn when a hand wants it elsewhere; the first `slack` beyond a bound are free. */
+function yielding(wanted, [least, most], slack = 0) {
+  const bound = clamp(wanted, least, most);
+  const excess = Math.abs(wanted - bound) - slack;
+  if (excess <= 0) return wanted;
+  return bound + Math.sign(wanted - bound) * (slack + GIVE * (1 - Math.exp(-excess / (2 * GIVE))));
+}
+
+/** What the key wants of the compression, or undefined. */
+function keyed(key, compression, [least, most]) {
+  const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 5, PageDown: -5 }[key];
+  if (steps) return clamp(compression + steps * KEY_STEP, least, most);
+  return { Home: least, End: most }[key];
+}
+
+/**
+ * Listen to the slab's node. `stage` answers: deformation() [m], compression() [m], take(), compress(wanted, slack),
+ * letGo(), giveUp().
+ */
+function listenToSlab(node, { picture, limits, stage, signal }) {
+  let grip = null; // { id, x, from, slack } of the pointer that is down; `from` as soon as it drags
+  let typing = 0; // timer of a run of key strokes
+  const on = (type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
+
   on("pointerdown", (event) => {
+    if (grip || event.button !== 0 || !event.isPrimary) return;
+    grip = { id: event.pointerId, x: event.clientX };
     node.setPointerCapture(event.pointerId);
-    held = { from: picture.toMetres(event.clientX), deformation: stage.deformation() };
-    stage.take(true);
-    stage.compress(held.deformation);
     event.preventDefault();
-    node.focus();
+    node.focus({ preventScroll: true });
   });
+  // A finger on the slab drags it, and must not scroll the page as well.
+  on("touchstart", (event) => event.preventDefault(), { passive: false });
+
   on("pointermove", (event) => {
-    if (held) stage.compress(held.deformation + picture.toMetres(event.clientX) - held.from);
+    if (event.pointerId !== grip?.id) return;
+    if (grip.from === undefined && !begin(event)) return;
+    stage.compress(grip.deformation + picture.toMetres(event.clientX) - grip.from, grip.slack);
   });
-  for (const type of ["pointerup", "pointercancel"])
-    on(type, () => {
-      if (!held) return;
-      held = null;
-      stage.take(false);
-      stage.letGo(0);
-    });
+
+  function begin(event) {
+    const threshold = THRESHOLD[event.pointerType] ?? THRESHOLD.touch;
+    if (Math.abs(event.clientX - grip.x) < threshold) return false;
+    const deformation = stage.deformation();
+    if (!typing && !stage.take()) return false;
+    clearTimeout(typing);
+    typing = 0;
+    // Where the slab swings beyond its bounds, it is taken where it is.
+    const slack = Math.abs(deformation - clamp(deformation, ...limits));
+    Object.assign(grip, { from: picture.toMetres(grip.x), deformation, slack });
+    return true;
+  }
+
+  function end(finish) {
+    const dragged = grip?.from !== undefined;
+    grip = null;
+    if (dragged) finish();
+  }
+  on("pointerup", (event) => event.pointerId === grip?.id && end(() => stage.letGo()));
+  on("pointercancel", (event) => event.pointerId === grip?.id && end(() => stage.giveUp()));
+  on("lostpointercapture", (event) => event.pointerId === grip?.id && end(() => stage.letGo()));
+
+  const endTyping = (finish) => {
+    if (!typing) return;
+    clearTimeout(typing);
+    typing = 0;
+    finish();
+  };
   on("keydown", (event) => {
-    const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 5, PageDown: -5 }[event.key];
-    if (!by) return;
+    if (event.key === "Escape") {
+      if (grip?.from !== undefined) end(() => stage.giveUp());
+      else endTyping(() => stage.giveUp());
+      return;
+    }
+    const wanted = keyed(event.key, stage.compression(), limits);
+    if (wanted === undefined || grip || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    stage.compress(stage.parameters.compression + (by * 0.5) / CM);
-    stage.letGo(400); // one message for a run of key strokes
+    if (!typing && !stage.take()) return;
+    stage.compress(wanted);
+    clearTimeout(typing);
+    typing = setTimeout(() => endTyping(() => stage.letGo()), KEY_PAUSE); // one message for a run of key strokes
   });
+  const leave = () => endTyping(() => stage.letGo());
+  on("blur", leave);
+  const elsewhere = (event) => event.composedPath().includes(node) || leave();
+  document.addEventListener("pointerdown", elsewhere, { capture: true, signal });
+  signal.addEventListener("abort", () => clearTimeout(typing));
+}
+
+/** What a hand on the slab does to its stage, and how the last x₀ is had back. */
+class Slab {
+  constructor(node, stage, signal) {
+    Object.assign(this, { node, stage, button: stage.root.querySelector(".undo") });
+    if (!stage.compact) listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
+    else for (const name of ["tabindex", "role", "aria-label", "aria-orientation"]) node.removeAttribute(name);
+    if (stage.compact) node.setAttribute("aria-hidden", "true");
+  }
+
+  deformation() {
+    const { parameters, playback } = this.stage;
+    return FORMULAS.deformation({ ...parameters, ...playback.now() });
+  }
+
+  compression() {
+    return clamp(this.stage.parameters.compression, ...this.stage.limits);
+  }
+
+  take() {
+    const { hand, playback, host } = this.stage;
+    const before = { compression: this.compression(), phase: playback.phase, plainPhase: playback.plainPhase };
+    if (!hand.take()) return false;
+    this.before = before;
+    host.classList.add("held");
+    return true;
+  }
+
+  /** Hold the machine at rest with the spring compressed by so much, to a tenth of a millimetre unless `exact`. */
+  compress(wanted, slack = 0, exact = false) {
+    const { limits, hand, playback } = this.stage;
+    const bound = clamp(wanted, ...limits), beyond = bound !== wanted;
+    this.value = exact ? bound : Math.round(bound * 1e4) / 1e4;
+    const drawn = beyond ? yielding(wanted, limits, slack) : this.value;
+    this.stage.change(() => {
+      hand.hold(this.value, drawn);
+      playback.reset();
+    });
+    const [least, most] = limits.map(centimetres), value = centimetres(this.value);
+    this.stage.voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : `x₀ = ${digits(this.value * CM, 3)} cm`);
+    this.publish(this.value, true);
+  }
+
+  letGo() {
+    this.stage.change(() => this.stage.hand.drop(this.value));
+    this.end(this.value);
+    this.stage.sendReleased(this.value);
+    this.last = this.before.compression;
+    this.show(this.value);
+  }
+
+  /** Have everything as it was when the slab was taken. */
+  giveUp() {
+    const { hand, playback } = this.stage, { compression, phase, plainPhase } = this.before;
+    this.stage.change(() => {
+      hand.giveUp(compression);
+      Object.assign(playback, { phase, plainPhase });
+    });
+    this.stage.voice.note(fill(WORDS.kept, { value: centimetres(compression) }));
+    this.end(compression);
+  }
+
+  /** Take the x₀ from before the slab was last let go; return whether there was one. */
+  undo() {
+    if (this.button.hidden || !this.take()) return false;
+    this.compress(this.last, 0, true);
+    this.letGo();
+    return true;
+  }
+
+  end(value) {
+    this.stage.host.classList.remove("held");
+    this.publish(value, false);
+  }
+
+  publish(value, held) {
+    bus.publish(`compression/${this.stage.name}`, { value, held });
+  }
+
+  /** Show x₀ to those who cannot see it, and the way back as long as nobody else has set another. */
+  show(compression) {
+    if (this.stage.compact) return;
+    const [least, most] = this.stage.limits, value = this.compression();
+    set(this.node, {
+      "aria-valuemin": least * CM,
+      "aria-valuemax": most * CM,
+      "aria-valuenow": value * CM,
+      "aria-valuetext": `${digits(value * CM, 3)} cm`,
+    });
+    const back = this.last !== undefined && Math.abs(compression - this.value) < 1e-9 && Math.abs(this.last - this.value) > 1e-9;
+    this.button.hidden = !back || this.stage.hand.state === "held";
+    if (back) this.button.textContent = fill(WORDS.undo, { value: centimetres(this.last) });
+  }
 }

@@ -1,28 +1,38 @@
-// What a stage says: numbers as text, sentences from WORDS, the note over the picture, the live region.
+// What a stage says: numbers as text, sentences from WORDS, the note over the picture, news for the page's live region.
 
 const NOTE_TIME = 3000; // ms that a note stays
-const SPEECH_PAUSE = 500; // ms without a change before the scene is described
 
 const digits = (value, precision) => Number(value).toPrecision(precision);
 const fill = (sentence, values) => sentence.replace(/\{(\w+)\}/g, (_, name) => values[name]);
+const centimetres = (metres) => Number((metres * 100).toFixed(2));
 
-/** The two periods, and how fast the clocks part. */
-function description({ Omega, plain }, playing) {
-  const apart = Math.abs(Omega / plain - 1);
-  const sentence = fill(apart < 1e-12 ? WORDS.together : WORDS.apart, {
-    period: digits(TURN / Omega, 3),
-    side: Omega > plain ? "ahead" : "behind",
-    turns: digits(1 / apart, 3),
-  });
-  return playing ? sentence : `${sentence} ${WORDS.paused}`;
+/** The picture in one sentence, with the bodies that are there. */
+function pictured(parameters) {
+  const [left, right, top] = ROLLERS.map((name) => shapeOf(parameters[`beta_${name}`]));
+  return fill(WORDS.picture, { left, right, top });
 }
 
-/** The voice of one stage: `note` says something for a few seconds, `slowed` as long as it holds, `speak` describes. */
-function makeVoice(root, signal) {
-  const note = root.querySelector(".note"), region = root.querySelector(".live");
-  let message = null, slowing = "", noting = 0, speaking = 0;
-  const show = () => (note.textContent = message ?? slowing);
-  signal.addEventListener("abort", () => [noting, speaking].forEach(clearTimeout));
+/** The two periods, and how fast the clocks part. */
+function description({ Omega, plain }) {
+  const apart = Math.abs(Omega / plain - 1);
+  const period = digits(TURN / Omega, 3);
+  if (apart < 1e-12) return fill(WORDS.together, { period });
+  return fill(Omega > plain ? WORDS.faster : WORDS.slower, { period, turns: digits(1 / apart, 3) });
+}
+
+/** Where the machine is, for those who cannot see it. */
+const moment = (phase, time) => fill(WORDS.moment, { turns: (phase / TURN).toFixed(2), time: time.toFixed(2) });
+
+/**
+ * The voice of one stage. `note` shows something for a few seconds, `slowed` as long as it holds, `describe` and `tell`
+ * are for the page's live region, which says a sentence once; what the machine does by itself comes before descriptions.
+ */
+function makeVoice(root, { compact, signal }) {
+  const node = root.querySelector(".note");
+  let message = null, slowing = "", noting = 0, described = "", told = "";
+  const show = () => (node.textContent = message ?? slowing);
+  const say = (sentence, urgent) => compact || bus.publish("say", { sentence, urgent });
+  signal.addEventListener("abort", () => clearTimeout(noting));
   return {
     note(sentence) {
       message = sentence;
@@ -37,9 +47,17 @@ function makeVoice(root, signal) {
       slowing = factor < 1 ? fill(WORDS.slowed, { factor: digits(factor * speed, 2) }) : "";
       show();
     },
-    speak(sentence) {
-      clearTimeout(speaking);
-      speaking = setTimeout(() => (region.textContent = sentence()), SPEECH_PAUSE);
+    describe(sentence) {
+      if (sentence === described) return;
+      described = sentence;
+      told = "";
+      say(sentence, false);
+    },
+    /** Say what happened; what happens again and again, as at the edge of the block, is said once. */
+    tell(sentence, once = false) {
+      if (once && sentence === told) return;
+      if (once) told = sentence;
+      say(sentence, true);
     },
   };
 }

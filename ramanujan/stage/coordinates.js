@@ -1,0 +1,96 @@
+// The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and what the lower rollers share. Lengths in centimetres
+// of the picture, y UP.
+
+const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
+const SENSE = { from: 44, to: 72, at: 1.12 }; // the arrow of the positive sense outside the rim: degrees and radii
+
+/** Each mark's attributes: `d` of a line, or x and y of a label. Pure. */
+function coordinateMarks(known, g, shift) {
+  const over = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+  return {
+    ...blockMarks(over.block, -shift * CM, g),
+    ...Object.assign({}, ...ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), over[name], g))),
+    ...springMarks(over.block, known.compression * CM, g),
+    ...radiusMarks(over.top, g),
+    ...sharedMarks(over.hoop, g),
+  };
+}
+
+/** X counts to the left, from where the block's edge was at first: the way is shown in the floor, the sense at the edge. */
+function blockMarks(edge, origin, g) {
+  const y = g.deck + 4.5, length = -7.5;
+  return {
+    X_guide: { d: `M${edge} ${-g.deck}V${-y - 2}M${origin} 0V2.6` },
+    X_value: { d: `M${origin} 1.3H${edge}` },
+    X_sense: { d: velocityArrow(edge, y, length, headOf(g.R)) },
+    X_label: { x: edge + length + 2.6, y: -y - 2.2 },
+  };
+}
+
+/** An angle: from the vertical to the mark on the rim, and outside the rim an arrow in the positive sense, clockwise. */
+function angleMarks(name, angle, moved, g) {
+  const [x0, y0] = g.centre[name], x = x0 + moved, { R } = g;
+  const point = (radii, at) => `${x + radii * R * Math.sin(at)} ${-y0 - radii * R * Math.cos(at)}`;
+  const turn = ((angle % TURN) + TURN) % TURN, signed = turn > Math.PI ? turn - TURN : turn;
+  const [from, to, middle] = [SENSE.from, SENSE.to, (SENSE.from + SENSE.to) / 2].map((degrees) => (degrees * TURN) / 360);
+  const arc = `M${x} ${-y0}L${point(ARC, 0)}A${ARC * R} ${ARC * R} 0 0 ${signed > 0 ? 1 : 0} ${point(ARC, signed)}z`;
+  const along = 1.8 / (SENSE.at * R); // the angle that the head takes
+  const head = `M${point(SENSE.at + 0.9 / R, to - along)}L${point(SENSE.at, to)}L${point(SENSE.at - 0.9 / R, to - along)}`;
+  return {
+    [`${name}_guide`]: { d: `M${x} ${-y0}L${point(1, 0)}` },
+    [`${name}_value`]: { d: Math.abs(signed) < 1e-3 ? "" : arc },
+    [`${name}_radius`]: { d: `M${x} ${-y0}L${point(1, signed)}` },
+    [`${name}_sense`]: { d: `M${point(SENSE.at, from)}A${SENSE.at * R} ${SENSE.at * R} 0 0 1 ${point(SENSE.at, to)}${head}` },
+    [`${name}_label`]: { x: x + (SENSE.at * R + 1.2) * Math.sin(middle), y: -y0 - (SENSE.at * R + 1.2) * Math.cos(middle) },
+  };
+}
+
+/** x₀: from where the slab's end is with the spring at its own length to where it is released. */
+function springMarks(block, compression, g) {
+  const rest = g.slab.right + block, y = g.slab.bottom + g.thick + 2.6, low = g.slab.bottom + g.thick / 2;
+  return {
+    x0_guide: { d: `M${rest} ${-low}V${-y - 1.2}M${rest + compression} ${-low}V${-y - 1.2}` },
+    x0_value: { d: `M${rest} ${-y}h${compression}` },
+    x0_label: { x: rest - 1, y: -y },
+  };
+}
+
+/** R, drawn in the top roller; all three are of one size. */
+function radiusMarks(moved, g) {
+  const [x0, y0] = g.centre.top, x = x0 + moved, at = (-38 * TURN) / 360, side = 0.24 * g.R;
+  const [dx, dy] = [g.R * Math.sin(at), g.R * Math.cos(at)];
+  return {
+    R_value: { d: `M${x} ${-y0}l${dx} ${-dy}` },
+    R_label: { x: x + dx * 0.48 - side * Math.cos(at), y: -y0 - dy * 0.48 + side * Math.sin(at) },
+  };
+}
+
+/** A bracket under the two lower rollers, whose mass is the same. */
+function sharedMarks(moved, g) {
+  const [left, right] = [g.centre.hoop[0] + moved, g.centre.cylinder[0] + moved], y = g.deck - 2;
+  return {
+    shared_value: { d: `M${left} ${-y - 1}V${-y}H${right}V${-y - 1}` },
+    shared_label: { x: (left + right) / 2, y: -y + 2.8 },
+  };
+}
+
+const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", shared_label: "m′ each" };
+
+/** Put the marks under a node; `frame` moves them. */
+function makeCoordinates(root) {
+  const nodes = {};
+  const node = (name) => (nodes[name] ??= nodeOf(name, root));
+  return {
+    frame(known, place, shift) {
+      for (const [name, attributes] of Object.entries(coordinateMarks(known, place, shift))) set(node(name), attributes);
+    },
+  };
+}
+
+function nodeOf(name, root) {
+  const [body, kind] = name.split("_");
+  if (kind !== "label") return element("path", { class: kind, "data-mark": name, "data-of": body }, root);
+  const label = element("text", { "data-mark": name, "data-of": body }, root);
+  label.textContent = LABELS[name];
+  return label;
+}

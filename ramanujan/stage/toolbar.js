@@ -1,0 +1,67 @@
+// The controls under the picture: what each does, and how the keyboard goes from one to the next.
+
+/** Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name). */
+function listenToControls(root, stage, signal) {
+  const all = (selector) => [...root.querySelectorAll(selector)];
+  const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
+  const actions = {
+    restart: () => stage.release(),
+    play: () => stage.play(),
+    back: () => stage.step(-1),
+    forward: () => stage.step(1),
+    undo: () => stage.undo(),
+  };
+  for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
+  for (const button of all("[data-speed]")) on(button, "click", () => stage.speed(Number(button.dataset.speed)));
+  for (const button of all("[data-layer]")) on(button, "click", () => stage.layer(button.dataset.layer));
+  const scrub = root.querySelector(".scrub input");
+  on(scrub, "input", () => stage.scrub(Number(scrub.value)));
+
+  on(root.querySelector(".stage"), "keydown", (event) => {
+    if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.undo()) event.preventDefault();
+    const inControl = event.target.closest("input, button, [role=slider]");
+    const action = { " ": "play", ArrowLeft: "back", ArrowRight: "forward", Home: "restart" }[event.key];
+    if (!action || inControl || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    actions[action]();
+  });
+
+  rove(all(".transport button"), { signal });
+  rove(all("[data-speed]"), { signal, choose: (button) => button.click() });
+  rove(all("[data-layer]"), { signal });
+}
+
+/** One stop for Tab in a group, arrows within it; in a radio group the arrows choose as well. */
+function rove(items, { signal, choose }) {
+  const move = (to) => {
+    for (const item of items) item.tabIndex = item === to ? 0 : -1;
+  };
+  move(items.find((item) => item.getAttribute("aria-checked") === "true") ?? items[0]);
+  items.forEach((item, i) => {
+    const on = (type, handler) => item.addEventListener(type, handler, { signal });
+    on("focus", () => move(item));
+    on("keydown", (event) => {
+      const to = {
+        ArrowRight: i + 1, ArrowDown: i + 1, ArrowLeft: i - 1, ArrowUp: i - 1, Home: 0, End: items.length - 1,
+      }[event.key];
+      if (to === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+      event.preventDefault();
+      const next = items[(to + items.length) % items.length];
+      next.focus();
+      choose?.(next);
+    });
+  });
+}
+
+/** Show what is set: whether the machine plays, its speed, its layers, how far it is in its period. */
+function showControls(root, { playing, speed, layers }) {
+  root.querySelector(".stage").classList.toggle("playing", playing);
+  root.querySelector("[data-do=play]").setAttribute("aria-label", playing ? "Pause" : "Play");
+  for (const button of root.querySelectorAll("[data-speed]")) {
+    const checked = Number(button.dataset.speed) === speed;
+    button.setAttribute("aria-checked", String(checked));
+    button.tabIndex = checked ? 0 : -1;
+  }
+  for (const button of root.querySelectorAll("[data-layer]"))
+    button.setAttribute("aria-pressed", String(layers.has(button.dataset.layer)));
+}

@@ -1,0 +1,408 @@
+"""The hand in a browser: sliders and slab under every network, and nothing that a hand does is lost or taken back."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from itertools import pairwise
+
+import pytest
+
+from ramanujan import Oscillator
+from tests.browser import ROOT, STAGE, next_frame, settle
+from tests.slow_network import delayed
+
+SLAB = ".st-key-stage .moving .body.slab"
+TOLD = "globalThis.ramanujan.last('machine/oscillator').parameters"
+PRESENT = "globalThis.ramanujan.last('present/oscillator').parameters"
+COMPRESSION = ".st-key-compression input[type=range]"
+
+
+@pytest.fixture
+def visit(visit):
+    """As everywhere, and wait until the stage has drawn."""
+
+    def open_page(*arguments, **options):
+        page = visit(*arguments, **options)
+        page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
+        next_frame(page)
+        return page
+
+    return open_page
+
+
+def inside(page, expression: str):
+    """Evaluate a JavaScript expression with `root` as the stage's own document."""
+    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
+
+
+def normalized(page) -> float:
+    return float(inside(page, "root.querySelector('[data-read=normalized]').textContent"))
+
+
+def note(page) -> str:
+    return inside(page, "root.querySelector('.note').textContent")
+
+
+def slab_over_block(page) -> float:
+    """The deformation of the spring as drawn [cm]."""
+    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
+    slab, block = inside(page, f"['.slab', '.block'].map({place})")
+    return slab - block
+
+
+def thumb(page, key: str) -> tuple[float, float]:
+    box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def centre(page) -> tuple[float, float]:
+    box = page.locator(f"{SLAB} rect:not(.grip)").first.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def scale(page) -> float:
+    """Pixels per centimetre of the picture."""
+    return inside(page, "root.querySelector('.machine').getScreenCTM().a")
+
+
+def take_slab(page, centimetres: float) -> tuple[float, float]:
+    """Press on the slab and drag it; return where the pointer is."""
+    x, y = centre(page)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + centimetres * scale(page), y, steps=5)
+    next_frame(page)
+    return x + centimetres * scale(page), y
+
+
+def watch(page, name: str, expression: str) -> None:
+    """Keep what an expression gives in every frame, in window[name]."""
+    page.evaluate(
+        f"""() => {{
+          const root = {STAGE};
+          window.{name} = [];
+          const look = () => {{
+            window.{name}.push({expression});
+            requestAnimationFrame(look);
+          }};
+          look();
+        }}"""
+    )
+
+
+DRAWN = "Number(root.querySelector('[data-read=normalized]').textContent)"
+
+
+# ---- the sliders
+
+
+def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
+    page = visit()
+    before = normalized(page)
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 80, y, steps=8)
+    next_frame(page)
+    assert normalized(page) < before - 0.1
+    page.mouse.move(x, y, steps=8)
+    next_frame(page)
+    assert normalized(page) == before
+    page.mouse.up()
+    settle(page)
+    assert normalized(page) == before
+    # Where the start is off the slider's steps, it is not rounded.
+    page.get_by_text("Unit frequency (1729)").click()
+    settle(page)
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y, steps=6)
+    page.mouse.move(x, y, steps=6)
+    next_frame(page)
+    assert inside(page, "root.querySelector('[data-read=normalized]').textContent") == "1.000000"
+    page.mouse.up()
+    settle(page)
+
+
+@pytest.fixture
+def slowly(visit, server):
+    """Open a page as `visit` does, over a network that delays every message by so much."""
+    with ExitStack() as networks:
+
+        def open_page(seconds, link="", **options):
+            address = networks.enter_context(delayed(server, seconds))
+            page = visit(link, **options)  # a tab with its listeners
+            page.goto(f"{address}/{link}")
+            page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
+            page.wait_for_timeout(1500)
+            settle(page)
+            return page
+
+        yield open_page
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.3])
+def test_a_slow_answer_to_one_slider_does_not_take_another_back(slowly, seconds):
+    page = slowly(seconds)
+    before = normalized(page)
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 40, y, steps=4)
+    page.mouse.up()
+    watch(page, "seen", DRAWN)
+    # While the answer is on its way, another slider moves; it must not show the old m′ again.
+    x, y = thumb(page, "m")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for i in range(1, 25):
+        page.mouse.move(x + 3 * i, y)
+        page.wait_for_timeout(40)
+    page.mouse.up()
+    settle(page)
+    seen = page.evaluate("window.seen")
+    machine = page.evaluate(TOLD)
+    final = Oscillator(machine["m"], machine["m_prime"], machine["k"], machine["radius"])
+    assert machine["m"] > 1.5
+    assert machine["m_prime"] > 1.5
+    assert normalized(page) == pytest.approx(final.normalized_frequency_squared, rel=1e-6)
+    # m′ grew, then m: Ω²m/k fell at once and then rose step by step. A message that won would make it fall again.
+    falls = [a - b for a, b in pairwise(seen) if b < a - 1e-9]
+    assert seen[0] <= before
+    assert len(falls) <= 1
+
+
+def test_many_drags_over_a_slow_network_end_where_the_server_is(slowly):
+    page = slowly(0.2)
+    for key, by in (("m", 30), ("k", 50), ("m_prime", -10), ("k", -30), ("m", 12)):
+        x, y = thumb(page, key)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + by, y, steps=3)
+        page.mouse.up()
+    page.get_by_text("Light rollers").click()
+    settle(page)
+    page.wait_for_timeout(800)
+    settle(page)
+    told = page.evaluate(TOLD)
+    drawn = page.evaluate(PRESENT)
+    assert drawn == told
+    assert told["m_prime"] == pytest.approx(0.1 * told["m"])
+
+
+def test_no_message_moves_the_slab_while_it_is_held(slowly):
+    page = slowly(0.3)
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 40, y, steps=4)
+    page.mouse.up()
+    take_slab(page, -3)
+    page.wait_for_timeout(200)  # the last jump has faded
+    watch(page, "places", "root.querySelector('.moving .slab').transform.baseVal[0].matrix.e")
+    page.wait_for_timeout(1800)
+    places = page.evaluate("window.places")
+    assert max(places) - min(places) < 0.05
+    page.mouse.up()
+    watch(page, "bent", "globalThis.ramanujan.last('present/oscillator').parameters.compression")
+    settle(page)
+    page.wait_for_timeout(900)
+    settle(page)
+    assert set(page.evaluate("window.bent")) == {0.05}
+    assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
+
+
+# ---- the slab
+
+
+def test_a_click_on_the_slab_changes_nothing(visit):
+    page = visit(motion="no-preference")
+    sent = len(page.frames_sent)
+    for button in ("left", "right", "middle"):
+        page.mouse.move(*centre(page))
+        page.mouse.down(button=button)
+        page.mouse.move(*centre(page))
+        page.mouse.up(button=button)
+    page.keyboard.press("Escape")
+    page.wait_for_timeout(600)
+    assert len(page.frames_sent) == sent
+    assert page.locator(COMPRESSION).input_value() == "8"
+    # Neither does a drag by another button.
+    x, y = centre(page)
+    page.mouse.move(x, y)
+    page.mouse.down(button="right")
+    page.mouse.move(x - 80, y, steps=4)
+    page.mouse.up(button="right")
+    page.wait_for_timeout(300)
+    assert len(page.frames_sent) == sent
+
+
+def test_the_slider_follows_the_held_slab_and_nothing_is_sent(visit):
+    page = visit()
+    page.get_by_role("button", name="Release again").click()
+    sent = len(page.frames_sent)
+    take_slab(page, -3)
+    assert float(page.locator(COMPRESSION).input_value()) == pytest.approx(5, abs=0.11)
+    held = page.evaluate("globalThis.ramanujan.last('compression/oscillator')")
+    assert held["held"]
+    assert held["value"] == pytest.approx(0.05, abs=1e-3)
+    page.wait_for_timeout(500)
+    assert len(page.frames_sent) == sent
+    page.mouse.up()
+    page.wait_for_url("**compression=5**")
+    settle(page)
+    assert float(page.locator(COMPRESSION).input_value()) == pytest.approx(5, abs=0.11)
+
+
+def test_bounds_give_way_softly_and_say_so(visit):
+    page = visit()
+    page.get_by_role("button", name="Release again").click()
+    take_slab(page, 9)
+    page.wait_for_timeout(300)
+    drawn = slab_over_block(page)
+    assert 12.5 < drawn < 14
+    assert "between 0.5 and 12 cm" in note(page)
+    assert "12 cm when you let go" in note(page)
+    page.mouse.up()
+    page.wait_for_timeout(400)
+    assert slab_over_block(page) == pytest.approx(12, abs=0.02)
+    page.wait_for_url("**compression=12**")
+    settle(page)
+
+
+def test_escape_gives_the_slab_back_and_undo_the_last_compression(visit):
+    page = visit()
+    page.get_by_role("button", name="Step forward").click()
+    next_frame(page)
+    before, sent = slab_over_block(page), len(page.frames_sent)
+    take_slab(page, -4)
+    page.keyboard.press("Escape")
+    page.wait_for_timeout(500)
+    assert slab_over_block(page) == pytest.approx(before, abs=0.01)
+    assert page.locator(COMPRESSION).input_value() == "8"
+    page.mouse.up()
+    page.wait_for_timeout(300)
+    assert len(page.frames_sent) == sent
+    undo = page.locator(".st-key-stage .undo")
+    assert undo.is_hidden()
+
+    page.get_by_role("button", name="Release again").click()
+    take_slab(page, -4)
+    page.mouse.up()
+    page.wait_for_url("**compression=4**")
+    settle(page)
+    assert undo.inner_text() == "Back to x₀ = 8 cm"
+    undo.click()
+    page.wait_for_function("!location.search.includes('compression=4')")
+    settle(page)
+    assert slab_over_block(page) == pytest.approx(8, abs=0.01)
+    # Whoever sets another x₀ has nothing to undo.
+    page.locator(COMPRESSION).focus()
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert undo.is_hidden()
+
+
+def test_a_lost_capture_lets_the_slab_go(visit):
+    page = visit()
+    page.get_by_role("button", name="Release again").click()
+    take_slab(page, -2)
+    inside(page, "root.querySelector('.moving .body.slab').releasePointerCapture(1)")
+    x, y = centre(page)
+    page.mouse.move(x - 100, y)
+    page.mouse.move(x - 150, y)
+    page.wait_for_url("**compression=6**")
+    settle(page)
+    assert slab_over_block(page) == pytest.approx(6, abs=0.1)
+    page.mouse.up()
+
+
+def test_home_and_end_and_arrows_move_the_slab(visit):
+    page = visit()
+    page.locator(SLAB).focus()
+    for key, value in (("Home", 0.5), ("End", 12.0), ("ArrowLeft", 11.5), ("PageDown", 9.0)):
+        page.keyboard.press(key)
+        next_frame(page)
+        assert slab_over_block(page) == pytest.approx(value, abs=0.01) or page.wait_for_timeout(300) is None
+        assert float(page.locator(SLAB).get_attribute("aria-valuenow")) == pytest.approx(value)
+    page.wait_for_url("**compression=9**")
+    settle(page)
+
+
+def finger(page, client, path, end: str = "touchEnd") -> None:
+    """Put a finger on the screen, move it along a path and end the touch."""
+
+    def touch(kind: str, *points) -> None:
+        client.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in points]})
+
+    touch("touchStart", path[0])
+    for point in path[1:]:
+        touch("touchMove", point)
+        page.wait_for_timeout(20)
+    touch(end)
+    page.wait_for_timeout(150)
+
+
+def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(visit):
+    page = visit(width=390, height=844)
+    client = page.context.new_cdp_session(page)
+    client.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
+    try:
+        top = "document.querySelector('[data-testid=stMain]').scrollTop"
+        if page.locator("[data-testid=stSidebar][aria-expanded=true]").count():
+            page.keyboard.press("Escape")
+        page.get_by_role("button", name="Release again").click()
+        x, y = centre(page)
+        per_cm = scale(page)
+        sent = len(page.frames_sent)
+        finger(page, client, [(x, y)])  # a tap
+        assert len(page.frames_sent) == sent
+        finger(page, client, [(x - 5 * i, y - 12 * i) for i in range(12)])
+        page.wait_for_url("**compression=**")
+        settle(page)
+        assert page.evaluate(top) == 0
+        compression = float(page.url.split("compression=")[1].split("&")[0])
+        assert compression == pytest.approx(max(0.5, 8 - 55 / per_cm), abs=4 / per_cm)
+        # Taken back by the system, the finger leaves what was before.
+        x, y = centre(page)
+        finger(page, client, [(x + 4 * i, y) for i in range(8)], "touchCancel")
+        settle(page)
+        assert page.evaluate(PRESENT)["compression"] == pytest.approx(compression / 100)
+        floor = page.locator(".st-key-stage svg.machine").bounding_box()
+        beside = (floor["x"] + floor["width"] - 20, floor["y"] + 30)
+        finger(page, client, [(beside[0], beside[1] + 150 - 15 * i) for i in range(12)])
+        assert page.evaluate(top) > 20
+    finally:
+        client.send("Emulation.setTouchEmulationEnabled", {"enabled": False})
+        client.detach()
+
+
+# ---- the one state
+
+
+def test_the_listed_transitions_are_all_there_are(visit):
+    """The table of thumb.js: from every state every event, and nothing but what is listed happens."""
+    script = (ROOT / "ramanujan" / "stage" / "thumb.js").read_text(encoding="utf-8")
+    table = visit().evaluate(
+        f"""() => {{
+          {script}
+          const events = ["grab", "leave", "take", "drop", "settle"];
+          return Object.keys(TRANSITIONS).map((state) => [state, Object.fromEntries(events.map((event) => {{
+            const hand = Object.create(Hand.prototype);
+            hand.state = state;
+            hand.step(event);
+            return [event, hand.state];
+          }}))]);
+        }}"""
+    )
+    listed = {
+        "idle": {"grab": "following", "take": "held"},
+        "following": {"grab": "following", "leave": "awaiting", "take": "held"},
+        "held": {"drop": "awaiting"},
+        "awaiting": {"grab": "following", "take": "held", "settle": "idle"},
+    }
+    assert dict(table) == {
+        state: {event: nexts.get(event, state) for event in ("grab", "leave", "take", "drop", "settle")}
+        for state, nexts in listed.items()
+    }
