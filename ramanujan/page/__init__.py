@@ -107,6 +107,11 @@ def follow_theme(theme: str) -> Any:
     return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
 
 
+def sheet() -> Any:
+    """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
+    return _component("sheet", "touch.js", "sheet.js")(key="sheet")
+
+
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
     return _component("link", "link.js")(key="link")

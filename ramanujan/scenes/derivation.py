@@ -135,7 +135,6 @@ def dress() -> None:
     )
     st.html(
         f"<style>{bodies}"
-        ".stMarkdown .katex-display{overflow:auto hidden;padding:.15em 0 .6em;margin-bottom:.8em}"
         ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
         f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
