@@ -43,6 +43,9 @@ def colors() -> dict[str, str]:
 
 def dress() -> None:
     """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
-    st.html(f"<style>{page.style()}</style>")
+    shown = theme()
+    under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
+    own = f":root{{--paper:{colors()['paper']};--faint:{colors()['faint']};--under:{under}}}"
+    st.html(f"<style>{own}{page.style()}</style>")
     page.follow_theme(theme())
     page.voice()
