@@ -286,7 +286,7 @@ def test_failures_are_gaps_and_plateaus(app):
     app.run()
     sweeps = [s for s in results(extremes(samples_per_decade=1)) if (s.along, s.dtype) == ("scale", "float64")]
     exponents, truth, forms = thinned.sweep(sweeps)
-    figure = figures.forms(exponents, truth, forms, quantity="s", colors=look.colors())
+    figure = figures.forms(exponents, truth, forms, quantity="s", colors=look.colors()).checked()
     value, error = (trace for trace in figure.data if trace.name == "the paper's")
     assert np.isnan(value.y[-1])  # it returns −0 there, which has no logarithm
     assert np.isfinite(value.y[0])

@@ -36,7 +36,7 @@ stage.mount(
 st.subheader("When is it in step with √(k/m)?", anchor=False)
 ring()
 st.plotly_chart(
-    cached.figure(look.colors()),
+    cached.figure(look.theme()),
     key="curve",
     on_select=ratio_clicked,
     selection_mode="points",
