@@ -54,6 +54,8 @@ def tighten() -> None:
     st.html(
         "<style>.stMainBlockContainer{padding:3.25rem 2.5rem 3rem}"
         "@media(max-width:760px){.stMainBlockContainer{padding:3.25rem 1rem 2rem}}"
-        ".stMarkdown .katex-display{margin:.35em 0}.stMarkdown h5{padding-top:1.1rem}"
+        ".stMarkdown .katex-display{margin:.35em 0}"
+        ".st-key-steps .katex-display{overflow:auto hidden;padding-bottom:.4em}"
+        ".st-key-steps .katex-display>.katex{text-align:left}.stMarkdown h5{padding-top:1.1rem}"
         "[data-testid=stSidebarUserContent]{padding-top:0}</style>"
     )

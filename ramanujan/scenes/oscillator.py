@@ -51,7 +51,11 @@ st.subheader("In six steps", anchor=False)
 st.caption(
     f"In symbols, then with your m = {machine.m:.7g} kg, m′ = {machine.m_prime:.7g} kg and k = {machine.k:.7g} N/m."
 )
-for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
-    st.markdown(f"##### {number}. {step.heading}\n{step.reason}")
-    st.latex(step.equations, width="content")
+# One text: each element of a page costs the server a message.
+st.container(key="steps").markdown(
+    "\n\n".join(
+        f"##### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
+        for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1)
+    )
+)
 st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")
