@@ -22,8 +22,8 @@ class Network:
     """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`."""
 
     def __init__(self, server: str, seconds: float) -> None:
-        parts = urlsplit(server)
-        self.target, self.seconds = (parts.hostname, parts.port), seconds
+        self.lead_to(server)
+        self.seconds = seconds
         self.address = ""
         self._up = True
         self._connections: set[asyncio.Task] = set()
@@ -43,6 +43,11 @@ class Network:
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join()
         self._loop.close()
+
+    def lead_to(self, server: str) -> None:
+        """Let new connections reach another server."""
+        parts = urlsplit(server)
+        self.target = (parts.hostname, parts.port)
 
     def down(self) -> None:
         """Break every connection, and accept none until `up`."""

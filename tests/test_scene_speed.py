@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-import threading
+import time
 from collections.abc import Iterator
 
 import numpy as np
@@ -20,7 +20,7 @@ from ramanujan.accuracy.work_precision import WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.motion import motion, released
-from ramanujan.scenes import experiments, look, thinned, verdicts
+from ramanujan.scenes import controls, experiments, look, thinned, verdicts
 from ramanujan.scenes.cached import speed as cached
 
 PAGE = "ramanujan/scenes/speed.py"
@@ -228,25 +228,44 @@ def test_job_is_not_wanted_once_another_visitor_has_done_it():
     assert experiments.Job(record, counted(2), "counting").wanted
 
 
-def test_two_visitors_measure_one_after_the_other():
+def test_visitors_measure_one_after_the_other_in_the_order_in_which_they_came(monkeypatch):
+    line, jobs = experiments.Line(), [experiments.Job(experiments.Record(), counted(2), "") for _ in range(10)]
+    assert [line.before(job) for job in jobs] == list(range(10))
+    # Whoever asks again keeps the place, in whatever order.
+    assert [line.before(job) for job in reversed(jobs)] == list(reversed(range(10)))
+    line.leave(jobs[4])
+    while not jobs[0].advance(0):
+        assert line.before(jobs[1]) == 1
+    assert [line.before(job) for job in jobs[1:4] + jobs[5:]] == list(range(8))
+    # Who has closed the page is waited for no longer than a moment.
+    clock = time.monotonic() + 2 * experiments._GONE
+    monkeypatch.setattr(experiments.time, "monotonic", lambda: clock)
+    assert line.before(jobs[9]) == 0
+
+
+def test_a_visitor_who_has_to_wait_is_told_how_many_come_first(monkeypatch):
+    waiting = [experiments.Job(experiments.Record(), counted(2), "") for _ in range(2)]
+    told = []
+    line = experiments.Line()
+    for job in waiting:
+        line.before(job)
+    monkeypatch.setattr(experiments, "_LINE", line)
+
     class Place:
-        def progress(self, *_: object) -> None:
-            told.set()
+        def progress(self, done: float, words: str) -> None:
+            told.append(words)
+            if len(told) < 3:
+                line.leave(waiting[len(told) - 1])
 
-    told, inside = threading.Event(), []
-    job = experiments.Job(experiments.Record(), counted(1), "counting", timed=True)
-
-    def second() -> None:
-        with experiments._turn(job, Place()):
-            inside.append("second")
-
-    with experiments._turn(job, Place()):
-        thread = threading.Thread(target=second)
-        thread.start()
-        assert told.wait(10)  # the second visitor is told to wait
-        inside.append("first")
-    thread.join(10)
-    assert inside == ["first", "second"]
+    mine = experiments.Job(experiments.Record(), counted(1), "counting", timed=True)
+    monkeypatch.setattr(controls, "run_again", lambda: None)
+    experiments.work([("mine", mine, Place())])
+    assert [words.partition(".")[0] for words in told] == [
+        "2 measurements come before yours",
+        "Another visitor is measuring",
+        "counting",
+    ]
+    assert mine.complete
 
 
 # ---- words
@@ -286,7 +305,7 @@ def test_failures_are_gaps_and_plateaus(app):
     app.run()
     sweeps = [s for s in results(extremes(samples_per_decade=1)) if (s.along, s.dtype) == ("scale", "float64")]
     exponents, truth, forms = thinned.sweep(sweeps)
-    figure = figures.forms(exponents, truth, forms, quantity="s", colors=look.colors())
+    figure = figures.forms(exponents, truth, forms, quantity="s", colors=look.colors()).checked()
     value, error = (trace for trace in figure.data if trace.name == "the paper's")
     assert np.isnan(value.y[-1])  # it returns −0 there, which has no logarithm
     assert np.isfinite(value.y[0])

@@ -235,7 +235,7 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
         ratios, values = cached.curve(min(0.01, root / 3), max(30.0, 3 * root))
         figure = figures.level_crossing(
             ratios, values, level=w, level_label="w", root=root, root_label="r", present=(1, 1), colors=COLORS
-        )
+        ).checked()
         label = figure.layout.annotations[0]
         low, high = figure.layout.yaxis.range
         # Less the margins, the plot is 270 px high; a label of two lines reaches 20 px beyond its middle.

@@ -7,11 +7,14 @@ a phone: labels are anchored inside the axes and never lie on each other.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
-import plotly.graph_objects as go
+from ramanujan.figures.drawn import Drawn, drawn, kept
+
+__all__ = ["Drawn", "drawn", "kept", "template"]
 
 
-def template(colors: Mapping[str, str], hover: str | None = None) -> go.layout.Template:
+def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, Any]:
     """Return the look that all figures share: no box, a faint grid, room for labels.
 
     Parameters
@@ -28,17 +31,18 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> go.layout.T
         "ticks": "outside",
         "title": {"standoff": 6},
     }
-    layout = go.Layout(
-        font={"color": colors["ink"], "size": 14},
-        paper_bgcolor="rgba(0,0,0,0)",
-        plot_bgcolor="rgba(0,0,0,0)",
-        margin={"l": 56, "r": 16, "t": 12, "b": 48},
-        xaxis=axis,
-        yaxis=axis,
-        hoverlabel={"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
-    )
+    layout = {
+        "font": {"color": colors["ink"], "size": 14},
+        "paper_bgcolor": "rgba(0,0,0,0)",
+        "plot_bgcolor": "rgba(0,0,0,0)",
+        "margin": {"l": 56, "r": 16, "t": 12, "b": 48},
+        "xaxis": axis,
+        "yaxis": axis,
+        "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
+    }
     # Choosing a point must not dim the others.
     keep = {"marker": {"opacity": 1}}
-    return go.layout.Template(
-        layout=layout, data={"scatter": [{"selected": keep, "unselected": keep, "hovertemplate": hover}]}
-    )
+    scatter: dict[str, Any] = {"type": "scatter", "selected": keep, "unselected": keep}
+    if hover:
+        scatter["hovertemplate"] = hover
+    return {"layout": layout, "data": {"scatter": [scatter]}}

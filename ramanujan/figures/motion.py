@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-import plotly.graph_objects as go
 
-from ramanujan.figures import template
+from ramanujan.figures import Drawn, drawn, template
 
 _HEIGHT = {1: 330, 2: 370}
 """Number of panels → height that they and the gaps between them get [px]."""
@@ -46,7 +46,7 @@ class Panel:
     range: tuple[float, float]
 
 
-def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> go.Figure:
+def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> Drawn:
     """Draw panels above each other over one time axis that starts at release.
 
     Parameters
@@ -57,47 +57,37 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     colors : ink, faint and paper
     """
     end = period * periods
-    figure = go.Figure(layout=_layout(colors, _HEIGHT[len(panels)]))
+    layout = _layout(colors, _HEIGHT[len(panels)])
+    traces: list[dict[str, Any]] = []
     named: set[str] = set()
     for number, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if number == 1 else f"y{number}"
-        for curve in panel.curves:
-            figure.add_trace(_trace(curve, panel, axis, end, named))
-        figure.update_layout(
-            {
-                f"yaxis{axis[1:]}": {
-                    "domain": domain,
-                    "title": {"text": f"{panel.title} [{panel.unit}]"},
-                    "automargin": True,
-                    "range": panel.range,
-                    "zeroline": True,
-                    "zerolinecolor": colors["ink"],
-                    "zerolinewidth": 0.5,
-                    "nticks": 6,
-                }
-            }
-        )
-    figure.add_vline(period, line={"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-    figure.add_annotation(
-        x=period, y=1, yref="paper", text="one period", showarrow=False, yanchor="bottom", font={"size": 12}
-    )
-    figure.update_xaxes(
-        title="time after release t [s]",
-        automargin=True,
-        range=[0, end],
-        anchor="free",
-        position=0,
-        unifiedhovertitle={"text": "t = %{x:.4~g} s"},
-    )
-    figure.update_layout(
-        hovermode="x unified", hoversubplots="axis", meta={"cursor": "time", "period": period, "periods": periods}
-    )
-    return figure
+        traces += [_trace(curve, panel, axis, end, named) for curve in panel.curves]
+        layout[f"yaxis{axis[1:]}"] = {
+            "domain": domain,
+            "title": {"text": f"{panel.title} [{panel.unit}]"},
+            "automargin": True,
+            "range": list(panel.range),
+            "nticks": 6,
+            **_zero_line(colors),
+        }
+    layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
+    layout["annotations"] = [_above(period, "one period", font={"size": 12})]
+    layout["xaxis"] = {
+        "title": {"text": "time after release t [s]"},
+        "automargin": True,
+        "range": [0, end],
+        "anchor": "free",
+        "position": 0,
+        "unifiedhovertitle": {"text": "t = %{x:.4~g} s"},
+    }
+    layout |= {"hovermode": "x unified", "hoversubplots": "axis"}
+    return drawn(traces, layout | {"meta": {"cursor": "time", "period": period, "periods": periods}})
 
 
 def phase_plane(
     orbits: Sequence[Curve], velocities: Sequence[np.ndarray], *, period: float, periods: int, colors: Mapping[str, str]
-) -> go.Figure:
+) -> Drawn:
     """Draw velocity over displacement for coordinates that share one scale.
 
     Parameters
@@ -107,22 +97,27 @@ def phase_plane(
     period, periods : the stretch of time that the steps divide [s], for the cursor
     colors : ink, faint and paper
     """
-    figure = go.Figure(layout=_layout(colors, _HEIGHT[2]))
-    for orbit, velocity in zip(orbits, velocities, strict=True):
-        figure.add_scatter(
-            x=orbit.values.astype(np.float32),
-            y=velocity.astype(np.float32),
-            name=orbit.name,
-            mode="lines",
-            line={"color": orbit.color, "width": orbit.width, "dash": orbit.dash},
-            hovertemplate="%{x:.3~g} cm, %{y:.3~g} cm/s",
-        )
-    places = [orbit.values for orbit in orbits]
-    centred = {"zeroline": True, "zerolinecolor": colors["ink"], "zerolinewidth": 0.5, "nticks": 7}
-    figure.update_xaxes(centred, title="displacement [cm]", automargin=True, range=roomy(places))
-    figure.update_yaxes(centred, title="velocity [cm/s]", range=roomy(velocities))
-    figure.update_layout(hovermode="closest", meta={"cursor": "orbit", "period": period, "periods": periods})
-    return figure
+    traces = [
+        {
+            "type": "scatter",
+            "x": orbit.values.astype(np.float32),
+            "y": velocity.astype(np.float32),
+            "name": orbit.name,
+            "mode": "lines",
+            "line": {"color": orbit.color, "width": orbit.width, "dash": orbit.dash},
+            "hovertemplate": "%{x:.3~g} cm, %{y:.3~g} cm/s",
+        }
+        for orbit, velocity in zip(orbits, velocities, strict=True)
+    ]
+    centred = {**_zero_line(colors), "nticks": 7}
+    places = list(roomy([orbit.values for orbit in orbits]))
+    layout = _layout(colors, _HEIGHT[2]) | {
+        "xaxis": {**centred, "title": {"text": "displacement [cm]"}, "automargin": True, "range": places},
+        "yaxis": {**centred, "title": {"text": "velocity [cm/s]"}, "range": list(roomy(velocities))},
+        "hovermode": "closest",
+        "meta": {"cursor": "orbit", "period": period, "periods": periods},
+    }
+    return drawn(traces, layout)
 
 
 def friction_bars(
@@ -131,7 +126,7 @@ def friction_bars(
     *,
     friction_coefficient: float,
     colors: Mapping[str, str],
-) -> go.Figure:
+) -> Drawn:
     """Draw the coefficient of static friction that each contact needs as a bar, and the present one as a line.
 
     Parameters
@@ -141,38 +136,36 @@ def friction_bars(
     friction_coefficient : μ
     colors : ink, faint and paper
     """
-    figure = go.Figure(layout=_layout(colors, 250))
     longest = max(*needed.values(), friction_coefficient)
     slips = [value > friction_coefficient for value in needed.values()]
-    figure.add_bar(
-        x=list(needed.values()),
-        y=[f"{contact}<br><b>{value:.3g}</b>" for contact, value in needed.items()],
-        orientation="h",
-        marker={
+    bars = {
+        "type": "bar",
+        "x": list(needed.values()),
+        "y": [f"{contact}<br><b>{value:.3g}</b>" for contact, value in needed.items()],
+        "orientation": "h",
+        "marker": {
             "color": list(body_colors),
             "line": {"color": colors["ink"], "width": [2.5 if slip else 0 for slip in slips]},
         },
-        text=["<b>slips</b>" if slip else "" for slip in slips],
-        textposition="outside",
-        cliponaxis=False,
-        width=0.62,
-        hovertemplate="%{x:.4~g}<extra></extra>",
-    )
-    figure.add_vline(friction_coefficient, line={"color": colors["primary"], "width": 3})
-    figure.add_annotation(
-        x=friction_coefficient,
-        y=1,
-        yref="paper",
-        yanchor="bottom",
-        text=f"<b>μ = {friction_coefficient:.2f}</b>",
-        showarrow=False,
-        font={"color": colors["primary"]},
-    )
-    figure.update_yaxes(autorange="reversed", ticks="", showgrid=False, automargin=True, fixedrange=True)
-    # What stands at the end of the longest bar needs room, on a phone too.
-    figure.update_xaxes(title="friction coefficient needed", range=[0, 1.4 * longest], nticks=5)
-    figure.update_layout(showlegend=False, height=250 + _ABOVE + 56, margin={"b": 56})
-    return figure
+        "text": ["<b>slips</b>" if slip else "" for slip in slips],
+        "textposition": "outside",
+        "cliponaxis": False,
+        "width": 0.62,
+        "hovertemplate": "%{x:.4~g}<extra></extra>",
+    }
+    present = f"<b>μ = {friction_coefficient:.2f}</b>"
+    layout = _layout(colors, 250)
+    layout |= {
+        "shapes": [_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
+        "annotations": [_above(friction_coefficient, present, font={"color": colors["primary"]})],
+        "yaxis": {"autorange": "reversed", "ticks": "", "showgrid": False, "automargin": True, "fixedrange": True},
+        # What stands at the end of the longest bar needs room, on a phone too.
+        "xaxis": {"title": {"text": "friction coefficient needed"}, "range": [0, 1.4 * longest], "nticks": 5},
+        "showlegend": False,
+        "height": 250 + _ABOVE + 56,
+        "margin": layout["margin"] | {"b": 56},
+    }
+    return drawn([bars], layout)
 
 
 def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
@@ -182,14 +175,31 @@ def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
     return float(least - margin), float(most + margin)
 
 
-def _layout(colors: Mapping[str, str], height: int) -> go.Layout:
-    return go.Layout(
-        template=template(colors),
-        height=height + _BELOW + _ABOVE,
-        margin={"t": _ABOVE, "b": _BELOW, "l": 64},
-        uirevision="stay",
-        legend={"orientation": "h", "x": 0, "y": 0, "yref": "container", "yanchor": "bottom", "font": {"size": 13}},
-    )
+def _layout(colors: Mapping[str, str], height: int) -> dict[str, Any]:
+    legend = {"orientation": "h", "x": 0, "y": 0, "yref": "container", "yanchor": "bottom", "font": {"size": 13}}
+    return {
+        "template": template(colors),
+        "height": height + _BELOW + _ABOVE,
+        "margin": {"t": _ABOVE, "b": _BELOW, "l": 64},
+        "uirevision": "stay",
+        "legend": legend,
+    }
+
+
+def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:
+    """Return what draws the zero of an axis as a thin line."""
+    return {"zeroline": True, "zerolinecolor": colors["ink"], "zerolinewidth": 0.5}
+
+
+def _upright(x: float, line: dict[str, Any], **more: Any) -> dict[str, Any]:
+    """Return an upright line at x, as high as its panel."""
+    ends = {"x0": x, "x1": x, "xref": "x", "y0": 0, "y1": 1, "yref": "y domain"}
+    return {"type": "line", **ends, "line": line, **more}
+
+
+def _above(x: float, text: str, **more: Any) -> dict[str, Any]:
+    """Return words above the panels at x."""
+    return {"x": x, "y": 1, "yref": "paper", "yanchor": "bottom", "text": text, "showarrow": False, **more}
 
 
 def _domains(panels: int) -> list[list[float]]:
@@ -199,23 +209,25 @@ def _domains(panels: int) -> list[list[float]]:
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
-def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -> go.Scatter:
+def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -> dict[str, Any]:
     group = curve.group or curve.name
-    trace = go.Scatter(
+    trace = {
+        "type": "scatter",
         # Equal steps need no array, and single precision is far finer than a pixel.
-        x0=0,
-        dx=end / (len(curve.values) - 1),
-        y=curve.values.astype(np.float32),
-        yaxis=axis,
-        name=curve.name,
-        legendgroup=group,
-        showlegend=group not in named,
-        mode="lines",
-        line={"color": curve.color, "width": curve.width, "dash": curve.dash},
-        hovertemplate=f"%{{y:.3~g}} {panel.unit}, {panel.title}",
-    )
+        "x0": 0,
+        "dx": end / (len(curve.values) - 1),
+        "y": curve.values.astype(np.float32),
+        "yaxis": axis,
+        "name": curve.name,
+        "legendgroup": group,
+        "showlegend": group not in named,
+        "mode": "lines",
+        "line": {"color": curve.color, "width": curve.width, "dash": curve.dash},
+        "hovertemplate": f"%{{y:.3~g}} {panel.unit}, {panel.title}",
+    }
     named.add(group)
     if curve.stacked:
-        pattern = {"shape": "/", "size": 5, "solidity": 0.35, "fgcolor": curve.color} if curve.hatched else None
-        trace.update(stackgroup="stack", fillcolor=curve.color, fillpattern=pattern, line={"width": 0.5})
+        trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": {**trace["line"], "width": 0.5}}
+        if curve.hatched:
+            trace["fillpattern"] = {"shape": "/", "size": 5, "solidity": 0.35, "fgcolor": curve.color}
     return trace

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import plotly.graph_objects as go
 
-from ramanujan.figures import template
+from ramanujan.figures import Drawn, drawn, template
 
 Colors = Mapping[str, str]
 
@@ -61,7 +60,7 @@ class Form:
     error_ulp: np.ndarray
 
 
-def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray], colors: Colors) -> go.Figure:
+def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray], colors: Colors) -> Drawn:
     """Draw the energy error above, the phase error below, over the number of periods; both axes logarithmic.
 
     Parameters
@@ -87,13 +86,14 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
         {"type": "scatter", "x": exact[0], "y": exact[1], "yaxis": "y2", "mode": "lines+markers", "line": dashed}
         | {"name": "closed form", "legendrank": 99, "hovertemplate": hover}
     )
-    figure = _figure(traces, colors, 520)
-    figure.update_layout(
+    return _figure(
+        traces,
+        colors,
+        520,
         yaxis=_log_axis("energy error |E/E₀ − 1|", _range([c.energy for c in curves], _ENERGY_SHOWN)) | _UPPER,
         yaxis2=_log_axis("phase error [rad]", _range([*(c.phase for c in curves), exact[1]], _PHASE_SHOWN)) | _LOWER,
         xaxis={"type": "log", "title": _title("periods"), "anchor": "y2", "fixedrange": True, "dtick": 1} | _TICKS,
     )
-    return figure
 
 
 def work_precision(
@@ -104,7 +104,7 @@ def work_precision(
     cheapest: tuple[float, float] | None,
     exact: tuple[float, float] | None,
     colors: Colors,
-) -> go.Figure:
+) -> Drawn:
     """Draw error over cost, both logarithmic: solid with filled marks in float64, dotted with open ones in float32.
 
     Parameters
@@ -138,30 +138,34 @@ def work_precision(
                 "hovertemplate": "%{text}<br>cost %{x:.3g}, error %{y:.3g}<extra>%{fullData.name}</extra>",
             }
         )
-    figure = _figure(traces, colors, 480)
     marks = ((cheapest, "cheapest", "circle-open", 22, "primary"), (exact, "closed form", "star", 15, "ink"))
     for point, name, symbol, size, color in marks:
         if point is not None:
-            figure.add_scatter(
-                x=[point[0]],
-                y=[max(point[1], shown[0])],
-                mode="markers",
-                marker={"symbol": symbol, "size": size, "color": colors[color], "line": {"width": 3}},
-                name=name,
-                legendrank=99,
-                hovertemplate="cost %{x:.3g}, error %{y:.3g}<extra>%{fullData.name}</extra>",
+            traces.append(
+                {
+                    "type": "scatter",
+                    "x": [point[0]],
+                    "y": [max(point[1], shown[0])],
+                    "mode": "markers",
+                    "marker": {"symbol": symbol, "size": size, "color": colors[color], "line": {"width": 3}},
+                    "name": name,
+                    "legendrank": 99,
+                    "hovertemplate": "cost %{x:.3g}, error %{y:.3g}<extra>%{fullData.name}</extra>",
+                }
             )
     reached = [cost for curve in curves for cost in (curve.cost[0], curve.cost[-1])]
     reached += [point[0] for point in (cheapest, exact) if point]
-    _level(figure, [min(reached), max(reached)], tolerance, "the error that you allow", colors)
-    figure.update_xaxes(_TICKS, type="log", title=_title(cost_title), dtick=1, fixedrange=True)
-    figure.update_yaxes(_log_axis("error at the end / amplitude", shown))
-    return figure
+    traces.append(_level([min(reached), max(reached)], tolerance, "the error that you allow", colors))
+    return _figure(
+        traces,
+        colors,
+        480,
+        xaxis={**_TICKS, "type": "log", "title": _title(cost_title), "dtick": 1, "fixedrange": True},
+        yaxis=_log_axis("error at the end / amplitude", shown),
+    )
 
 
-def forms(
-    exponents: np.ndarray, truth: np.ndarray, curves: Sequence[Form], *, quantity: str, colors: Colors
-) -> go.Figure:
+def forms(exponents: np.ndarray, truth: np.ndarray, curves: Sequence[Form], *, quantity: str, colors: Colors) -> Drawn:
     """Draw Ω² as each form returns it above, and its error in ulp below, over powers of ten of the quantity.
 
     Logarithms are drawn on linear axes: 1e-300 is no single-precision number, its logarithm is.
@@ -187,20 +191,21 @@ def forms(
         # No error at all has no logarithm: it is drawn at the lower edge.
         ulp = {"y": _logarithm(np.maximum(curve.error_ulp, 0.1)), "yaxis": "y2", "showlegend": False}
         traces.append(shared | ulp | {"hovertemplate": "10^%{y:.1f} ulp" + hover})
-    figure = _figure(traces, colors, 520)
     logarithms = np.concatenate([_logarithm(truth), *(_logarithm(curve.value) for curve in curves)])
     low, high = float(np.nanmin(logarithms)), float(np.nanmax(logarithms))
     room = 0.08 * (high - low) + 0.1
     worst = max(3.0, *(float(np.nanmax(_logarithm(curve.error_ulp), initial=0.0)) for curve in curves))
-    figure.update_layout(
+    return _figure(
+        traces,
+        colors,
+        520,
         xaxis=_power_axis(quantity, exponents[0], exponents[-1]) | {"anchor": "y2"},
         yaxis=_power_axis("Ω² [rad²/s²]", low - room, high + room, ticks=4) | _UPPER,
         yaxis2=_power_axis("error [ulp]", -1.2, worst + 1, ticks=4) | _LOWER,
     )
-    return figure
 
 
-def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> go.Figure:
+def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> Drawn:
     """Draw the phase error over the number of periods for each way to reduce the phase; both axes logarithmic.
 
     Parameters
@@ -224,11 +229,14 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
                 "hovertemplate": "after %{x:.0e} periods: %{y:.3g} rad<extra>%{fullData.name}</extra>",
             }
         )
-    figure = _figure(traces, colors, 380)
-    _level(figure, [periods[0], periods[-1]], np.pi, "π: any phase at all", colors)
-    figure.update_xaxes(_TICKS, type="log", title=_title("periods"), dtick=3, fixedrange=True)
-    figure.update_yaxes(_log_axis("phase error [rad]", (1e-17, 200.0)))
-    return figure
+    traces.append(_level([periods[0], periods[-1]], np.pi, "π: any phase at all", colors))
+    return _figure(
+        traces,
+        colors,
+        380,
+        xaxis={**_TICKS, "type": "log", "title": _title("periods"), "dtick": 3, "fixedrange": True},
+        yaxis=_log_axis("phase error [rad]", (1e-17, 200.0)),
+    )
 
 
 _TICKS = {"tickfont": {"size": 12}, "automargin": True, "exponentformat": "power"}
@@ -236,15 +244,13 @@ _UPPER = {"domain": [0.54, 1.0]}
 _LOWER = {"domain": [0.0, 0.46], "anchor": "x"}
 
 
-def _figure(traces: list[dict[str, Any]], colors: Colors, height: int) -> go.Figure:
-    """Return the traces in the common look; they are added at once, which takes a third of the time."""
-    layout = {"template": template(colors), "height": height, "showlegend": True}
+def _figure(traces: list[dict[str, Any]], colors: Colors, height: int, **axes: Any) -> Drawn:
+    """Return the traces in the common look."""
+    layout = {"template": template(colors), "height": height, "showlegend": True, **axes}
     layout["legend"] = {"orientation": "h", "y": -0.16, "yanchor": "top", "x": 0, "font": {"size": 13}}
     layout["legend"] |= {"itemclick": False, "itemdoubleclick": False}
     layout["margin"] = {"l": 60, "r": 12, "t": 12, "b": 20}
-    figure = go.Figure(layout=layout)
-    figure.add_traces(traces)
-    return figure
+    return drawn(traces, layout)
 
 
 def _look(number: int, colors: Colors) -> tuple[str, str]:
@@ -260,10 +266,11 @@ def _log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:
     return {**axis, **_TICKS}
 
 
-def _level(figure: go.Figure, ends: Sequence[float], level: float, name: str, colors: Colors) -> None:
-    """Draw a level that the curves are held against."""
+def _level(ends: Sequence[float], level: float, name: str, colors: Colors) -> dict[str, Any]:
+    """Return a level that the curves are held against."""
     line = {"color": colors["ink"], "dash": "dash", "width": 1.5}
-    figure.add_scatter(x=list(ends), y=[level] * 2, mode="lines", line=line, name=name, hoverinfo="skip")
+    trace = {"type": "scatter", "x": list(ends), "y": [level] * 2, "mode": "lines", "line": line}
+    return {**trace, "name": name, "hoverinfo": "skip"}
 
 
 def _title(text: str) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import plotly.graph_objects as go
 
-from ramanujan.figures import template
+from ramanujan.figures import Drawn, drawn, template
 
 
 def level_crossing(
@@ -20,7 +20,7 @@ def level_crossing(
     root_label: str,
     present: tuple[float, float],
     colors: Mapping[str, str],
-) -> go.Figure:
+) -> Drawn:
     """Draw Ω²m/k over ε, the level that is asked for, and the one mass ratio at which the curve takes it.
 
     Parameters
@@ -31,64 +31,72 @@ def level_crossing(
     present : ε and Ω²m/k of the present machine
     colors : ink, faint, paper, primary, top
     """
-    figure = go.Figure(
-        layout={
-            "template": template(colors, "ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>"),
-            "height": 330,
-            "showlegend": False,
-        }
-    )
-    figure.add_scatter(
-        x=[ratios[0], ratios[-1]], y=[level] * 2, mode="lines", line={"color": colors["ink"], "dash": "dot"}
-    )
-    figure.add_scatter(
-        x=np.float32(ratios), y=np.float32(values), mode="lines", line={"color": colors["primary"], "width": 3}
-    )
-    figure.add_scatter(
-        x=[present[0]],
-        y=[present[1]],
-        mode="markers",
-        marker={"symbol": "circle-open", "size": 20, "color": colors["primary"], "line": {"width": 3}},
-        hovertemplate="your machine<br>ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>",
-    )
-    figure.add_scatter(
-        x=[root],
-        y=[level],
-        mode="markers",
-        marker={"symbol": "star", "size": 16, "color": colors["top"]},
-    )
-    left, right = np.log10(ratios[0]), np.log10(ratios[-1])
+    traces = [
+        {
+            "x": [ratios[0], ratios[-1]],
+            "y": [level] * 2,
+            "mode": "lines",
+            "line": {"color": colors["ink"], "dash": "dot"},
+        },
+        {
+            "x": np.float32(ratios),
+            "y": np.float32(values),
+            "mode": "lines",
+            "line": {"color": colors["primary"], "width": 3},
+        },
+        {
+            "x": [present[0]],
+            "y": [present[1]],
+            "mode": "markers",
+            "marker": {"symbol": "circle-open", "size": 20, "color": colors["primary"], "line": {"width": 3}},
+            "hovertemplate": "your machine<br>ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>",
+        },
+        {
+            "x": [root],
+            "y": [level],
+            "mode": "markers",
+            "marker": {"symbol": "star", "size": 16, "color": colors["top"]},
+        },
+    ]
+    left, right = float(np.log10(ratios[0])), float(np.log10(ratios[-1]))
     at = float(np.log10(root))
     # The label goes where the falling curve is not: right above it near its flat start, left above its flat end, else
     # left below it.
     at_start = at < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
-    figure.add_annotation(
-        x=at,
-        y=level,
-        text=root_label,
-        ax=22 if at_start else -22,
-        ay=-34 if above else 40,
-        xanchor="left" if at_start else "right",
-        arrowcolor=colors["ink"],
-        arrowwidth=1,
-        arrowhead=0,
-        standoff=8,
-        bgcolor=colors["paper"],
-    )
-    figure.add_annotation(
-        x=right if at_start else left,
-        y=level,
-        text=level_label,
-        showarrow=False,
-        xanchor="right" if at_start else "left",
-        yanchor="bottom",
-        xshift=-6 if at_start else 6,
-        font={"size": 13},
-    )
-    figure.update_xaxes(type="log", title="mass ratio ε = m′/m", range=[left, right], dtick=1, fixedrange=True)
-    figure.update_yaxes(title="Ω²m/k", range=[0, 1.3 * float(values[0])], fixedrange=True)
-    return figure
+    root_note = {
+        "x": at,
+        "y": level,
+        "text": root_label,
+        "ax": 22 if at_start else -22,
+        "ay": -34 if above else 40,
+        "xanchor": "left" if at_start else "right",
+        "arrowcolor": colors["ink"],
+        "arrowwidth": 1,
+        "arrowhead": 0,
+        "standoff": 8,
+        "bgcolor": colors["paper"],
+    }
+    level_note = {
+        "x": right if at_start else left,
+        "y": level,
+        "text": level_label,
+        "showarrow": False,
+        "xanchor": "right" if at_start else "left",
+        "yanchor": "bottom",
+        "xshift": -6 if at_start else 6,
+        "font": {"size": 13},
+    }
+    ratio_axis = {"type": "log", "title": {"text": "mass ratio ε = m′/m"}, "range": [left, right], "dtick": 1}
+    layout = {
+        "template": template(colors, "ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>"),
+        "height": 330,
+        "showlegend": False,
+        "annotations": [root_note, level_note],
+        "xaxis": {**ratio_axis, "fixedrange": True},
+        "yaxis": {"title": {"text": "Ω²m/k"}, "range": [0, 1.3 * float(values[0])], "fixedrange": True},
+    }
+    return drawn(({"type": "scatter", **trace} for trace in traces), layout)
 
 
 _UNIT = 2

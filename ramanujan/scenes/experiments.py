@@ -13,7 +13,6 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import nullcontext
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
@@ -24,7 +23,6 @@ from ramanujan.scenes import controls
 
 T = TypeVar("T")
 
-_TURN = threading.Lock()
 _SLICE = 0.04
 """Seconds of work between two pauses."""
 _PAUSE = 0.01
@@ -33,6 +31,13 @@ _REPORT = 0.1
 """Seconds between two reports of progress, and so the longest that a visitor's wish waits."""
 _SHOW = 0.8
 """Seconds between two drawings of what is there so far."""
+_GONE = 5.0
+"""Seconds after which a visitor who is no longer heard of has left the line."""
+
+_WAITING = (
+    "Another visitor is measuring. Your measurement begins when theirs has ended.",
+    "{before} measurements come before yours. They are taken one after the other, so that none disturbs another.",
+)
 
 
 @dataclass(eq=False)
@@ -89,6 +94,7 @@ def job(key: str, record: Record[T], pieces: Callable[[], Iterator[Piece[T]]], t
     """Return the session's job of that key for that record; one begun for another record is dropped."""
     jobs = st.session_state.setdefault("experiments", {})
     if key not in jobs or jobs[key].record is not record:
+        drop(key)
         jobs[key] = Job(record, pieces(), title, timed)
     return jobs[key]
 
@@ -100,7 +106,8 @@ def current(key: str) -> Job | None:
 
 def drop(key: str) -> None:
     """End the session's job of that key; what it has found so far is forgotten."""
-    st.session_state.get("experiments", {}).pop(key, None)
+    if ended := st.session_state.get("experiments", {}).pop(key, None):
+        _LINE.leave(ended)
 
 
 def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
@@ -114,13 +121,16 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
     worked = False
     for key, task, place in jobs:
         worked = True
-        with _turn(task, place) if task.timed else nullcontext():
-            shown = len(task.results)
-            while task.wanted:
-                _take(task, _REPORT)
-                place.progress(task.done, task.title)
-                if len(task.results) > shown and time.monotonic() - start > _SHOW and not task.complete:
-                    controls.run_again()
+        shown = len(task.results)
+        while task.wanted:
+            if task.timed and (before := _LINE.before(task)):
+                place.progress(task.done, _WAITING[before > 1].format(before=before))
+                time.sleep(_REPORT)
+                continue
+            _take(task, _REPORT)
+            place.progress(task.done, task.title)
+            if len(task.results) > shown and time.monotonic() - start > _SHOW and not task.complete:
+                controls.run_again()
         drop(key)
         if time.monotonic() - start > _SHOW:
             controls.run_again()
@@ -136,15 +146,27 @@ def _take(task: Job, seconds: float) -> None:
         time.sleep(_PAUSE)
 
 
-class _turn:  # noqa: N801 (reads as a sentence: with _turn(task, place))
-    """Wait until no other visitor measures; whoever waits may leave."""
+class Line:
+    """The visitors who want to measure, first come, first served; one measures at a time, to the end."""
 
-    def __init__(self, task: Job, place: Any) -> None:
-        self.task, self.place = task, place
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        # Job → when it was last heard of; a page is heard of ten times a second while it waits or measures.
+        self._heard: dict[Job, float] = {}
 
-    def __enter__(self) -> None:
-        while not _TURN.acquire(timeout=_REPORT):
-            self.place.progress(self.task.done, "Another visitor is measuring; yours goes on when they are done.")
+    def before(self, task: Job) -> int:
+        """Join the line, or stay in it, and return how many come first; 0 means that it is this one's turn."""
+        with self._lock:
+            now = time.monotonic()
+            self._heard[task] = now
+            for other in [other for other, heard in self._heard.items() if now - heard > _GONE or not other.wanted]:
+                del self._heard[other]
+            return list(self._heard).index(task) if task in self._heard else 0
 
-    def __exit__(self, *_: object) -> None:
-        _TURN.release()
+    def leave(self, task: Job) -> None:
+        """Leave the line; the next one moves up."""
+        with self._lock:
+            self._heard.pop(task, None)
+
+
+_LINE = Line()

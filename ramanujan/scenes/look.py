@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import streamlit as st
 
 from ramanujan import page
@@ -33,7 +35,12 @@ def theme() -> str:
 
 def colors() -> dict[str, str]:
     """Return the theme's colours by use: ink, paper, faint, primary, and one (and its ink) for each body."""
-    shown = theme()
+    return _colors(theme())
+
+
+@cache
+def _colors(shown: str) -> dict[str, str]:
+    # To ask for an option takes a tenth of a millisecond, and a page asks for all of them several times a run.
     fallback = {"ink": "#808080", "paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
     return {
         use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, "#808080")

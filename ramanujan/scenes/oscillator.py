@@ -35,7 +35,7 @@ stage.mount(
 st.subheader("When is it in step with √(k/m)?", anchor=False)
 page.ring("oscillator")
 st.plotly_chart(
-    cached.figure(look.colors()),
+    cached.figure(look.theme()),
     key="curve",
     theme=None,
     config={"displayModeBar": False},
@@ -47,7 +47,11 @@ st.caption("Click on the curve to build the machine with that mass ratio.")
 
 st.subheader("In six steps", anchor=False)
 st.caption(f"Each step in symbols, then with numbers. {cached.numbers_stated(machine.m, machine.m_prime, machine.k)}")
-for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1):
-    st.markdown(f"##### {number}. {step.heading}\n{step.reason}")
-    st.latex(step.equations, width="content")
+# One text: each element of a page costs the server a message.
+st.container(key="steps").markdown(
+    "\n\n".join(
+        f"##### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
+        for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1)
+    )
+)
 st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")

@@ -1,12 +1,13 @@
 """A class in the app at once: how long each student waits for an answer, and what it costs the server.
 
     python -m tests.benchmarks.classroom [--sessions 100] [--page oscillator | … | spread | every] [--seconds 30]
+    python -m tests.benchmarks.classroom --processes 2
     python -m tests.benchmarks.classroom --visits 1000
 
 Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
 random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
-something on a busy machine; the load comes from this machine as well. With --visits, sessions are only opened and
-closed, and the growth of the server's memory is printed.
+something on a busy machine; the load comes from this machine as well. With --processes, the app runs behind the proxy
+of the recipe. With --visits, sessions are only opened and closed, and the growth of the server's memory is printed.
 """
 
 from __future__ import annotations
@@ -25,8 +26,9 @@ from pathlib import Path
 from time import perf_counter
 
 from tests.benchmarks.app import BARE
-from tests.benchmarks.visitor import Visitor, VisitError
+from tests.benchmarks.visitor import VisitError, Visitor
 from tests.browser import ROOT, running
+from tests.deployed import deployed
 
 PAGES = {"oscillator": "", "derivation": "derivation", "motion": "motion", "1729": "1729", "speed": "speed?periods=1"}
 EVERY = 2.0
@@ -56,6 +58,7 @@ def main() -> None:
     parser.add_argument("--slider", default="m", help="the widget key of the slider that is moved (default: m)")
     parser.add_argument("--seconds", type=float, default=30, help="how long the class works (default: 30)")
     parser.add_argument("--seed", type=int, default=1729)
+    parser.add_argument("--processes", type=int, default=0, help="run 1 or 2 processes behind HAProxy, by the recipe")
     parser.add_argument("--visits", type=int, default=0, help="open and close so many sessions instead")
     given = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
@@ -78,6 +81,11 @@ def main() -> None:
 
 def lesson(script: Path, pages: list[str], given: argparse.Namespace) -> Lesson:
     """Let a class work on these pages, and return what it saw."""
+    if given.processes and script == ROOT / "app.py":
+        with deployed(given.processes) as hall:
+            return asyncio.run(
+                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, given)
+            )
     server = running(script)
     with server as address:
         return asyncio.run(_lesson(address, [server.process.pid], pages, given))
@@ -85,9 +93,10 @@ def lesson(script: Path, pages: list[str], given: argparse.Namespace) -> Lesson:
 
 async def _lesson(address: str, processes: list[int], pages: list[str], given: argparse.Namespace) -> Lesson:
     seen = Lesson()
-    # The first visitors pay for the warm-up.
+    # The first visitors pay for the warm-up, in each process.
     for page in pages:
-        await _warm(address, page, given)
+        for _ in processes:
+            await _warm(address, page, given)
     before = memory(processes)
     visitors = [Visitor(address, pages[number % len(pages)]) for number in range(given.sessions)]
     gate = asyncio.Semaphore(AT_ONCE)
@@ -148,7 +157,11 @@ def report(name: str, seen: Lesson, bare: Lesson | None = None) -> None:
     p50, p95, p99 = quantiles(seen.waits)
     columns = [f"{1000 * value:>6.0f} ms" for value in (p50, p95, p99, max(seen.waits, default=float("nan")))]
     columns += [f"{len(seen.waits):>9}", f"{sum(seen.errors.values()):>8}"]
-    columns += [f"{1000 * seen.processor / runs:>8.1f} ms", f"{seen.bytes / runs:>9.0f}", f"{seen.messages / runs:>10.0f}"]
+    columns += [
+        f"{1000 * seen.processor / runs:>8.1f} ms",
+        f"{seen.bytes / runs:>9.0f}",
+        f"{seen.messages / runs:>10.0f}",
+    ]
     columns += [f"{seen.memory / 2**20:>8.2f} MiB", f"{1000 * quantiles(seen.opened)[1]:>10.0f} ms"]
     print(f"{name:<14}{''.join(columns)}", flush=True)
     if bare:

@@ -137,9 +137,10 @@ class Visitor:
             self.cache[message.hash] = self.runs
         if kind == "delta" and message.delta.WhichOneof("type") == "new_element":
             self._take_element(message.delta.new_element)
+        elif kind == "navigation":
+            self.script_hash = message.navigation.page_script_hash
         elif kind == "new_session":
             self.new_session = True
-            self.script_hash = message.new_session.page_script_hash
             self.max_age = message.new_session.config.max_cached_message_age
         elif kind == "script_finished":
             return self._end_of_run(message.script_finished)

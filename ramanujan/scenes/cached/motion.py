@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
+from ramanujan.figures import Drawn
 from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
@@ -56,13 +56,13 @@ def record(m: float, m_prime: float, k: float, radius: float, compression: float
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
-def figures(view: str, theme: str, *setting: float) -> tuple[go.Figure, ...]:
+def figures(view: str, theme: str, *setting: float) -> tuple[Drawn, ...]:
     """Return the figures of a view, a key of `VIEWS`, in the present theme; the setting is that of `record`."""
     motion, colors = record(*setting), look.colors()
     return tuple(draw(motion, colors) for draw in VIEWS[view])
 
 
-def _displacements(motion: Record, colors: Mapping[str, str]) -> go.Figure:
+def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw where the bodies are, over the ground and over the block."""
     places = (("over the ground", motion.over_ground), ("over the block", motion.over_block))
     panels = [
@@ -76,7 +76,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> go.Figure:
     return _over_time(motion, panels, colors)
 
 
-def _orbits(motion: Record, colors: Mapping[str, str]) -> go.Figure:
+def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw one orbit for each coordinate: the slab and the top cylinder over the block, the block over the ground."""
     shown = {
         "slab": ("slab over block", motion.over_block, motion.velocity_over_block),
@@ -88,7 +88,7 @@ def _orbits(motion: Record, colors: Mapping[str, str]) -> go.Figure:
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
 
-def _energy(motion: Record, colors: Mapping[str, str]) -> go.Figure:
+def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the energies of all bodies by kind, one upon the other, below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
@@ -102,7 +102,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> go.Figure:
     return _over_time(motion, [Panel("energy", "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
 
-def _momentum(motion: Record, colors: Mapping[str, str]) -> go.Figure:
+def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw each body's momentum, swinging, and the two conserved ones, flat."""
     curves = [
         Curve(f"mv of {NAMES[body]}", values, colors[body], width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
@@ -121,7 +121,7 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> go.Figure:
     return _over_time(motion, [_panel("momentum", "kg m/s", curves)], colors)
 
 
-def _contacts(motion: Record, colors: Mapping[str, str]) -> go.Figure:
+def _contacts(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the horizontal force on each roller at its contacts, and the normal forces there."""
     forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
     normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
@@ -152,5 +152,5 @@ def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
     return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
 
 
-def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> go.Figure:
+def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> Drawn:
     return time_panels(panels, period=motion.oscillator.period, periods=PERIODS, colors=colors)

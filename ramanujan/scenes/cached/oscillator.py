@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import plotly.graph_objects as go
 import streamlit as st
 import sympy as sp
 
@@ -14,7 +13,9 @@ from ramanujan.derivation import Step
 from ramanujan.derivation.numbers import exact_values, stated, unit_frequency_condition
 from ramanujan.derivation.rows import aligned, rows
 from ramanujan.derivation.symbols import epsilon
+from ramanujan.figures import Drawn, kept
 from ramanujan.figures.oscillator import Mark, frequency_curve
+from ramanujan.scenes import look
 from ramanujan.scenes.cached import route
 
 CURVE_RANGE = (0.01, 30.0)
@@ -59,18 +60,20 @@ def curve() -> Curve:
 
 
 @st.cache_resource(show_spinner=False, max_entries=4)
-def figure(colors: dict[str, str]) -> go.Figure:
-    """Return the figure of the curve in the given colours; it is the same for every machine."""
-    base = curve()
-    return frequency_curve(
-        base.ratios,
-        base.values,
-        light_limit=base.light_limit,
-        heavy_limit=base.heavy_limit,
-        limit_labels=(base.light_label, base.heavy_label),
-        equal=base.equal,
-        unit=base.unit,
-        colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
+def figure(theme: str) -> Drawn:
+    """Return the figure of the curve in the present theme; it is the same for every machine."""
+    base, colors = curve(), look.colors()
+    return kept(
+        frequency_curve(
+            base.ratios,
+            base.values,
+            light_limit=base.light_limit,
+            heavy_limit=base.heavy_limit,
+            limit_labels=(base.light_label, base.heavy_label),
+            equal=base.equal,
+            unit=base.unit,
+            colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
+        )
     )
 
 

@@ -9,7 +9,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-import plotly.graph_objects as go
 import streamlit as st
 
 from ramanujan import Oscillator
@@ -26,6 +25,7 @@ from ramanujan.accuracy import (
 )
 from ramanujan.accuracy.extremes import Sweep
 from ramanujan.accuracy.phase import PhaseErrors
+from ramanujan.figures import Drawn
 from ramanujan.figures import speed as figures
 from ramanujan.scenes import thinned
 from ramanujan.scenes.experiments import Record
@@ -84,14 +84,14 @@ def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(SWEEPS))
-def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> go.Figure:
+def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> Drawn:
     """Return the figure of one of the SWEEPS in the given colours."""
     exponents, truth, curves = thinned.sweep(_shown)
     return figures.forms(exponents, truth, curves, quantity=SWEEPS[name].quantity, colors=colors)
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
-def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) -> go.Figure:
+def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) -> Drawn:
     """Return the figure of the phase errors in the given colours."""
     found = phases(m, m_prime, k)
     curves = {

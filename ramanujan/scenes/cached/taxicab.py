@@ -20,6 +20,7 @@ from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
+from ramanujan.figures import Drawn, kept
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import Machine
 from ramanujan.scenes.cached import route
@@ -32,9 +33,22 @@ COUNTED_PART = 20
 
 
 # Building a figure costs more than everything else on the page; these depend on little.
-cube_stack = st.cache_resource(show_spinner=False, max_entries=64)(figures.cube_stack)
-machine_grid = st.cache_resource(show_spinner=False, max_entries=80)(figures.machine_grid)
-cube_counts = st.cache_resource(show_spinner=False, max_entries=4)(figures.cube_counts)
+@st.cache_resource(show_spinner=False, max_entries=64)
+def cube_stack(sides: list[int], *, widest: int, apart: bool, turn: float, colors: dict[str, str]) -> Drawn:
+    """Return the figure of a stack of cubes."""
+    return kept(figures.cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors))
+
+
+@st.cache_resource(show_spinner=False, max_entries=80)
+def machine_grid(*shown: object) -> Drawn:
+    """Return the figure of all machines."""
+    return kept(figures.machine_grid(*shown))
+
+
+@st.cache_resource(show_spinner=False, max_entries=4)
+def cube_counts(*shown: object) -> Drawn:
+    """Return the figure that counts sums of two cubes."""
+    return kept(figures.cube_counts(*shown))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,102 @@
+"""The app as `.deploy/` runs it, on the loopback address: two processes by their unit, HAProxy before them."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shlex
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from configparser import ConfigParser
+
+from tests.browser import ROOT
+
+RECIPE = ROOT / ".deploy"
+HAPROXY = shutil.which("haproxy") or shutil.which("haproxy", path="/usr/sbin:/usr/local/sbin")
+
+_PLACE = "/opt/ramanujan"
+"""Where the unit expects the app; here it is this folder, with this Python."""
+
+
+class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
+    """Run the recipe's processes and its proxy for as long as the block lasts; `address` is the proxy's."""
+
+    def __init__(self, processes: int = 2) -> None:
+        names = ("first", "second")[:processes]
+        self.ports = dict(zip(names, _free_ports(processes), strict=True))
+        self.processes: dict[str, subprocess.Popen] = {}
+
+    def __enter__(self) -> deployed:
+        [port] = _free_ports(1)
+        self.address = f"http://127.0.0.1:{port}"
+        addresses = {f"RAMANUJAN_{name.upper()}": f"127.0.0.1:{port}" for name, port in self.ports.items()}
+        addresses["RAMANUJAN_ADDRESS"] = f"127.0.0.1:{port}"
+        try:
+            for name in self.ports:
+                self.start(name)
+            self.proxy = subprocess.Popen(
+                [HAPROXY, "-db", "-f", str(RECIPE / "ramanujan.cfg")],
+                env=os.environ | addresses,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
+            self._wait()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        running = [*self.processes.values(), *([self.proxy] if hasattr(self, "proxy") else [])]
+        for process in running:
+            process.terminate()
+        for process in running:
+            process.wait()
+
+    def _wait(self, seconds: float = 90) -> None:
+        """Wait until the proxy sends visitors to every process."""
+        seen, end = set(), time.monotonic() + seconds
+        while seen < set(self.ports):
+            if time.monotonic() > end:
+                raise RuntimeError(f"the proxy sends nobody to {', '.join(set(self.ports) - seen)}")
+            with contextlib.suppress(OSError), urllib.request.urlopen(self.address, timeout=5) as answer:
+                seen.add(answer.headers["Set-Cookie"].partition(";")[0].partition("=")[2])
+            time.sleep(0.1)
+
+    def start(self, name: str) -> None:
+        """Start a process as its unit says."""
+        unit = ConfigParser(interpolation=None, strict=False)
+        unit.optionxform = str
+        unit.read(RECIPE / "ramanujan@.service")
+        service = unit["Service"]
+        command = [
+            part.replace("%i", str(self.ports[name])).replace(f"{_PLACE}/.venv/bin/python", sys.executable)
+            for part in shlex.split(service["ExecStart"])
+        ]
+        self.processes[name] = subprocess.Popen(
+            command,
+            cwd=service["WorkingDirectory"].replace(_PLACE, str(ROOT)),
+            env=os.environ | dict([service["Environment"].split("=")]),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+
+    def kill(self, name: str) -> None:
+        """End a process without warning."""
+        self.processes[name].send_signal(signal.SIGKILL)
+        self.processes[name].wait()
+
+
+def _free_ports(count: int) -> list[int]:
+    probes = [socket.socket() for _ in range(count)]
+    for probe in probes:
+        probe.bind(("127.0.0.1", 0))
+    ports = [probe.getsockname()[1] for probe in probes]
+    for probe in probes:
+        probe.close()
+    return ports

@@ -1,0 +1,163 @@
+"""Slow, broken and restarted connections: whatever the network does, the app goes on and keeps what was set.
+
+RAMANUJAN_CHANGES sets how many quick changes each page sees at each delay (500 for a thorough run).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import random
+
+import pytest
+
+from tests.benchmarks.visitor import Visitor
+from tests.browser import ROOT, listen, running, settle
+from tests.slow_network import delayed, network
+
+CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "12"))
+DELAYS = (0.1,) if CHANGES < 100 else (0.0, 0.1, 0.6)
+PAGES = ("", "derivation", "motion", "1729", "speed?periods=1")
+LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
+
+
+def ready(tab: object) -> None:
+    tab.wait_for_selector("[data-testid=stMainBlockContainer] h1", timeout=60_000)
+    settle(tab)
+
+
+def open_tab(profile: object, address: str) -> object:
+    tab = profile.new_page()
+    tab.set_viewport_size({"width": 1280, "height": 720})
+    tab.emulate_media(reduced_motion="reduce")
+    listen(tab)
+    tab.goto(address)
+    ready(tab)
+    return tab
+
+
+def alive(tab: object) -> None:
+    """Check that the app says nothing of a connection error and still answers."""
+    assert tab.get_by_role("dialog").count() == 0, tab.get_by_role("dialog").first.inner_text()
+    before = slider(tab).input_value()
+    move(tab)
+    assert slider(tab).input_value() != before
+
+
+def slider(tab: object) -> object:
+    return tab.locator(".st-key-m input[type=range]").first
+
+
+def move(tab: object, key: str = "ArrowRight") -> None:
+    slider(tab).focus()
+    tab.keyboard.press(key)
+    tab.wait_for_timeout(400)
+    settle(tab)
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+def test_quick_changes_over_a_slow_network_never_end_the_app(server: str, profile: object, delay: float) -> None:
+    chance = random.Random(1729)
+    with delayed(server, delay) as address:
+        tab = open_tab(profile, address)
+        for _ in range(CHANGES * len(PAGES)):
+            tab.evaluate(f"{LINKS}[{chance.randrange(len(PAGES))}].click()")
+            tab.wait_for_timeout(100)
+        tab.evaluate(f"{LINKS}[0].click()")
+        tab.wait_for_timeout(1000 * delay + 500)
+        ready(tab)
+        alive(tab)
+        if CHANGES >= 100:
+            for place in range(len(PAGES)):
+                tab.evaluate(f"{LINKS}[{place}].click()")
+                settle(tab)
+                slider(tab).focus()
+                for _ in range(CHANGES):
+                    tab.keyboard.press(chance.choice(["ArrowRight", "ArrowLeft"]))
+                    tab.wait_for_timeout(100)
+                settle(tab)
+                alive(tab)
+        tab.close()
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_keeps_no_message_that_changes_and_forgets_none(server: str, page: str) -> None:
+    """The cause: what a page forgets between its question and the answer can no longer be answered by its name."""
+
+    async def visit() -> None:
+        visitor, chance = Visitor(server, page), random.Random(1729)
+        await visitor.open()
+        await visitor.move("m", chance)
+        kept = set(visitor.cache)
+        for key in ("m", "m_prime", "k", "compression"):
+            await visitor.move(key, chance)
+        assert set(visitor.cache) == kept
+        assert visitor.max_age > 10**9
+        await visitor.close()
+
+    asyncio.run(visit())
+
+
+def test_the_network_goes_away_for_a_while(server: str, profile: object) -> None:
+    with network(server) as way:
+        tab = open_tab(profile, f"{way.address}/motion?m=2&mu=0.4")
+        move(tab)
+        address = tab.url
+        assert "m=2.01" in address
+        way.down()
+        tab.wait_for_timeout(20_000 if CHANGES >= 100 else 3_000)
+        way.up()
+        with tab.expect_websocket(timeout=60_000):
+            pass
+        assert tab.url == address
+        move(tab)
+        assert tab.url == address.replace("2.01", "2.02")
+        assert tab.locator(".st-key-mu input[type=range]").input_value() == "0.4"
+        tab.close()
+
+
+def test_a_restarted_server_finds_everything_again(profile: object) -> None:
+    first = running(ROOT / "app.py")
+    with network(first.__enter__()) as way:
+        tab = open_tab(profile, f"{way.address}/derivation?m=2&step=3")
+        move(tab)
+        first.process.kill()
+        first.process.wait()
+        way.down()
+        with running(ROOT / "app.py") as address:
+            way.lead_to(address)
+            with tab.expect_websocket(timeout=60_000):
+                way.up()
+            move(tab)
+            assert "m=2.02" in tab.url
+            assert "step=3" in tab.url
+            assert tab.get_by_text("3.", exact=False).count()
+            for page in PAGES:
+                tab.goto(f"{way.address}/{page}{'&' if '?' in page else '?'}m=2.5")
+                ready(tab)
+                tab.reload()
+                ready(tab)
+                assert slider(tab).input_value() == "2.5"
+                assert "m=2.5" in tab.url
+            tab.close()
+
+
+def test_back_and_forward_through_ten_changes(server: str, profile: object) -> None:
+    tab = open_tab(profile, f"{server}/?m=2")
+    titles = []
+    for place in (1, 2, 3, 4, 0, 2, 1, 3, 0, 2):
+        tab.evaluate(f"{LINKS}[{place}].click()")
+        settle(tab)
+        titles.append((tab.locator("h1").first.inner_text(), slider(tab).input_value()))
+    assert {value for _, value in titles} == {"2"}
+    for expected in reversed(titles[:-1]):
+        tab.go_back()
+        tab.wait_for_timeout(300)
+        settle(tab)
+        assert (tab.locator("h1").first.inner_text(), slider(tab).input_value()) == expected
+    for expected in titles[1:]:
+        tab.go_forward()
+        tab.wait_for_timeout(300)
+        settle(tab)
+        assert (tab.locator("h1").first.inner_text(), slider(tab).input_value()) == expected
+    tab.close()

@@ -1,0 +1,145 @@
+"""The recipe under .deploy, started as it is on the loopback address: two processes behind HAProxy, with a browser."""
+
+from __future__ import annotations
+
+import gzip
+import os
+import random
+import re
+import urllib.request
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+from tests.browser import CHROMIUM, FLAGS, listen, settle
+from tests.deployed import HAPROXY, deployed
+
+STORE = "ramanujan"
+"""The cookie that names a visitor's process."""
+
+pytestmark = pytest.mark.xdist_group("deployment")
+
+
+@pytest.fixture(scope="module")
+def hall() -> Iterator[deployed]:
+    for program, name, package in ((HAPROXY, "HAPROXY", "haproxy"), (CHROMIUM, "BROWSER", "chromium")):
+        if program is None:
+            if os.environ.get(f"RAMANUJAN_REQUIRE_{name}"):
+                pytest.fail(f"no {package} on this system, and RAMANUJAN_REQUIRE_{name} is set")
+            pytest.skip(f"no {package} on this system (on Debian: apt-get install {package})")
+    with deployed() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def chromium(hall: deployed) -> Iterator[object]:
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+def get(address: str, **headers: str) -> tuple[object, bytes]:
+    names = {name.replace("_", "-"): value for name, value in headers.items()}
+    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=10) as answer:
+        return answer.headers, answer.read()
+
+
+@pytest.fixture(scope="module")
+def students(hall: deployed, chromium: object) -> dict[str, object]:
+    """Two visitors of the motion page, each with a browser of their own, by the names of their processes."""
+    tabs = {}
+    for _ in range(2):
+        size = {"width": 1280, "height": 720}
+        tab = chromium.new_context(viewport=size, reduced_motion="reduce").new_page()
+        listen(tab)
+        tab.goto(f"{hall.address}/motion?m=2.5&mu=0.4")
+        tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
+        settle(tab)
+        tabs[process_of(tab)] = tab
+    assert set(tabs) == {"first", "second"}
+    return tabs
+
+
+def process_of(tab: object) -> str:
+    """Return the name of the process that serves a visitor."""
+    [cookie] = [cookie["value"] for cookie in tab.context.cookies() if cookie["name"] == STORE]
+    return cookie
+
+
+def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
+    cookies = [get(hall.address)[0]["Set-Cookie"].partition(";")[0] for _ in range(6)]
+    assert set(cookies) == {f"{STORE}=first", f"{STORE}=second"}
+    for cookie in cookies:
+        # A cookie that still holds is not set again.
+        assert all(get(hall.address, Cookie=cookie)[0]["Set-Cookie"] is None for _ in range(4))
+    # Negative control: one that names no process is replaced.
+    assert STORE in get(hall.address, Cookie=f"{STORE}=third")[0]["Set-Cookie"]
+
+
+def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) -> None:
+    _, page = get(hall.address)
+    scripts = re.findall(r"static/js/[^\"]+\.js", page.decode())
+    assert len(scripts) > 1
+    for script in scripts[:3]:
+        headers, body = get(f"{hall.address}/{script}", Accept_Encoding="gzip")
+        _, plain = get(f"{hall.address}/{script}")
+        assert gzip.decompress(body) == plain
+        assert headers["Content-Encoding"] == "gzip"
+        assert "immutable" in headers["Cache-Control"]
+    # An address that is no file gets the page, which must not be kept.
+    assert "no-cache" in get(f"{hall.address}/static/js/nothing.js", Accept_Encoding="gzip")[0]["Cache-Control"]
+
+
+def test_a_download_comes_from_the_visitors_process(students: dict[str, object]) -> None:
+    for tab in students.values():
+        with tab.expect_download() as download:
+            tab.get_by_role("button", name="CSV").click()
+        assert "2.5" in download.value.path().read_text()
+
+
+def test_a_killed_process_costs_its_visitors_nothing_that_they_set(hall: deployed, students: dict[str, object]) -> None:
+    tab, other = students["first"], students["second"]
+    move(tab, random.Random(1729).randint(3, 9))
+    address, value = tab.url, slider(tab).input_value()
+    assert "m_prime=" in address
+    other_address = other.url
+
+    with tab.expect_websocket(timeout=60_000):
+        hall.kill("first")
+    # The page is as it was, and the first change finds the new process with all that was set.
+    assert (tab.url, slider(tab).input_value()) == (address, value)
+    move(tab, 1)
+    assert process_of(tab) == "second"
+    moved = f"{float(value) + 0.01:.2f}"
+    assert slider(tab).input_value() == moved
+    assert tab.url == address.replace(f"m_prime={value}", f"m_prime={moved}")
+    assert tab.locator(".st-key-mu input[type=range]").input_value() == "0.4"
+    tab.reload()
+    tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
+    settle(tab)
+    assert process_of(tab) == "second"
+    assert slider(tab).input_value() == moved
+    assert other.url == other_address
+    # It takes visitors again when it is back.
+    hall.start("first")
+    for _ in range(120):
+        if "first" in (get(hall.address)[0]["Set-Cookie"] or ""):
+            break
+        tab.wait_for_timeout(500)
+    else:
+        pytest.fail("the process that came back gets no visitors")
+
+
+def slider(tab: object) -> object:
+    return tab.locator(".st-key-m_prime input[type=range]").first
+
+
+def move(tab: object, steps: int) -> None:
+    """Move m′ by so many steps and wait for the answer."""
+    slider(tab).focus()
+    for _ in range(steps):
+        tab.keyboard.press("ArrowRight")
+    tab.wait_for_timeout(400)
+    settle(tab)

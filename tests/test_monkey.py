@@ -1,0 +1,114 @@
+"""A monkey at the app: seeded random pages, widgets, links and answers; nothing it does may end in an error.
+
+RAMANUJAN_MONKEY sets how many actions it takes (5,000 for a thorough run), RAMANUJAN_SEED its seed.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import random
+import time
+from collections.abc import Callable
+
+import pytest
+from streamlit.testing.v1 import AppTest
+
+from ramanujan.scenes import links
+
+ACTIONS = int(os.environ.get("RAMANUJAN_MONKEY", "60"))
+SEED = int(os.environ.get("RAMANUJAN_SEED", "1729"))
+LONGEST = 2.0
+"""Seconds that a run may take, once everything has been loaded."""
+
+PAGES = ("oscillator", "derivation", "motion", "taxicab", "speed")
+ANSWERS = (
+    "",
+    "m*v^2/2",
+    "8*k*(7*m+6*m')/(32*m^2+49*m*m'+18*m'^2)",
+    "k/m",
+    "1/0",
+    "((((",
+    "__import__('os')",
+    "<script>alert(1)</script>",
+    "9" * 300,
+    "m**m**m**m",
+    "Ω²",
+    "$\\frac",
+    "1e400",
+    "nan",
+    "φ̇·R",
+)
+TEXTS = ("1", "9/8", "-1", "1e999", "0/0", "abc", "", "٣", "1.27256827016", "  2 ", "1/3")
+LINKED = (
+    "",
+    " ",
+    "1",
+    "inf",
+    "nan",
+    "-1e999",
+    "0.75",
+    "x" * 5000,
+    "\u202e1729",
+    "<b>",
+    "Energy",
+    "reading",
+    "3",
+    "hoop",
+)
+
+Action = tuple[str, Callable[[], object]]
+
+
+def actions(app: AppTest, chance: random.Random) -> list[Action]:
+    """Return what the monkey could do now, one of each kind at most."""
+    found: list[Action] = [("open", lambda: app.switch_page(f"ramanujan/scenes/{chance.choice(PAGES)}.py"))]
+    key = chance.choice(sorted({"m", "m_prime", "k", "compression", "radius"}.union(*links.PAGES.values())))
+    text = chance.choice(LINKED)
+
+    def link() -> None:
+        app.query_params.clear()
+        app.query_params[key] = text
+
+    found.append((f"link {key}={text[:20]!r}", link))
+    kinds = {
+        "slider": lambda w: w.set_value(round(chance.uniform(w.min, w.max), chance.choice([1, 2, 9]))),
+        "select_slider": lambda w: w.set_value(chance.choice(w.options)),
+        "text_input": lambda w: w.set_value(chance.choice(ANSWERS if "answer" in (w.key or "") else TEXTS)),
+        "number_input": lambda w: w.set_value(chance.randint(int(w.min), int(w.max))),
+        "selectbox": lambda w: w.set_value(chance.choice(w.options)),
+        "pills": lambda w: w.set_value(chance.choice(w.options)),
+        "segmented_control": lambda w: w.set_value(chance.choice(w.options)),
+        "toggle": lambda w: w.set_value(not w.value),
+        "checkbox": lambda w: w.set_value(not w.value),
+        "button": lambda w: w.click(),
+    }
+    for kind, act in kinds.items():
+        widgets = [widget for widget in getattr(app, kind, ()) if not widget.disabled]
+        if widgets:
+            widget = chance.choice(widgets)
+            found.append((f"{kind} {widget.key}", lambda act=act, widget=widget: act(widget)))
+    return found
+
+
+def test_no_action_ends_in_an_error(app: AppTest, caplog: pytest.LogCaptureFixture) -> None:
+    chance = random.Random(SEED)
+    caplog.set_level(logging.ERROR)
+    app.query_params["periods"] = "1"
+    for page in PAGES:
+        app.switch_page(f"ramanujan/scenes/{page}.py").run()
+    history: list[str] = []
+    slow: list[tuple[float, str]] = []
+    for _ in range(ACTIONS):
+        name, act = chance.choice(actions(app, chance))
+        history.append(name)
+        act()
+        start, used = time.monotonic(), time.thread_time()
+        app.run()
+        del used
+        slow.append((time.monotonic() - start, name))
+        assert not app.exception, f"{history[-12:]}: {app.exception[0].message}"
+        assert not caplog.records, f"{history[-12:]}: {caplog.text[-2000:]}"
+    # A machine that is busy with other tests is slower by itself; what must not be is a run that hangs.
+    longest = float(os.environ.get("RAMANUJAN_LONGEST", 10 * LONGEST))
+    assert max(slow)[0] < longest, sorted(slow)[-5:]
