@@ -74,8 +74,8 @@ def square_root(exact: Fraction) -> Fraction:
 def scaled(coefficient: Fraction, values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return an array times a fraction of any size, which may be infinite; two roundings.
 
-    >>> scaled(Fraction(2**2000, 3), np.array([0.0, 2.0**-1999]))
-    array([0.        , 0.66666667])
+    >>> scaled(Fraction(2**1060, 3), np.array([0.0, 2.0**-1060]))
+    array([0.        , 0.33333333])
     """
     numerator, denominator = coefficient.numerator, coefficient.denominator
     exponent = numerator.bit_length() - denominator.bit_length()
