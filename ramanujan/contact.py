@@ -38,7 +38,7 @@ from numpy.typing import ArrayLike, NDArray
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.quantities import coordinates, instance, positive, real
-from ramanujan.rounding import in_range, nearest, product, square_root
+from ramanujan.rounding import in_range, nearest, product, scaled, square_root
 
 __all__ = [
     "contact_forces",
@@ -77,8 +77,8 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     m, _, k, R = instance("oscillator", oscillator, Oscillator).exact
     phi = coordinates("q", q)[1]
     per_angle = -oscillator.exact_frequency_squared * m * R
-    forces = {name: product(f"force {name}", share * per_angle, phi) for name, share in _shares(oscillator).items()}
-    return forces | {"spring": product("force spring", -2 * k * R, phi)}
+    per_angles = {name: share * per_angle for name, share in _shares(oscillator).items()} | {"spring": -2 * k * R}
+    return {name: in_range(f"force {name}", scaled(coefficient, phi)) for name, coefficient in per_angles.items()}
 
 
 def normal_forces(

@@ -96,7 +96,7 @@ def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.fl
     rim = relative_velocities(oscillator, q_dot)["top"]
     with np.errstate(over="ignore"):
         p_X = in_range("p_X", -sum(bodies.values()))
-        p_Phi = in_range("p_Phi", product("p_Phi", R, bodies["top"]) + product("p_Phi", 0.5, oscillator.m, R, rim))
+        p_Phi = in_range("p_Phi", R * bodies["top"] + product("p_Phi", 0.5, oscillator.m, R, rim))
     return {"p_X": p_X, "p_Phi": p_Phi}
 
 

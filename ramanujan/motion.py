@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.oscillator import TWO_PI, Oscillator
 from ramanujan.quantities import coordinates, finite_array, instance, real
-from ramanujan.rounding import in_range, nearest, product, product_error, square_root
+from ramanujan.rounding import in_range, nearest, product_error, scaled, square_root
 
 FARTHEST = 1e18
 """Periods up to which the phase is right to 1e-12 rad: Ω/2π is known to two doubles, 106 bits."""
@@ -144,24 +144,22 @@ def motion(
     instance("oscillator", oscillator, Oscillator)
     instance("initial", initial, InitialState)
     times = finite_array("t", t)
-    cosine, versine, sine_over_omega = _oscillation(oscillator, times)
+    cosine, C, S = _oscillation(oscillator, times)
     omega_squared = oscillator.exact_frequency_squared
     kappa, R = oscillator.exact_block_coupling, oscillator.exact[3]
-    start, rate = initial.phi, initial.phi_dot
+    start, rate = Fraction(initial.phi), Fraction(initial.phi_dot)
 
     def follows(name: str, shape: Fraction, position: float, velocity: float) -> tuple[NDArray, NDArray]:
         """Return X or Φ and its rate: a drift, and `shape` times φ − φ₀ = φ̇₀ S − φ₀ C."""
-        drift = product(name, Fraction(velocity) - shape * Fraction(rate), times)
-        swing = product(name, shape, rate, sine_over_omega) - product(name, shape, start, versine)
-        name_dot = f"{name}_dot"
-        slower = product(name_dot, shape, rate, versine)
-        slower = slower + product(name_dot, shape, start, omega_squared, sine_over_omega)
-        return in_range(name, position + drift + swing), in_range(name_dot, velocity - slower)
+        moved, pushed_on = shape * start, shape * rate
+        swing = scaled(pushed_on, S) - scaled(moved, C)
+        slower = scaled(pushed_on, C) + scaled(moved * omega_squared, S)
+        drift = scaled(Fraction(velocity) - pushed_on, times)
+        return in_range(name, position + drift + swing), in_range(f"{name}_dot", velocity - slower)
 
-    with np.errstate(over="ignore"):
-        phi = in_range("phi", start * cosine + product("phi", rate, sine_over_omega))
-        slowed = product("phi_dot", start, omega_squared, sine_over_omega)
-        phi_dot = in_range("phi_dot", rate * cosine - slowed)
+    with np.errstate(over="ignore", invalid="ignore"):
+        phi = in_range("phi", initial.phi * cosine + scaled(rate, S))
+        phi_dot = in_range("phi_dot", initial.phi_dot * cosine - scaled(start * omega_squared, S))
         X, X_dot = follows("X", kappa * R, initial.X, initial.X_dot)
         Phi, Phi_dot = follows("Phi", kappa * 2 / 3, initial.Phi, initial.Phi_dot)
     return np.stack([X, phi, Phi]), np.stack([X_dot, phi_dot, Phi_dot])
@@ -268,12 +266,9 @@ def _over_block(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> di
     """Map (X, φ, Φ), or its time derivative, to the four bodies' motion relative to the block."""
     R = instance("oscillator", oscillator, Oscillator).radius
     _, phi, Phi = q
-    return {
-        "hoop": product(f"{what} of the hoop", R, phi),
-        "cylinder": product(f"{what} of the cylinder", R, phi),
-        "slab": product(f"{what} of the slab", 2.0, R, phi),
-        "top": product(f"{what} of the top cylinder", R, Phi),
-    }
+    with np.errstate(over="ignore"):
+        relative = {"hoop": R * phi, "cylinder": R * phi, "slab": 2 * (R * phi), "top": R * Phi}
+    return {body: in_range(f"{what} of the {body}", values) for body, values in relative.items()}
 
 
 def _over_ground(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> dict[str, NDArray[np.float64]]:

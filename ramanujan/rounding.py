@@ -1,8 +1,8 @@
 """Exact in between, rounded once: how a result is right wherever it is an ordinary double.
 
 A double is a fraction. A scalar result is computed from the given doubles as a `Fraction`, in which nothing overflows
-or vanishes, and is rounded to the nearest double at the end. For arrays, which fractions would slow down, `product`
-multiplies mantissas and adds exponents, so that only the result itself can leave the range, never a partial product.
+or vanishes, and is rounded to the nearest double at the end. An array is multiplied by such a fraction (`scaled`), or
+by other arrays with mantissas and exponents apart (`product`), so that only the result itself can leave the range.
 """
 
 from __future__ import annotations
@@ -19,6 +19,9 @@ _SPLITTER = 2.0**27 + 1
 
 _ROOT_BITS = 160
 """Bits of an irrational square root: enough for three doubles."""
+
+_ORDINARY_EXPONENT = 1000
+"""A power of two that is far enough from both ends of float64, ±1022."""
 
 
 def nearest(name: str, exact: Fraction) -> float:
@@ -68,16 +71,32 @@ def square_root(exact: Fraction) -> Fraction:
     return Fraction(2 * root + 1) / Fraction(2) ** (shift + 1)
 
 
-def product(name: str, *factors: ArrayLike | Fraction) -> NDArray[np.float64]:
-    """Return a product of arrays, floats and fractions; ValueError names what is too large for float64.
+def scaled(coefficient: Fraction, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return an array times a fraction of any size, which may be infinite; two roundings.
 
-    >>> float(product("energy", 2.0**1000, 2.0**1000, Fraction(1, 2**1999)))
+    >>> scaled(Fraction(2**1060, 3), np.array([0.0, 2.0**-1060]))
+    array([0.        , 0.33333333])
+    """
+    numerator, denominator = coefficient.numerator, coefficient.denominator
+    exponent = numerator.bit_length() - denominator.bit_length()
+    with np.errstate(over="ignore", under="ignore"):
+        if abs(exponent) < _ORDINARY_EXPONENT:
+            return values * (numerator / denominator)
+        mantissa = (numerator << max(-exponent, 0)) / (denominator << max(exponent, 0))
+        own_mantissa, own_exponent = np.frexp(values)
+        return np.ldexp(mantissa * own_mantissa, own_exponent + exponent)
+
+
+def product(name: str, *factors: ArrayLike) -> NDArray[np.float64]:
+    """Return a product of arrays and floats; ValueError names what is too large for float64.
+
+    >>> float(product("energy", 2.0**1000, 2.0**1000, 2.0**-1000, 2.0**-999))
     2.0
     """
-    mantissa, exponent = np.float64(1.0), np.int64(0)
+    mantissa, exponent = 1.0, 0
     for factor in factors:
-        m, e = _split(factor) if isinstance(factor, Fraction) else np.frexp(factor)
-        mantissa, exponent = mantissa * m, exponent + e
+        own_mantissa, own_exponent = np.frexp(factor)
+        mantissa, exponent = mantissa * own_mantissa, exponent + own_exponent
     with np.errstate(over="ignore", under="ignore"):
         return in_range(name, np.ldexp(mantissa, exponent))
 
@@ -102,9 +121,3 @@ def product_error(a: ArrayLike, b: ArrayLike, rounded: ArrayLike) -> NDArray[np.
     a_high, b_high = _SPLITTER * a - (_SPLITTER * a - a), _SPLITTER * b - (_SPLITTER * b - b)
     a_low, b_low = a - a_high, b - b_high
     return ((a_high * b_high - rounded) + a_high * b_low + a_low * b_high) + a_low * b_low
-
-
-def _split(exact: Fraction) -> tuple[float, int]:
-    """Return mantissa and exponent, x = m·2ᵉ with ¼ < |m| < 2 rounded to a double, for a fraction of any size."""
-    exponent = exact.numerator.bit_length() - exact.denominator.bit_length()
-    return float(exact / Fraction(2) ** exponent), exponent

@@ -210,6 +210,8 @@ def test_the_three_examples_that_were_refused():
     q, q_dot = motion(Oscillator(k=1e-300), InitialState(phi_dot=1e200), 0.0)
     assert np.array_equal(q, np.zeros(3))
     assert np.array_equal(q_dot, [0, 1e200, 0])
+    # Ωt is 1e-350 here, no double, but φ = φ̇₀t is one.
+    assert motion(Oscillator(k=1e-300), InitialState(phi_dot=1e200), 1e-200)[0][1] == pytest.approx(1, rel=1e-15)
 
 
 def states(rng, machine):
