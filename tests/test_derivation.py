@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ramanujan import Oscillator
-from ramanujan.derivation import ROUTES
+from ramanujan import Oscillator, derivation
+from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.euler_lagrange import unit_condition
-from ramanujan.derivation.symbols import COORDINATES, Omega_squared, Phi, R, X, epsilon, k, m, m_prime, phi, t
+from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import Routes, equation
+from ramanujan.derivation.symbols import COORDINATES, Omega_squared, Phi, R, X, epsilon, k, m, m_prime, machine, phi, t
 from tests import reference
 from tests.reference import equal, holds, number
 
@@ -85,9 +89,61 @@ def test_a_route_is_derived_once():
     assert ROUTES["euler_lagrange"] is ROUTES["euler_lagrange"]
 
 
-def test_unknown_route():
-    with pytest.raises(KeyError):
+def test_what_is_not_there_is_refused_by_name():
+    with pytest.raises(KeyError, match="guess"):
         ROUTES["guess"]
+    with pytest.raises(ValueError, match=r"key must be one of rolling, forces, .*not 'nope'"):
+        ROUTES["newton"]["nope"]
+    with pytest.raises(ValueError, match="name must be one of block, hoop, cylinder, slab, top, not 'wheel'"):
+        machine()["wheel"]
+
+
+def test_routes_and_steps_show_themselves_in_a_notebook():
+    route = ROUTES["energy"]
+    shown = route._repr_markdown_()
+    for step in route.steps:
+        assert step._repr_markdown_() in shown
+        assert step.heading in shown
+        assert all(f"$${latex(relation)}$$" in shown for relation in step.equations)
+    numbers = route.with_numbers(NUMBERS["fractions"])["bound"]._repr_markdown_()
+    assert r"\Omega_{\mathrm{clamped}}^{2} = \frac{" in numbers
+    assert "m'" not in numbers
+
+
+def test_a_new_route_needs_one_file_and_one_line():
+    """What its file holds is enough for the registry, the exports with and without numbers, and the notebook."""
+    routes = Routes()
+
+    @routes.add("trivial")
+    def build() -> Route:
+        step = Step("only", "Ask the others", "Another route knows.", (equation(Omega_squared, k / m),))
+        return Route("trivial", "Trivial", (step,), k / m, {"only": "Omega_squared = k / m"})
+
+    route = routes["trivial"]
+    assert routes["trivial"] is route
+    assert list(routes) == ["trivial"]
+    values = {m: sp.Integer(2), m_prime: sp.Integer(1), k: sp.Integer(3)}
+    assert r"\Omega^{2} = \frac{3}{2} \approx 1.5\,\mathrm{s^{-2}}" in to_markdown(route, values)
+    assert r"\Omega^{2} &= \frac{k}{m}" in to_latex(route)
+    assert "Omega_squared = k / m" in to_notebook(route)
+    # In the package, a file that adds a route is named on one line of `ramanujan.derivation`.
+    package = Path(derivation.__file__)
+    files = {path.stem for path in package.parent.glob("*.py") if "@ROUTES.add" in path.read_text(encoding="utf-8")}
+    (line,) = (line for line in package.read_text(encoding="utf-8").splitlines() if "import euler_lagrange" in line)
+    named = line.partition("import ")[2].partition("#")[0]
+    assert files == {name.strip() for name in named.split(",")} == set(ROUTES)
+
+
+def test_every_reason_about_equal_masses_says_so():
+    for name, key in STEPS:
+        step = ROUTES[name][key]
+        assert (step.case is not None) == key.startswith("equal_")
+        if step.case is not None:
+            assert "masses are all equal" in step.reason
+            assert "stays in symbols" in step.about(NUMBERS["integers"]).reason
+            same = NUMBERS["integers"] | {m_prime: NUMBERS["integers"][m]}
+            assert "stays in symbols" not in step.about(same).reason
+            assert not step.with_numbers(same).equations[-1].free_symbols & {m, m_prime, k}
 
 
 # The paper's route

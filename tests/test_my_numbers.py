@@ -211,7 +211,7 @@ def test_in_step_is_claimed_only_of_the_root():
     assert any(line.startswith(r"\varepsilon - \varepsilon_{*} = 3.") and "10^{-16}" in line for line in just_above)
     assert lines(1.0, 1.0)[1:] == [
         r"\frac{\Omega^{2}\,m}{k} = \frac{104}{99} \approx 1.0505051",
-        r"\varepsilon - \varepsilon_{*} = - \frac{\sqrt{1729} - 37}{36} \approx -0.12725683",
+        r"\varepsilon - \varepsilon_{*} = \frac{37 - \sqrt{1729}}{36} \approx -0.12725683",
         r"\left(36\,\varepsilon + 1\right)^{2} = 1369",
     ]
 

@@ -83,7 +83,7 @@ class FreeBodies:
 
 
 def acceleration(name: str) -> sp.Expr:
-    """Return a body's acceleration over the ground, to the right [m/s²]."""
+    """Return a body's acceleration relative to the ground, to the right [m/s²]."""
     return _in_time(f"a_{name}")
 
 

@@ -16,7 +16,7 @@ X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
 q = (X, phi, Phi)
 q_dot = tuple(x.diff(t) for x in q)
 
-# Displacements over the ground, to the right; X is counted to the left, the angles clockwise.
+# Displacements relative to the ground, positive to the right; X is counted to the left, the angles clockwise.
 x_block = -X
 x_roller = x_block + R * phi
 x_slab = x_roller + R * phi

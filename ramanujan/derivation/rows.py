@@ -101,7 +101,7 @@ def row(equation: sp.Eq, numbers: Exact | None = None, highlight: Highlight = ()
 def side_terms(side: sp.Basic, numbers: Exact | None, highlight: Highlight = ()) -> list[str]:
     """Return the terms of one side as LaTeX, each with its sign."""
     made = template(side, highlight, numbers is not None)
-    return fill(made, [written(number) for number in evaluated(made, numbers)] if numbers else [])
+    return fill(made, [written(number) for number in evaluated(made, numbers)]) if made.numbers else list(made.plain)
 
 
 def _value(equation: sp.Eq, numbers: Exact) -> str:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 
 import sympy as sp
 
@@ -51,10 +51,15 @@ class Template:
     terms: tuple[Text, ...]
     numbers: tuple[sp.Expr, ...]
 
-    @property
+    @cached_property
     def is_number(self) -> bool:
         """Whether the side is a number alone."""
         return self.terms == ((Slot(0, _FIRST, (), ""),),)
+
+    @cached_property
+    def plain(self) -> tuple[str, ...]:
+        """The terms of a side without numbers."""
+        return tuple("".join(term) for term in self.terms)
 
 
 @lru_cache(maxsize=1024)
@@ -230,8 +235,13 @@ def exact(values: Mapping[sp.Symbol, sp.Expr]) -> Exact:
     ------
     ValueError : values contain another root than one square root.
     """
-    n = root_in(tuple(values[symbol] for symbol in GIVEN))
-    return tuple(element(values[symbol], n if values[symbol].has(sp.Pow) else None) for symbol in GIVEN)
+    return _exact(tuple(sp.sympify(values[symbol]) for symbol in GIVEN))
+
+
+@lru_cache(maxsize=256)
+def _exact(values: tuple[sp.Expr, ...]) -> Exact:
+    n = root_in(values)
+    return tuple(element(value, n if value.has(sp.Pow) else None) for value in values)
 
 
 def evaluated(made: Template, values: Exact) -> list[Rational | Surd]:
@@ -256,4 +266,4 @@ def _function(numbers: tuple[sp.Expr, ...]) -> tuple[Callable, Surd | None]:
         common, above = sp.Poly(above, *variables).clear_denoms(convert=True)
         parts += [above.as_expr(), common * below]
     function = sp.lambdify(variables, parts, modules=[], cse=True)
-    return function, Surd(sp.QQ(0), sp.QQ(1), n) if n else None
+    return function, Surd(0, 1, 1, n) if n else None

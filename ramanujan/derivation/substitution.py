@@ -78,6 +78,11 @@ def _is_number(expression: sp.Basic, given: frozenset[sp.Symbol]) -> bool:
 
 @lru_cache(maxsize=1024)
 def _number(expression: sp.Expr, values: _Values) -> sp.Expr:
+    roots = frozenset().union(*(_roots(value) for _, value in values))
+    if roots and expression.is_Add and not _roots(expression) <= roots:
+        # A field with the roots of both would take seconds to find; the sum of two numbers needs none.
+        own, foreign = sift(expression.args, lambda term: _roots(term) <= roots, binary=True)
+        return sp.Add(_number(sp.Add(*own), values), *foreign)
     field, elements = _number_field(values, _roots(expression))
     number = field.to_sympy(_evaluate(expression, field, elements))
     content, primitive = number.primitive()

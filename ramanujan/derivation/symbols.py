@@ -46,7 +46,7 @@ class Body:
     ----------
     name : one of block, hoop, cylinder, slab, top
     mass : m or m′ [kg]
-    displacement : of its centre over the ground, to the right [m]
+    displacement : of its centre relative to the ground, to the right [m]
     angle : clockwise rotation θ [rad]; zero for what does not roll
     shape_factor : β, dimensionless
     """
@@ -59,7 +59,7 @@ class Body:
 
     @property
     def velocity(self) -> sp.Expr:
-        """ẋ, of the centre over the ground [m/s]."""
+        """ẋ, of the centre relative to the ground [m/s]."""
         return self.displacement.diff(t)
 
     @property
@@ -103,7 +103,7 @@ class Machine:
 
     @property
     def deformation(self) -> sp.Expr:
-        """Of the spring, positive in compression [m]: the slab's displacement over the block."""
+        """Of the spring, positive in compression [m]: the slab's displacement relative to the block."""
         return sp.expand(self["slab"].displacement - self["block"].displacement)
 
     @property

@@ -1,6 +1,7 @@
 """How long the derivations take: to build each route, to put numbers into all of its steps, and to judge an answer.
 
-Run as `python -m tests.benchmarks.derivation`. A page may spend 50 ms on putting numbers into a route, and 200 ms on an
+Run as `python -m tests.benchmarks.derivation`. With slots a whole route should take a few milliseconds and the six
+steps of the first page about one; substitution is the general way to the same formulas. A page may spend 200 ms on an
 answer; the first answer to a question also derives its typical mistakes.
 """
 
@@ -12,11 +13,18 @@ from statistics import median
 
 import sympy as sp
 
-from ramanujan.derivation import ROUTES
+from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.answers import QUESTIONS, judge, question
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
 
-RATIO_OF_1729 = (sp.sqrt(1729) - 1) / 36
+MACHINES = {
+    "on the steps": lambda n: (sp.Rational(100 + n, 97), sp.Rational(113, 100)),
+    "off the steps": lambda n: (sp.Rational(12345678901 + n, 10**10), sp.Rational(1234567, 10**6)),
+    "with √1729": lambda n: (sp.Rational(100 + n, 97), sp.Rational(100 + n, 97) * (sp.sqrt(1729) - 1) / 36),
+}
+FIRST_PAGE = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
 
 
 def milliseconds(action: Callable[[], object]) -> float:
@@ -26,22 +34,40 @@ def milliseconds(action: Callable[[], object]) -> float:
     return 1e3 * (time.perf_counter() - start)
 
 
-def substitution_times(name: str, ratio: sp.Expr, repeats: int = 9) -> list[float]:
-    """Return the durations of putting numbers into a whole route, each time other ones, so that no cache helps."""
-    masses = [sp.Rational(100 + n, 97) for n in range(repeats)]
-    return [
-        milliseconds(lambda mass=mass: ROUTES[name].with_numbers({m: mass, m_prime: ratio * mass, k: 50 * mass}))
-        for mass in masses
-    ]
+def by_slots(steps: list[Step], values: dict[sp.Symbol, sp.Expr]) -> list[str]:
+    """Return what a page shows."""
+    return [row.latex for step in steps for row in rows(step, values)]
+
+
+def by_substitution(steps: list[Step], values: dict[sp.Symbol, sp.Expr]) -> list[str]:
+    """Return the same by substitution into SymPy's expressions."""
+    return [latex(equation) for step in steps for equation in step.with_numbers(values).equations]
+
+
+def times(steps: list[Step], way: Callable[..., object], machine: Callable[..., tuple], first: int) -> list[float]:
+    """Return the durations for nine machines that no way has met before, after one to warm up."""
+    durations = []
+    for n in range(first, first + 10):
+        mass, roller_mass = machine(n)
+        values = {m: mass, m_prime: roller_mass, k: 50 * mass}
+        durations.append(milliseconds(lambda values=values: way(steps, values)))
+    return durations[1:]
 
 
 def main() -> None:
-    """Print build, median and longest substitution of each route for rational and surd masses; then the answers."""
-    print(f"{'route':<16}{'build [ms]':>12}{'rational [ms]':>24}{'with √1729 [ms]':>24}")
-    for name in ROUTES:
-        build = milliseconds(lambda name=name: ROUTES[name])
-        columns = [substitution_times(name, ratio) for ratio in (sp.Rational(113, 100), RATIO_OF_1729)]
-        print(f"{name:<16}{build:>12.0f}" + "".join(f"{median(c):>14.1f} … {max(c):>6.1f} " for c in columns))
+    """Print build times, median and longest time of putting numbers in, by both ways; then the answers."""
+    print(f"{'':<24}{'build':>8}" + "".join(f"{kind:>34}" for kind in MACHINES))
+    print(f"{'':<24}{'[ms]':>8}" + f"{'slots [ms]':>18}{'substitution':>16}" * len(MACHINES))
+    parts = {name: lambda name=name: list(ROUTES[name].steps) for name in ROUTES}
+    parts["six steps of page 1"] = lambda: [ROUTES["euler_lagrange"][key] for key in FIRST_PAGE]
+    for place, (name, part) in enumerate(parts.items()):
+        build = milliseconds(part)
+        print(f"{name:<24}{build:>8.0f}", end="")
+        for machine in MACHINES.values():
+            for way, first in ((by_slots, 0), (by_substitution, 100 * (place + 1))):
+                found = times(part(), way, machine, first)
+                print(f"{median(found):>9.1f} …{max(found):>6.1f}", end="")
+        print()
     print(f"\n{'question':<30}{'asked [ms]':>12}{'first answer [ms]':>20}{'next [ms]':>12}")
     for name in QUESTIONS:
         steps = (lambda: question(name), lambda: judge(name, "2 m"), lambda: judge(name, "3 k / m"))  # noqa: B023

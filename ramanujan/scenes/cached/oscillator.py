@@ -11,7 +11,7 @@ import sympy as sp
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
 from ramanujan.derivation.numbers import exact_values, stated, unit_frequency_condition
-from ramanujan.derivation.rows import aligned, rows
+from ramanujan.derivation.rows import Row, aligned, rows
 from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures import Drawn, kept
 from ramanujan.figures.oscillator import Mark, frequency_curve
@@ -96,7 +96,7 @@ _SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "r
 def summary(m: float, m_prime: float, k: float) -> list[SummaryStep]:
     """Return the derivation in six steps, in symbols and with the present masses and stiffness."""
     values = exact_values(m, m_prime, k)
-    return [_with_numbers(route("euler_lagrange")[key], values) for key in _SUMMARY]
+    return [_with_numbers(step, symbols, values) for step, symbols in _in_symbols()]
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
@@ -105,7 +105,13 @@ def numbers_stated(m: float, m_prime: float, k: float) -> str:
     return stated(exact_values(m, m_prime, k))
 
 
-def _with_numbers(step: Step, values: dict[sp.Symbol, sp.Expr]) -> SummaryStep:
-    symbols, numbers = rows(step), rows(step, values)
+@st.cache_resource(show_spinner=False)
+def _in_symbols() -> list[tuple[Step, list[Row]]]:
+    steps = (route("euler_lagrange")[key] for key in _SUMMARY)
+    return [(step, rows(step)) for step in steps]
+
+
+def _with_numbers(step: Step, symbols: list[Row], values: dict[sp.Symbol, sp.Expr]) -> SummaryStep:
+    numbers = rows(step, values)
     blocks = [symbols] if numbers == symbols else [symbols, numbers]
     return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH))
