@@ -105,7 +105,7 @@ _CHANGES: dict[str, Callable] = {
     r"if you leave out the rotation of (.+?)\. ": _no_rotation,
     r"if (.+) has the moment of inertia of (.+?)\. ": _inertia,
     r"if (.+) ha(?:s|ve) the mass (m′?)\. ": _mass,
-    r"if you add Ẋ to the speed of (.+) instead of subtracting it\. ": _sign,
+    r"if you add X′ to the speed of (.+) instead of subtracting it\. ": _sign,
     r"if you take the speed of (.+) relative to the block\. ": _relative,
     r"if (the slab) moves only as far as the centres of its rollers\. ": _as_its_rollers,
     r"if you give (.+) the displacement of the slab\. ": _as_the_slab,

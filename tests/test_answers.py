@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
 import time
+from contextlib import suppress
 from dataclasses import FrozenInstanceError
 from fractions import Fraction
 
@@ -13,15 +15,18 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from ramanujan.derivation import ROUTES, mistakes
+from ramanujan.derivation import ROUTES, mistakes, questions
 from ramanujan.derivation.answers import QUESTIONS, judge, question
 from ramanujan.derivation.euler_lagrange import eliminate
-from ramanujan.derivation.expressions import POINTS, SPELLING, UnitError, spelled, unit, unit_text, values
-from ramanujan.derivation.parser import MAX_WEIGHT, parse
-from ramanujan.derivation.symbols import X, k, m, m_prime, machine, phi
+from ramanujan.derivation.expressions import SPELLING, spelled, typeset
+from ramanujan.derivation.normal_form import NormalForm, normal_form
+from ramanujan.derivation.parser import MAX_WEIGHT, UnreadableError, parse
+from ramanujan.derivation.symbols import k, m, m_prime, machine, phi
+from ramanujan.derivation.units import unit_text, units
 
 OMEGA, RATIO, POTENTIAL = "natural_frequency_squared", "unit_mass_ratio", "potential_energy"
 BLOCK, HOOP, CYLINDER, SLAB, TOP = (f"kinetic_energy_{body}" for body in ("block", "hoop", "cylinder", "slab", "top"))
+EXAMPLES = 20_000 if os.environ.get("RAMANUJAN_DEEP") else 250
 KINDS = {"right", "unsimplified", "wrong", "unreadable"}
 
 RIGHT = {
@@ -49,97 +54,135 @@ RIGHT = {
 }
 
 UNSIMPLIFIED = [
-    (BLOCK, "½mX'² + m - m", "shorter"),
-    (BLOCK, "mX'²/4 + mX'²/4", "shorter"),
+    (BLOCK, "½mX'² + m - m", "like terms"),
+    (BLOCK, "mX'²/4 + mX'²/4", "like terms"),
     (BLOCK, "½mX'² + R - R", "without R"),
-    (BLOCK, "sqrt(m^2)X'^2/2", "shorter"),
+    (BLOCK, "sqrt(m^2)X'^2/2", "a root"),
+    (BLOCK, "½m√(X'^2)^2", "shorter"),
+    (BLOCK, "½mX'² + 0", "like terms"),
     (SLAB, "½m(Rφ'+Rφ'-X')(Rφ'+Rφ'-X')", "like terms"),
+    (TOP, "m/12 ((3R Phi' - 3X')^2 + 9/2 R^2 Phi'^2)*2/3", "shorter"),
+    (POTENTIAL, "k(√2 R φ)^2", "without a root"),
     (OMEGA, "16k(7m+6m')/(64m²+98mm'+36m'²)", "common factor"),
     (OMEGA, "8km(7m+6m')/(m(32m²+49mm'+18m'²))", "common factor"),
-    (OMEGA, "4k/(4m+7m'/2-12(m+m')²/(7m+6m'))", "inside a denominator"),
-    (OMEGA, "k/(3m'/8+(m/2)*(8m+7m')/(7m+6m'))", "inside a denominator"),
+    (OMEGA, "4k/(4m+7m'/2-12(m+m')²/(7m+6m'))", "inside the denominator"),
+    (OMEGA, "k/(3m'/8+(m/2)*(8m+7m')/(7m+6m'))", "inside the denominator"),
     (OMEGA, "8kR(7m+6m')/(R(32m²+49mm'+18m'²))", "without R"),
-    (RATIO, "(sqrt(1729*4)/2 - 1)/36", "shorter"),
-    (RATIO, "m'/m*(√1729-1)/36/eps", "without"),
+    (RATIO, "(sqrt(1729*4)/2 - 1)/36", "a root"),
+    (RATIO, "m'/m*(√1729-1)/36/eps", "without m, m′ and ε"),
+    (RATIO, "(2√1729-2)/72", "common factor"),
+    (RATIO, "96/(2+2√1729)", "common factor"),
+    (RATIO, "(√(12^3+1)-1)/36", "like terms"),
+    (RATIO, "(√(9^3+10^3)-1)/36", "like terms"),
+    (RATIO, "(√(7*13*19)-1)/36", "under it"),
+    (RATIO, "(√6916-2)/72", "a root"),
+    # A root of a root has no normal form here; 300 digits decide.
+    (RATIO, "(√(1730+2√1729)-2)/36", "much shorter"),
 ]
 
 WRONG = [
-    (BLOCK, "mX'²", "½ is missing"),
-    (BLOCK, "¼mX'²", "too many"),
-    (BLOCK, "-½mX'²", "sign"),
-    (BLOCK, "½m'X'²", "m' for m"),
-    (BLOCK, "½mX'", "squared"),
+    (BLOCK, "mX'²", "leave out the ½"),
+    (BLOCK, "¼mX'²", "coefficient of X′² is half of"),
+    (BLOCK, "-½mX'²", "coefficient of X′² should be positive"),
+    (BLOCK, "½m'X'²", "has the mass m′"),
+    (BLOCK, "½mX'", "do not square"),
     (BLOCK, "½mX²", "does not depend on X."),
-    (HOOP, "½m'(Rφ'-X')²", "rotation of the hoop is left out"),
-    (HOOP, "m'(Rφ'-X')²", "½ is missing"),
-    (HOOP, "½m'R²φ'²", "alone"),
-    (HOOP, "½m'(Rφ'-X')²+¼m'R²φ'²", "solid cylinder"),
-    (HOOP, "½m'(Rφ'-X')²+m'R²φ'²", "½ is missing in the rotation"),
-    (HOOP, "m'(Rφ'-X')²+½m'R²φ'²", "½ is missing in the translation"),
-    (HOOP, "m'(Rφ'-X')²+m'R²φ'²", "½ is missing"),
-    (HOOP, "½m'(Rφ'+X')²+½m'R²φ'²", "Check a sign"),
-    (HOOP, "½m(Rφ'-X')²+½mR²φ'²", "m for m'"),
-    (HOOP, "m'R²φ'²", "over the ground"),
+    (BLOCK, "½mX'²+m", "does not belong"),
+    (BLOCK, "0", "is zero"),
+    (HOOP, "½m'(Rφ'-X')²", "leave out the rotation of the hoop"),
+    (HOOP, "½m'R²φ'²", "only the energy of rotation"),
+    (HOOP, "½m'(Rφ'-X')²+¼m'R²φ'²", "a solid cylinder"),
+    (HOOP, "½m'(Rφ'-X')²+m'R²φ'²", "½ in the energy of rotation"),
+    (HOOP, "m'(Rφ'-X')²+½m'R²φ'²", "½ in the energy of translation"),
+    (HOOP, "½m'(Rφ'+X')²+½m'R²φ'²", "add X′"),
+    (HOOP, "½m(Rφ'-X')²+½mR²φ'²", "the hoop has the mass m."),
+    (HOOP, "m'R²φ'²", "relative to the block"),
     (HOOP, "½m'(R²φ'²+X'²)+½m'R²φ'²", "mixed term"),
-    (HOOP, "½m'(φ'-X')²+½m'φ'²", "R is missing"),
-    (HOOP, "½m'(RΦ'-X')²+½m'R²Φ'²", "wrong angle"),
-    (HOOP, "½m'(2Rφ'-X')²+½m'R²φ'²", "factor 2 too many"),
-    (HOOP, "½m'(Rφ'-X')²+m'R²φ'²/7", "only the terms with R"),
+    (HOOP, "½m'(φ'-X')²+½m'φ'²", "leave out R"),
+    (HOOP, "½m'(RΦ'-X')²+½m'R²Φ'²", "angle Φ"),
+    (HOOP, "½m'(2Rφ'-X')²+½m'R²φ'²", "displacement of the slab"),
+    (HOOP, "½m'(Rφ'-X')²+m'R²φ'²/7", "coefficient of φ′² is 9/14 times"),
+    (HOOP, "½m'(Rφ'-X')²+½m'(Rφ'-X')²", "divide the speed of the hoop relative to the ground by R"),
+    (HOOP, "3/4 m'(Rφ'-X')^2", "coefficient of X′φ′ is 3/2 times"),
+    (HOOP, "½m'^2X'²/m + m'R²φ'² - m'RX'φ'", "is m′/m times"),
+    (HOOP, "½ m' X'^3/φ'", "has the unit kg·m³/s²"),
+    (HOOP, "½ m' X'^2 φ'/Φ'", "below a fraction line"),
+    (CYLINDER, "½m'(Rφ'-X')²+¼m'(Rφ'-X')²", "divide the speed of the lower cylinder"),
     (CYLINDER, "½m'(Rφ'-X')²+½m'R²φ'²", "a hoop"),
     (CYLINDER, "½m'(Rφ'-X')²+1/5 m'R²φ'²", "a solid sphere"),
-    (CYLINDER, "½m'(Rφ'-X')²+1/3 m'R²φ'²", "a spherical shell"),
-    (SLAB, "½m(Rφ'-X')²", "factor 2 is missing in the slab’s speed"),
-    (SLAB, "½m(2Rφ'+X')²", "Check a sign"),
-    (SLAB, "2mR²φ'²", "over the ground"),
-    (SLAB, "½m'(2Rφ'-X')²", "m' for m"),
-    (TOP, "½m(RΦ'-X')²", "rotation of the top cylinder"),
-    (TOP, "½m(Rφ'-X')²+¼mR²φ'²", "wrong angle"),
-    (TOP, "½m(RΦ'+X')²+¼mR²Φ'²", "Check a sign"),
-    (POTENTIAL, "½k(Rφ)²", "factor 2 is missing"),
-    (POTENTIAL, "k(2Rφ)²", "½ is missing"),
-    (POTENTIAL, "kRφ", "squared"),
-    (POTENTIAL, "½k(2Rφ-X)²", "over the block"),
-    (POTENTIAL, "2kR²φ'²", "unit"),
+    (SLAB, "½m(Rφ'-X')²", "only as far as the centres"),
+    (SLAB, "2m(Rφ'-X')^2", "coefficient of X′φ′ is twice"),
+    (SLAB, "2mR²φ'²-2mX'φ'+½mX'²", "coefficient of X′φ′ lacks a factor R"),
+    (SLAB, "2mR²φ'²-2mRX'φ'+½kX'²", "coefficient of X′² is k/m times"),
+    (TOP, "½m(RΦ'-X')²+¼m(RΦ'-X')²", "divide the speed of the top cylinder"),
+    (POTENTIAL, "k(2Rφ)²", "leave out the ½"),
+    (POTENTIAL, "kRφ", "do not square"),
+    (POTENTIAL, "½k(2Rφ-X)²", "relative to the ground"),
+    (POTENTIAL, "½k(2Rφ+X)²", "take 2Rφ + X"),
+    (POTENTIAL, "½k(2Rφ)²+½kX²", "which does not stretch the spring"),
+    (POTENTIAL, "2kR²φ'²", "does not depend on φ′"),
+    (POTENTIAL, "0 + kR²φ²", "½ is missing"),
+    (POTENTIAL, "k(√3 R φ)²", "coefficient of φ² is 3/2 times"),
+    (POTENTIAL, "k(1.41 R φ)²", "rounded"),
     ("phi_equation", "R(8m+6m')/2", "rotation of the lower cylinder"),
-    ("phi_equation", "R(8m+4m')/2", "rotation of the lower rollers"),
-    ("phi_equation", "R(8m+8m')/2", "a hoop"),
-    ("phi_equation", "R²(8m+7m')/2", "divided by R"),
+    ("phi_equation", "R(8m+9m')/2", "coefficient of m′R is 9/7 times"),
+    ("phi_equation", "R²(8m+7m')/2", "R times"),
     ("phi_equation", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", "before"),
-    ("block_coupling", "6(m+m')/(7m+6m')", "R is missing"),
-    ("block_coupling", "-6R(m+m')/(7m+6m')", "sign"),
-    ("block_coupling", "(7m+6m')/(6R(m+m'))", "upside down"),
-    ("block_coupling", "12R/13", "m for m'"),
+    ("block_coupling", "6(m+m')/(7m+6m')", "leave out R"),
+    ("block_coupling", "-6R(m+m')/(7m+6m')", "wrong sign"),
+    ("block_coupling", "(7m+6m')/(6R(m+m'))", "reciprocal"),
+    ("block_coupling", "12R/13", "mass m"),
     ("top_coupling", "6(m+m')/(7m+6m')", "3/2 times"),
-    (OMEGA, "sqrt(8k(7m+6m')/(32m²+49mm'+18m'²))", "its square"),
-    (OMEGA, "(8k(7m+6m')/(32m²+49mm'+18m'²))²", "once too often"),
+    (OMEGA, "sqrt(8k(7m+6m')/(32m²+49mm'+18m'²))", "This is Ω."),
+    (OMEGA, "(8k(7m+6m')/(32m²+49mm'+18m'²))²", "This is Ω⁴"),
     (OMEGA, "8m(7m+6m')/(32m²+49mm'+18m'²)", "units of k/m"),
-    (OMEGA, "(32m²+49mm'+18m'²)/(8k(7m+6m'))", "upside down"),
-    (OMEGA, "104k/(99m)", "m for m'"),
-    (OMEGA, "8k/(8m+7m')", "over the ground"),
-    (OMEGA, "k(7m+6m')/(32m²+49mm'+18m'²)", "1/8 times"),
-    (OMEGA, "-8k(7m+6m')/(32m²+49mm'+18m'²)", "sign"),
-    (OMEGA, "8k(7m+6m')/(32m²+49mm'+18m'²)*√(R/R)/1*1/2", "1/2 times"),
-    (OMEGA, "k/m", "not"),
-    (OMEGA, "√(R/R)", "Ω^2 does not depend on R."),
+    (OMEGA, "(32m²+49mm'+18m'²)/(8k(7m+6m'))", "reciprocal"),
+    (OMEGA, "104k/(99m)", "equal masses"),
+    (OMEGA, "1.0505 k/m", "equal masses"),
+    (OMEGA, "1.0505", "equal masses"),
+    (OMEGA, "8k/(8m+7m')", "relative to the block"),
+    (OMEGA, "k/m", "plain mass"),
+    (OMEGA, "7k/(4m)", "With m′ = 0 your answer is right"),
+    (OMEGA, "2k/(3m+m')", "wrong even for equal masses"),
+    (OMEGA, "8k(7m+6m')/(32m²-49mm'+18m'²)", "mm′ in the denominator should be positive"),
+    (OMEGA, "8k(7m+6m')/(32m²+49mm'+18m'²)*√(R/R)/1*1/2", "half of"),
+    (OMEGA, "√(R/R)", "plain number"),
     (RATIO, "(-√1729-1)/36", "other root"),
-    (RATIO, "(√1729+1)/36", "sign"),
-    (RATIO, "36/(√1729-1)", "m/m'"),
-    (RATIO, "(1729-1)/36", "root is missing"),
-    (RATIO, "1.127256827", "exact"),
-    (RATIO, "9/8", "not"),
-    (RATIO, "m'/m", "does not depend on m, m'"),
+    (RATIO, "(√1729+1)/36", "sign in front of b"),
+    (RATIO, "36/(√1729-1)", "the ratio m/m′"),
+    (RATIO, "(1729-1)/36", "leave out the root"),
+    (RATIO, "(√1728-1)/36", "leave out b²"),
+    (RATIO, "(√1730-1)/36", "without the root is right"),
+    (RATIO, "1.127256827", "rounded"),
+    (RATIO, "(41.58-1)/36", "rounded"),
+    (RATIO, "9/8", "With ε = 1.125 you get Ω² = 1.00085 k/m"),
+    (RATIO, "62/55", "difference between Ω² and k/m is"),
+    (RATIO, "-2", "positive"),
+    (RATIO, "m'/m", "does not depend on m and m′"),
+]
+
+NOT_ROUNDED = [
+    (HOOP, "3/4 m'(Rφ'-X')²"),
+    (SLAB, "2m(Rφ'-X')²"),
+    (POTENTIAL, "½k(2Rφ+X)²"),
+    (RATIO, "(√1728-1)/36"),
+    (RATIO, "62/55"),
+    (RATIO, "1.12725680"),
+    (RATIO, "1.129"),
+    (HOOP, "0.5m'(Rφ'-X')² + 0.6m'R²φ'²"),
+    (BLOCK, "0.49 mX'²"),
 ]
 
 UNITS = [
-    (BLOCK, "½mX'² + m", "kg·m^2/s^2 to kg"),
-    (BLOCK, "m + R", "kg to m"),
-    (BLOCK, "m + 1", "kg to a plain number"),
-    (BLOCK, "sqrt(m)", "yours is kg^(1/2)"),
-    (OMEGA, "k/m'*R", "yours is m/s^2, it should be 1/s^2"),
-    (OMEGA, "m/k", "yours is s^2"),
-    (OMEGA, "1/(kR)", "yours is s^2/(kg·m)"),
-    (POTENTIAL, "k R phi", "it should be kg·m^2/s^2"),
-    ("top_coupling", "R", "it should be a plain number"),
+    (BLOCK, "½mX'² + m", "different units, kg and kg·m²/s²"),
+    (BLOCK, "m + R", "different units, m and kg"),
+    (BLOCK, "m + 1", "a plain number to a term with the unit kg"),
+    (BLOCK, "sqrt(m)", "has the unit kg^(1/2)"),
+    (OMEGA, "k/m'*R", "the unit m/s², but Ω² has the unit 1/s²"),
+    (OMEGA, "1/(kR)", "has the unit s²/(kg·m)"),
+    (OMEGA, "k/(m+R)", "Below a fraction line"),
+    (POTENTIAL, "k R", "has the unit kg·m/s², but the potential energy has the unit kg·m²/s²"),
+    ("top_coupling", "R", "is a plain number"),
 ]
 
 HOSTILE = [
@@ -174,6 +217,17 @@ HOSTILE = [
     "".join(f"+1/({n}m+99999999999999999999)" for n in range(8)),
     "(m+k+R+m'+1)^12*(m+k+R+m'+2)^12/99999999999999999999",
     "√(m+" * 20 + "k" + ")" * 20,
+    "(m/m)^(-2)",
+    "k/(m/m)^(-2)",
+    "(√(R/R))^(-12)",
+    "^".join("1" * 150),
+    "+".join(f"√({n}m+R)" for n in range(2, 18)),
+    "1/(" + "+".join(f"√{n}" for n in (2, 3, 5, 7, 11, 13, 17, 19)) + ")",
+    "√(99999999999999999989*99999999999999999971)",
+    "1/".join("(X'-phi'R)" for _ in range(20)),
+    "(X+X'+phi+phi'+Phi+Phi'+m+m'+k+R)^4/(X+X'+phi+phi'+Phi+Phi'+m+m'+k+2R)^4",
+    "m" * 5000,
+    "".join(f"+m^{n % 12}k^{(5 * n) % 12}" for n in range(9)),
 ]
 
 
@@ -200,6 +254,13 @@ def test_names_the_mistake(name: str, text: str, said: str) -> None:
     assert said in verdict.message
 
 
+@pytest.mark.parametrize(("name", "text"), NOT_ROUNDED)
+def test_only_a_decimal_number_within_its_last_digit_is_called_rounded(name: str, text: str) -> None:
+    verdict = judge(name, text)
+    assert verdict.kind == "wrong"
+    assert not re.search("rounded|nearly|digit", verdict.message)
+
+
 @pytest.mark.parametrize(("name", "text", "said"), UNITS)
 def test_names_the_wrong_unit(name: str, text: str, said: str) -> None:
     verdict = judge(name, text)
@@ -219,7 +280,7 @@ def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name: str)
     asked = question(name)
     verdict = judge(name, asked.example)
     assert verdict.kind == "wrong"
-    assert unit(parse(asked.example)) == unit(parse(RIGHT[name][0]))
+    assert units(normal_form(parse(asked.example))) == units(normal_form(parse(RIGHT[name][0])))
     assert asked.prompt.endswith("?")
     assert asked.prompt.count("$") % 2 == 0
 
@@ -267,7 +328,7 @@ def test_every_form_sympy_gives_the_frequency_is_accepted(form) -> None:
     assert judge(OMEGA, text).kind in ("right", "unsimplified")
 
 
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=60)
 @given(st.sampled_from(QUESTIONS), st.fractions(-9, 9, max_denominator=9), st.integers(0, 3))
 def test_a_multiple_of_the_right_answer_is_right_only_for_one(name: str, factor: Fraction, spelling: int) -> None:
     text = RIGHT[name][spelling % len(RIGHT[name])]
@@ -275,7 +336,7 @@ def test_a_multiple_of_the_right_answer_is_right_only_for_one(name: str, factor:
     assert (verdict.kind in ("right", "unsimplified")) == (factor == 1)
 
 
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=60)
 @given(st.sampled_from(QUESTIONS), st.integers(1, 10**19), st.sampled_from(["", "*√2"]))
 def test_a_tiny_addition_is_not_overlooked(name: str, size: int, root: str) -> None:
     text = RIGHT[name][0]
@@ -299,25 +360,26 @@ def test_the_accepted_mass_ratio_makes_the_accepted_frequency_one() -> None:
 def test_elimination_for_mistakes_is_the_paper_s(shapes: tuple[sp.Expr, ...]) -> None:
     """The quick elimination agrees with the one that solves the equations of motion, for other bodies too."""
     bodies = machine(m_prime, *shapes)
-    quick, paper = mistakes.single_mass(bodies), eliminate(bodies)
-    phi_ddot = phi.diff("t", 2)
-    assert sp.cancel(quick["natural_frequency_squared"] - paper.natural_frequency_squared) == 0
-    assert sp.cancel(quick["block_coupling"] - paper.X_from_phi.coeff(phi_ddot)) == 0
-    assert sp.cancel(quick["top_coupling"] - paper.Phi_from_phi.coeff(phi_ddot)) == 0
-    assert sp.cancel(quick["phi_equation"] - paper.motion[phi].coeff(phi_ddot)) == 0
+    paper, phi_ddot = eliminate(bodies), phi.diff("t", 2)
+    for name, formula in (
+        ("natural_frequency_squared", paper.natural_frequency_squared),
+        ("block_coupling", paper.X_from_phi.coeff(phi_ddot)),
+        ("top_coupling", paper.Phi_from_phi.coeff(phi_ddot)),
+        ("phi_equation", paper.motion[phi].coeff(phi_ddot)),
+    ):
+        assert mistakes.single_mass(bodies, name) == NormalForm.of(formula)
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(*(st.sampled_from([Fraction(1), Fraction(2, 3), Fraction(1, 2), Fraction(2, 5)]) for _ in range(3)))
 def test_other_bodies_have_the_frequency_of_the_family(a: Fraction, b: Fraction, c: Fraction) -> None:
     """Ω² = k[(2+γ)m+2m′]/[(1+γ)m²+¼(2+γ)(2+s)mm′+½sm′²] with s = β_a+β_b, γ = β_c/(1+β_c)."""
-    point = POINTS[0]
-    s, gamma, mass, roller = a + b, c / (1 + c), point["m"], point["m'"]
-    below = (1 + gamma) * mass**2 + (2 + gamma) * (2 + s) * mass * roller / 4 + s * roller**2 / 2
-    expected = point["k"] * ((2 + gamma) * mass + 2 * roller) / below
-    bodies = machine(m_prime, *(sp.Rational(x.numerator, x.denominator) for x in (a, b, c)))
-    frequency = mistakes.single_mass(bodies)["natural_frequency_squared"]
-    assert values(spelled(frequency), exact=True)[0] == expected
+    shapes = [sp.Rational(x.numerator, x.denominator) for x in (a, b, c)]
+    s, gamma = shapes[0] + shapes[1], shapes[2] / (1 + shapes[2])
+    below = (1 + gamma) * m**2 + (2 + gamma) * (2 + s) * m * m_prime / 4 + s * m_prime**2 / 2
+    expected = k * ((2 + gamma) * m + 2 * m_prime) / below
+    bodies = machine(m_prime, *shapes)
+    assert mistakes.single_mass(bodies, "natural_frequency_squared") == NormalForm.of(expected)
 
 
 @pytest.mark.parametrize(
@@ -325,9 +387,8 @@ def test_other_bodies_have_the_frequency_of_the_family(a: Fraction, b: Fraction,
     [
         # Discriminants of machines with one body changed: two hoops 37, two cylinders 33.
         ("(√37-1)/6", "a hoop"),
-        ("(√33+1)/4", "a solid cylinder"),
         # A hoop beside a cylinder that does not spin has the same inertia as two cylinders.
-        ("(√33+1)/4", "rotation of the lower cylinder is left out"),
+        ("(√33+1)/4", "rotation of the lower cylinder"),
     ],
 )
 def test_the_ratio_of_another_machine_is_recognized(text: str, said: str) -> None:
@@ -335,26 +396,27 @@ def test_the_ratio_of_another_machine_is_recognized(text: str, said: str) -> Non
     assert (verdict.kind, said in verdict.message) == ("wrong", True)
 
 
-def test_mistakes_change_something_and_have_one_sentence() -> None:
+def test_mistakes_change_something_and_have_a_sentence_and_a_question() -> None:
     for mistake in mistakes.mistakes():
         assert mistake.bodies != machine()
-        assert re.fullmatch(r"[A-Z][^.]*\.", mistake.hint)
+        assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", mistake.hint)
 
 
 def test_a_mistake_is_not_named_where_it_changes_nothing() -> None:
     """Exchanging the inertias of hoop and lower cylinder leaves Ω² as it is: negative control for the hints."""
     swapped = machine(hoop=machine()["cylinder"].shape_factor, cylinder=machine()["hoop"].shape_factor)
     assert swapped != machine()
-    text = typed(sp.factor(mistakes.single_mass(swapped)["natural_frequency_squared"]))
-    assert judge(OMEGA, text).kind == "right"
+    assert mistakes.single_mass(swapped, OMEGA) == mistakes.single_mass(machine(), OMEGA)
+    assert mistakes.single_mass(swapped, OMEGA) not in questions.wrong_forms(OMEGA)
 
 
-def test_an_unlike_sum_is_named_by_unit() -> None:
-    with pytest.raises(UnitError, match="You add m to kg"):
-        unit(parse("R + m"))
-    assert unit_text(unit(parse("k R^2"))) == "kg·m^2/s^2"
-    assert unit_text(unit(parse("phi"))) == "a plain number"
-    assert unit(spelled(k * X**2)) == (1, 2, -2)
+def test_units_are_read_off_the_terms_that_are_left() -> None:
+    assert units(normal_form(parse("R + m"))) == ((0, 1, 0), (1, 0, 0))
+    assert units(normal_form(parse("0 + k R^2 + m - m"))) == ((1, 2, -2),)
+    assert units(normal_form(parse("√(k/m) + 1/√(m/k)"))) == ((0, 0, -1),)
+    assert units(normal_form(parse("1/(m + R)"))) is None
+    assert unit_text((1, 2, -2)) == "kg·m²/s²"
+    assert unit_text((0, 0, 0)) == ""
 
 
 # Whatever is typed
@@ -363,20 +425,22 @@ def test_an_unlike_sum_is_named_by_unit() -> None:
 def _judged(name: str, text: str) -> None:
     started = time.process_time()
     verdict = judge(name, text)
+    with suppress(UnreadableError):
+        assert typeset(parse(text))
     # One second of CPU is the promise, the derivation of the question included.
     assert time.process_time() - started < 1
     assert verdict.kind in KINDS
-    # Two hints, a unit and a name are the longest there is.
+    # A unit, a name, three terms and a question are the longest there is.
     assert 0 < len(verdict.message) < 500
     # Nothing typed is shown that Markdown, HTML or LaTeX could read.
     assert not set(verdict.message) & set("<>[]$\\`_*{}|#&!") - {"!"}
 
 
-@pytest.mark.parametrize("name", QUESTIONS)
 @pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:20]))
-def test_hostile_text_gets_a_sentence(name: str, text: str) -> None:
-    _judged(name, text)
-    assert judge(name, text).kind in ("wrong", "unreadable")
+def test_hostile_text_gets_a_sentence(text: str) -> None:
+    for name in QUESTIONS:
+        _judged(name, text)
+        assert judge(name, text).kind in ("wrong", "unreadable")
 
 
 _PIECES = [*"+-*/^()²½√0123456789mkRε ", "m'", "X'", "phi", "φ'", "Φ'", "sqrt(", "(m", "1/", "\x00", "<b>"]
@@ -391,20 +455,20 @@ _WELL_FORMED = st.recursive(
 )
 
 
-@settings(deadline=None, max_examples=1500)
+@settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), st.lists(st.sampled_from(_PIECES), max_size=30).map("".join))
 def test_any_heap_of_pieces_gets_a_verdict(name: str, text: str) -> None:
     _judged(name, text)
 
 
-@settings(deadline=None, max_examples=2000)
+@settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), _WELL_FORMED)
 @example(OMEGA, "(m+k)^" + str(MAX_WEIGHT))
 def test_any_formula_gets_a_verdict(name: str, text: str) -> None:
     _judged(name, text)
 
 
-@settings(deadline=None, max_examples=1000)
+@settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), st.text(max_size=40))
 def test_any_text_gets_a_verdict(name: str, text: str) -> None:
     _judged(name, text)
@@ -414,7 +478,7 @@ def test_no_hint_is_given_for_a_plain_number() -> None:
     """Negative control: machines that a mistake leaves without oscillation are compared with nothing."""
     for name in set(QUESTIONS) - {RATIO, "top_coupling"}:
         for text in ("1", "√(1)", "√2/√2"):
-            assert judge(name, text).message.startswith("The unit is wrong")
+            assert judge(name, text).message.startswith("Your answer is a plain number, but ")
 
 
 def test_only_derived_formulas_have_a_spelling() -> None:

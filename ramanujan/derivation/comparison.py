@@ -1,7 +1,7 @@
 """How a wrong answer differs from the right one: coefficient by coefficient, as one fraction, or as a number.
 
 Every sentence states what was computed exactly and claims nothing about how the student came to it. A sentence is one
-template with named slots; products of names and numbers are written into them as a person reads them: Ẋφ̇, mR², 3/2.
+template with named slots; products of names and numbers are written into them as a person reads them: X′φ′, mR², 3/2.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ramanujan.derivation.normal_form import (
     times,
 )
 
-_SHOWN = {"eps": "ε", "m'": "m′", "X'": "Ẋ", "phi": "φ", "phi'": "φ̇", "Phi": "Φ", "Phi'": "Φ̇"}
+_SHOWN = {"eps": "ε", "m'": "m′", "X'": "X′", "phi": "φ", "phi'": "φ′", "Phi": "Φ", "Phi'": "Φ′"}
 _SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 _WORDS = {"2": "twice", "3": "three times", "4": "four times", "1/2": "half of"}
 _MOST_SENTENCES = 3

@@ -208,9 +208,11 @@ def _power(base: Expression, exponent: Fraction) -> str:
 
 
 def _product(factors: tuple[Expression, ...]) -> str:
-    if factors[0] == Number(Fraction(-1)) and len(factors) > 1:
-        rest = factors[1] if len(factors) == 2 else Product(factors[1:])
-        return f"- {_typeset(rest, _IN_PRODUCT)}"
+    if _negative(factors[0]):
+        # One minus sign before the whole product, and not above its fraction line.
+        positive = (_without_minus(factors[0]), *factors[1:])
+        rest = tuple(f for f in positive if f != Number(Fraction(1))) or (Number(Fraction(1)),)
+        return f"- {_typeset(rest[0] if len(rest) == 1 else Product(rest), _IN_PRODUCT)}"
     factors = tuple(_quotients(factors))
     below = tuple(_without_sign(factor) for factor in factors if _divides(factor))
     above = tuple(factor for factor in factors if not _divides(factor))
@@ -256,5 +258,19 @@ def _without_sign(power: Power) -> Expression:
     return power.base if power.exponent == -1 else Power(power.base, -power.exponent)
 
 
-def _negative(product: Product) -> bool:
-    return isinstance(product.factors[0], Number) and product.factors[0].value < 0
+def _negative(expression: Expression) -> bool:
+    """Tell whether an expression begins with a minus sign."""
+    match expression:
+        case Number(value):
+            return value < 0
+        case Product(factors):
+            return _negative(factors[0])
+    return False
+
+
+def _without_minus(expression: Expression) -> Expression:
+    if isinstance(expression, Number):
+        return Number(-expression.value, expression.places)
+    first = _without_minus(expression.factors[0])
+    rest = expression.factors[1:] if first == Number(Fraction(1)) else (first, *expression.factors[1:])
+    return rest[0] if len(rest) == 1 else Product(rest)

@@ -256,7 +256,7 @@ def _with_other_mass(names: tuple[str, ...]) -> Machine:
 def _wrong_rolling() -> Iterator[tuple[str, Machine]]:
     for names in (*((name,) for name in RIDERS), LOWER_ROLLERS):
         yield (
-            f"You get this result if you add Ẋ to the speed of {_called(names)} instead of subtracting it. "
+            f"You get this result if you add X′ to the speed of {_called(names)} instead of subtracting it. "
             "In which direction does the block move when X grows?",
             _moved(names, X, -X),
         )

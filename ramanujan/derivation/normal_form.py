@@ -29,6 +29,9 @@ MAX_WORK = 20_000
 _MAX_GCD_BITS = 8_000
 """A common factor is looked for only where the integers that the search meets stay shorter than this."""
 
+_MAX_RADICANDS, _MAX_SUMS = 10, 4
+"""How many different radicands a formula may have, and how many of them may be sums."""
+
 _SMALL_PRIMES = tuple(sp.primerange(2, 1000))
 
 VARIABLES = NAMES[:-1]
@@ -355,7 +358,11 @@ class _Expansion:
         return (radicands | {factor} if exponent % 2 else radicands), outside
 
     def _meet(self, radicand: PolyElement) -> None:
-        for other in self._radicands - {radicand}:
+        if radicand in self._radicands:
+            return
+        if len(self._radicands) == _MAX_RADICANDS or sum(len(other) > 1 for other in self._radicands) == _MAX_SUMS:
+            raise TooLargeError
+        for other in self._radicands:
             if self.common_factor(radicand, other) != 1:
                 raise UncertainRootError
         self._radicands.add(radicand)

@@ -124,7 +124,7 @@ def _strange(character: str) -> str:
     if character in "Ωω":
         return "Type only what comes to the right of the equals sign: a formula without Ω."
     if character in "<>":
-        return "Type only a formula, without the signs < and >."
+        return "Type only a formula, without a sign of comparison."
     if character == ",":
         return "Write decimals with a point, and no comma."
     # The Unicode name has only capitals, digits and hyphens: safe to show wherever the character itself is not.

@@ -201,7 +201,7 @@ def _elimination_mistakes(name: str) -> _Variants:
 def _equation_mistakes() -> _Variants:
     equation = _elimination().remaining
     yield (
-        "This is the factor after you have put Ẍ and Φ̈ in. What is it before?",
+        "This is the factor after you have put in the other two accelerations. What is it before?",
         equation.coeff(phi_ddot),
     )
     yield "This is R times the right answer. By what is the equation divided here?", _ASKED["phi_equation"].answer() * R
@@ -278,11 +278,11 @@ def _unit_condition() -> UnitCondition:
 
 def _body_question(body: str) -> _Asked:
     called = mistakes.CALLED[body]
-    rate = {"block": "", "top": "Φ̇"}.get(body, "φ̇")
+    rate = {"block": "", "top": "Φ′"}.get(body, "φ′")
     hints = {
-        "Ẋ²": f"What is the kinetic energy of {called} while only the block moves, with {rate} = 0?",
-        f"Ẋ{rate}": f"What is the mixed term when you square the speed of {called}?",
-        f"{rate}²": f"What is the kinetic energy of {called} while the block is at rest, with Ẋ = 0?",
+        "X′²": f"What is the kinetic energy of {called} while only the block moves, with {rate} = 0?",
+        f"X′{rate}": f"What is the mixed term when you square the speed of {called}?",
+        f"{rate}²": f"What is the kinetic energy of {called} while the block is at rest, with X′ = 0?",
     }
     spins = machine()[body].angle != 0
     return _Asked(
@@ -307,7 +307,7 @@ def _coupling_question(name: str, which: str, acceleration: sp.Expr, solved: str
         partial(_elimination_mistakes, name),
         "R (2m + m')/(5m)" if solved == "X_from_phi" else "(2m + m')/(5m)",
         QUOTIENT,
-        "What do the equations of motion of X and Φ say about Ẍ and Φ̈?",
+        "What do the equations of motion of X and Φ say about the three accelerations?",
         {},
     )
 
@@ -340,7 +340,7 @@ _ASKED: dict[str, _Asked] = {
         _equation_mistakes,
         "R (2m + m')/5",
         POLYNOMIAL,
-        "Which kinetic energies contain φ̇², and with which factors?",
+        "Which kinetic energies contain φ′², and with which factors?",
         {},
     ),
     "block_coupling": _coupling_question("block_coupling", "block’s acceleration", X_ddot, "X_from_phi"),
@@ -352,7 +352,7 @@ _ASKED: dict[str, _Asked] = {
         _frequency_mistakes,
         "2k/(3m + m')",
         QUOTIENT,
-        "What is left of the equation of motion of φ when you put Ẍ and Φ̈ in?",
+        "What is left of the equation of motion of φ when you put in the other two accelerations?",
         {},
     ),
     "unit_mass_ratio": _Asked(
