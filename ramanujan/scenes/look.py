@@ -43,6 +43,7 @@ def colors() -> dict[str, str]:
 
 def dress() -> None:
     """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
-    st.html(f"<style>{page.style()}</style>")
+    # As Markdown the style is there with the first headings; st.html loads its own script first, and the page would jump.
+    st.markdown(f"<style>{page.style()}</style>", unsafe_allow_html=True)
     page.follow_theme(theme())
     page.voice()
