@@ -356,7 +356,7 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
             "theme: components get the page's background colour": hosts.theme(theme) === "light",
             "graphs: Plotly marks its graphs and keeps data and layout on them": graphs.length === 2
               && graphs.every((graph) => graph.data.length && graph.layout.meta),
-            "graphs: Plotly's graphs tell when they are drawn": graphs.every(({{ on, removeListener }}) => on && removeListener),
+            "graphs: Plotly's graphs tell when they are drawn": graphs.every((each) => each.on && each.removeListener),
             "panels: a rectangle over each panel": Boolean(panel) && hosts.isPanel(panel),
             "graphOf: from the panel to its graph": hosts.graphOf(panel) === graphs[0],
           }};
