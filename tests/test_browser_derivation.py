@@ -9,6 +9,7 @@ import pytest
 
 from ramanujan.derivation import ROUTES
 from tests.browser import settle
+from tests.test_look import THEME, rgb
 
 STEP = ".st-key-lecture h3"
 
@@ -79,7 +80,7 @@ def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, th
     page.wait_for_selector(f"{STEP} >> nth=0")
     inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
         .map(part => getComputedStyle(part).color)""")
-    wanted = {"light": "rgb(138, 90, 0)", "dark": "rgb(246, 198, 103)"}[theme]
+    wanted = "rgb({}, {}, {})".format(*rgb(THEME[theme]["orangeTextColor"]))
     assert wanted in inks
     # Whatever is coloured has that ink, or none of its own.
     assert len(set(inks) - {wanted}) <= 1
