@@ -45,13 +45,13 @@ export default function ({ parentElement }) {
       back = null;
       set(false, false);
     });
-    on(document, "touchstart", letSwipesThrough, { capture: true, passive: true });
+    for (const type of ["touchstart", "touchmove", "wheel"]) on(window, type, letSwipesThrough, { capture: true, passive: true });
     deferSliders(signal);
     hosts.showPresentPage();
   }).end;
 }
 
-/** Plotly takes every touch for the start of a drag, and keeps the page from scrolling: it hears of taps alone, as clicks. */
+/** Plotly takes every touch for the start of a drag, and a wheel for a zoom: it hears of taps alone, which come as clicks. */
 function letSwipesThrough(event) {
   if (hosts.graphOf(event.target)) event.stopImmediatePropagation();
 }
