@@ -1,7 +1,7 @@
-"""What the browser draws, read off the screen: positions in pixels, angles in degrees clockwise, painted colours.
+"""What the browser draws, off the screen: positions in pixels, angles in degrees clockwise, painted colours.
 
-Nothing here asks the page's own formulas or its layout. The scale comes from the drawn radius of a roller, the zero from
-the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
+Nothing here asks the page's own formulas or its layout. The scale comes from the drawn radius of a roller, the zero
+from the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
 """
 
 from __future__ import annotations
