@@ -18,7 +18,7 @@ The topics of the bus, where NAME is the name of a stage:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -107,6 +107,11 @@ def follow_theme(theme: str) -> Any:
     return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
 
 
+def sheet() -> Any:
+    """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
+    return _component("sheet", "touch.js", "sheet.js")(key="sheet")
+
+
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
     return _component("link", "link.js")(key="link")
@@ -159,6 +164,26 @@ def receipt(key: str, number: int) -> Any:
     return _component("receipt", "receipt.js", base=())(
         key=key, data={"number": number}, on_received_change=lambda: None
     )
+
+
+def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
+    """Turn the steps of a lecture on the page: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+
+    The lecture begins at the step that the address names, any further route at its first.
+
+    Parameters
+    ----------
+    route : name of what is lectured
+    headings : of the steps in their order, for screen readers
+    on_turned : called with the route and the step, some time after the last turn
+    """
+
+    def turned() -> None:
+        at = st.session_state["steps"].at
+        on_turned(at["route"], at["step"])
+
+    data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
+    return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
 
 
 @cache

@@ -68,4 +68,44 @@ const hosts = {
 
   /** Whether a node is the rectangle over a panel. */
   isPanel: (node) => node.matches?.(".nsewdrag") ?? false,
+
+  /** What needs the arrow and page keys for itself when it has the focus, and what needs the space bar. */
+  TAKES_KEYS: "input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *, .stage",
+  TAKES_SPACE: "input, textarea, select, button, summary, a[href], [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=button], [role=option], .stage",
+
+  /** The box in which a lecture's steps are drawn. */
+  lecture: () => document.querySelector(".st-key-lecture"),
+
+  /** Whether a good part of a node is on the screen. */
+  inView(node) {
+    const box = node?.getBoundingClientRect();
+    if (!box?.height) return false;
+    const seen = Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
+    return seen > 0.3 * Math.min(box.height, innerHeight);
+  },
+
+  /** Where the sidebar is a sheet; page.css says the same. */
+  NARROW: "(max-width: 768px)",
+
+  /** What scrolls. */
+  main: () => document.querySelector("[data-testid=stMain]"),
+
+  /** How far the page must scroll until its stage stands at the top, below the bar of pages; 0 where it has no stage. */
+  stageAway() {
+    const stage = document.querySelector(".st-key-stage");
+    return stage ? stage.getBoundingClientRect().top - 56 : 0;
+  },
+
+  /** Whether the page is the one at the app's own address. */
+  onFirstPage: () => !document.querySelector("[data-testid=stSidebarNavLink]:not([href$='/'])[aria-current=page]"),
+
+  isPageLink: (node) => Boolean(node.closest?.("[data-testid=stSidebarNavLink], [data-testid=stPageLink] a")),
+
+  /** Bring the name of the present page into view in the bar of pages. */
+  showPresentPage: () =>
+    document.querySelector("[data-testid=stSidebarNavLink][aria-current=page]")?.scrollIntoView({ block: "nearest", inline: "center" }),
+
+  /** Whether a node belongs to the part of a Streamlit slider that answers to the pointer, and whether to its thumb. */
+  isSliderTrack: (node) => Boolean(node.closest?.("[data-testid=stSlider] [role=group]")),
+  onThumb: (node) => Boolean(node.closest?.(".react-aria-SliderThumb, [data-testid=stSlider] [style*='left']")),
 };

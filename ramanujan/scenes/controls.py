@@ -95,6 +95,7 @@ def sidebar() -> None:
     if complaints:
         st.warning(" ".join(complaints))
     with st.sidebar:
+        page.sheet()
         st.pills("Presets", list(PRESETS), key=_PRESET, on_change=_take_preset, label_visibility="collapsed")
         keys = ("m", "m_prime", "k", "compression")
         values = {key: _slider(CONTROLS[key], notes.get(key)) for key in keys}
@@ -211,7 +212,7 @@ def _slider(control: Control, note: tuple[str, bool] | None) -> float:
     """Draw a slider with its box, and return its value."""
     label = f"{control.symbol}, {control.meaning} [{control.unit}]"
     # The box stands above its slider but is made after it, so that it shows what the slider holds.
-    head = st.container()
+    head = st.container(key=f"head_{control.key}")
     value = st.slider(
         label,
         control.least,

@@ -78,24 +78,31 @@ def choose_body() -> None:
 
 def start_over() -> None:
     """Begin the route that was chosen at its first step."""
-    st.session_state["step"] = 1
+    st.query_params.pop("step", None)
 
 
-def turn(pages: int) -> None:
-    """Go on, or back, by so many steps."""
-    st.session_state["step"] += pages
+def turned(route: str, step: int) -> None:
+    """Keep in the address where the page has turned to; a message about another route comes too late."""
+    if route == st.session_state["route"]:
+        st.query_params["step"] = str(step)
 
 
-def turn_pages(count: int) -> None:
-    """Draw what turns the pages of a lecture."""
-    with st.container(horizontal=True, vertical_alignment="center", key="pages"):
-        # The link's step is known once the slider is made, so that the button before it comes later.
-        before = st.container(width="content")
-        now = st.select_slider(
-            "Step", range(1, count + 1), key="step", bind="query-params", label_visibility="collapsed"
-        )
-        before.button("Back", on_click=turn, args=(-1,), shortcut="Left", disabled=now == 1, key="back")
-        st.button("Next", on_click=turn, args=(1,), shortcut="Right", disabled=now == count, key="next", type="primary")
+@st.fragment
+def turn_pages(route: str, headings: list[str]) -> None:
+    """Draw what turns the pages of a lecture; a turn reruns nothing else."""
+    page.steps(route, headings, turned)
+
+
+def lecture(count: int) -> None:
+    """Draw all steps; the page shows one of them."""
+    step = st.query_params.get("step", "1")
+    now = step if links.count("step", count).fits(step) else "1"
+    # Until the page decides which step is seen, it is the one of the address.
+    st.html(f"<style>.st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now}){{display:none}}</style>")
+    with st.container(border=True, key="lecture"):
+        for number in range(1, count + 1):
+            with st.container(key=f"step_{number}"):
+                draw(number)
 
 
 def beside() -> None:
@@ -128,7 +135,6 @@ def dress() -> None:
     )
     st.html(
         f"<style>{bodies}"
-        ".stMarkdown .katex-display{overflow:auto hidden;padding:.15em 0 .6em;margin-bottom:.8em}"
         ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
         f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
@@ -286,7 +292,7 @@ with st.container(key="lectured" if is_lecture else "reading"):
 with controls_column:
     choose_body()
     if is_lecture:
-        turn_pages(count)
+        turn_pages(name, [step.heading for step in cached.route(name).steps])
 with picture_column:
     beside()
 part = st.session_state["body"]
@@ -294,8 +300,7 @@ present = (machine.m, machine.m_prime, machine.k)
 masses = present if st.session_state["values"] == VALUES[1] else None
 ink = colors[f"{part}_ink"] if part else None
 if is_lecture:
-    with st.container(border=True, key="lecture"):
-        draw(st.session_state["step"])
+    lecture(count)
 else:
     for number in range(1, count + 1):
         draw(number)

@@ -43,6 +43,10 @@ def colors() -> dict[str, str]:
 
 def dress() -> None:
     """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
-    st.html(f"<style>{page.style()}</style>")
-    page.follow_theme(theme())
+    shown = theme()
+    under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
+    own = f":root{{--paper:{colors()['paper']};--faint:{colors()['faint']};--under:{under}}}"
+    # As Markdown, the style comes with the first headings; st.html loads a script first, and the page would jump.
+    st.markdown(f"<style>{own}{page.style()}</style>", unsafe_allow_html=True)
+    page.follow_theme(shown)
     page.voice()

@@ -15,7 +15,7 @@ from ramanujan.scenes.cached import taxicab as cached
 
 PLACES = {"left": "Left roller", "right": "Right roller", "top": "Body on top"}
 PAPER = dict(zip(PLACES, Machine().bodies, strict=True))
-STILL = {"displayModeBar": False}
+STILL = {"displayModeBar": False, "scrollZoom": False}
 LAST_TARGET = "last_target"
 MOST_DIGITS = number_theory.integers.MOST_DIGITS
 LINK = [

@@ -1,0 +1,76 @@
+// The steps of a lecture, turned on the page itself: all of them are there, and one is shown. No press waits for the server,
+// which is told afterwards where the lecture has come to, so that the address holds the place.
+
+const TELL = 300; // ms without a press after which the server is told
+
+export default function ({ data, parentElement, setStateValue }) {
+  const { begun, end } = live(parentElement, (signal) => lecture(parentElement, signal));
+  begun.receive(data, (at) => setStateValue("at", at));
+  return end;
+}
+
+function lecture(root, signal) {
+  const [back, next] = root.querySelectorAll("button");
+  const slider = root.querySelector("input");
+  const sheet = document.head.appendChild(document.createElement("style"));
+  let data, send, timer;
+  let now = 0;
+  signal.addEventListener("abort", () => {
+    clearTimeout(timer);
+    sheet.remove();
+  });
+
+  const show = (speak) => {
+    // The server draws the steps; which one is seen is decided here alone.
+    sheet.textContent = `.st-key-lecture [class*="st-key-step_"] { display: none !important; }
+      .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex !important; }`;
+    const place = data.place.replace("{now}", now).replace("{count}", data.headings.length);
+    slider.value = now;
+    slider.setAttribute("aria-valuetext", `${place} ${data.headings[now - 1]}`);
+    root.querySelector("output").textContent = `${now}/${data.headings.length}`;
+    back.setAttribute("aria-disabled", String(now === 1));
+    next.setAttribute("aria-disabled", String(now === data.headings.length));
+    if (speak) root.querySelector("[role=status]").textContent = `${place} ${data.headings[now - 1]}`;
+  };
+
+  /** Go to a step, and return whether there was one to go to. */
+  const go = (step) => {
+    const to = Math.min(Math.max(step, 1), data.headings.length);
+    if (to === now) return false;
+    now = to;
+    show(true);
+    clearTimeout(timer);
+    timer = setTimeout(() => send({ route: data.route, step: now }), TELL);
+    return true;
+  };
+
+  const on = (node, type, handler) => node.addEventListener(type, handler, { signal });
+  for (const button of [back, next]) on(button, "click", () => go(now + Number(button.dataset.by)));
+  on(slider, "input", () => go(Number(slider.value)));
+  on(document, "keydown", (event) => {
+    const by = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 }[event.key];
+    if (!by || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+    const focused = event.composedPath()[0];
+    if (focused.matches?.(event.key === " " ? hosts.TAKES_SPACE : hosts.TAKES_KEYS)) return;
+    // These keys also scroll the page: they turn a step only while the lecture is what one looks at.
+    if (!event.key.startsWith("Arrow") && !hosts.inView(hosts.lecture())) return;
+    if (go(now + (event.shiftKey && event.key === " " ? -by : by)) || event.key === " ") event.preventDefault();
+  });
+
+  const receive = (given, sender) => {
+    const another = data && given.route !== data.route;
+    const first = !data;
+    [data, send] = [given, sender];
+    slider.max = data.headings.length;
+    if (another) clearTimeout(timer);
+    if (first || another) now = another ? 1 : named(data.headings.length);
+    show(false);
+  };
+  return { receive };
+}
+
+/** The step that the address names, if there is such a step, else the first. */
+function named(count) {
+  const text = new URLSearchParams(location.search).get("step") ?? "";
+  return /^\d+$/.test(text) && Number(text) >= 1 && Number(text) <= count ? Number(text) : 1;
+}
