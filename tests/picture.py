@@ -68,6 +68,7 @@ _READ = f"""() => {{
     ticks: numbered(".gauge .ticks text"),
     pointer: at(root.querySelector(".gauge .pointer"), 0, 0)[0],
     bars: byKey(".bar i", "body", (bar) => bar.getBoundingClientRect().width / whole),
+    shares: all(".legend b").map((text) => parseFloat(text.textContent)),
     block: box(root.querySelector(".moving .block .form")),
     slab: box(root.querySelector(".moving .slab .form")),
     spring: box(root.querySelector(".moving .spring")),

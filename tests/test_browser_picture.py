@@ -186,8 +186,9 @@ def check_bars(picture: Picture, drawn: dict) -> None:
     for name, energy in energies(picture.machine, picture.q, picture.q_dot).items():
         shares[name.partition("_")[0]] += float(energy) / total
     bar = picture.page.evaluate(f"{STAGE}.querySelector('.bar').getBoundingClientRect().width")
-    for name, share in shares.items():
-        assert drawn["bars"][name] * bar == pytest.approx(share * bar, abs=HALF_A_PIXEL), name
+    for name, said in zip(drawn["bars"], drawn["shares"], strict=True):
+        assert drawn["bars"][name] * bar == pytest.approx(shares[name] * bar, abs=HALF_A_PIXEL), name
+        assert said == pytest.approx(100 * shares[name], abs=0.51), name
 
 
 def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str) -> None:
