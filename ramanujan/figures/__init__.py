@@ -30,6 +30,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "linecolor": colors["ink"],
         "ticks": "outside",
         "title": {"standoff": 6},
+        "automargin": True,
     }
     layout = {
         "font": {"color": colors["ink"], "size": 14},
