@@ -90,7 +90,11 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         unifiedhovertitle={"text": "t = %{x:.4~g} s"},
     )
     figure.update_layout(
-        hovermode="x unified", hoversubplots="axis", meta={"cursor": "time", "period": period, "periods": periods}
+        # One small box for all panels, which must not hide what it speaks of.
+        hoverlabel={"font": {"size": 11}, "namelength": 12},
+        hovermode="x unified",
+        hoversubplots="axis",
+        meta={"cursor": "time", "period": period, "periods": periods},
     )
     return figure
 
@@ -212,7 +216,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -
         showlegend=group not in named,
         mode="lines",
         line={"color": curve.color, "width": curve.width, "dash": curve.dash},
-        hovertemplate=f"%{{y:.3~g}} {panel.unit}, {panel.title}",
+        hovertemplate=f"%{{y:.3~g}} {panel.unit}",
     )
     named.add(group)
     if curve.stacked:

@@ -6,7 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import page, stage
-from ramanujan.contact import first_to_slip, largest_compression, required_friction
+from ramanujan.contact import first_to_slip, friction_demand, largest_compression, required_friction
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
@@ -45,6 +45,14 @@ def verdict(mu: float, largest: float, first: str, compression: float) -> None:
             f"**The model no longer holds.** With μ = {mu:.2f}, **{contact}** slips from x₀ = {100 * largest:.3g} cm "
             f"on; the picture just rolls on."
         )
+
+
+def greatest_friction(motion: Record) -> tuple[float, str]:
+    """Return when within the first period a contact needs the most friction [s], and which contact that is."""
+    t = motion.t[motion.t <= motion.oscillator.period]
+    needed = friction_demand(motion.oscillator, motion.initial, t, spacing=motion.spacing)
+    first = max(needed, key=lambda name: needed[name].max())
+    return float(t[needed[first].argmax()]), first
 
 
 def show_displacements(motion: Record, figures: tuple) -> None:
@@ -144,7 +152,7 @@ def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> No
 machine, compression = controls.oscillator(), controls.compression()
 st.title("Motion", anchor=False)
 controls.complain(links.complaints([GLIDE.in_links, SPIN.in_links, MU.in_links, links.one_of("figure", cached.VIEWS)]))
-scene = st.container()
+scene = st.container(key="without_dials")
 glide, spin, mu = (column for column in st.columns(3, gap="medium"))
 with glide:
     glide = controls.page_slider(GLIDE)
@@ -168,7 +176,19 @@ with scene:
         periods=cached.PERIODS,
         on_released=controls.set_compression,
     )
-verdict(mu, largest, first, compression)
+with st.container(key="verdict"):
+    verdict(mu, largest, first, compression)
+instant, contact = greatest_friction(motion)
+page.feed(
+    "moment_feed",
+    {
+        "moment/motion": {
+            "time": instant,
+            "label": f"Freeze at the greatest friction: {cached.CONTACTS[contact]}, t = {instant:.2f} s",
+        }
+    },
+)
+page.moment("motion")
 
 marker, download = st.columns([5, 1], vertical_alignment="center")
 with marker:

@@ -1,0 +1,411 @@
+"""The page's side in a browser: theme, page changes, one clock, the screen reader's tree, what Streamlit is taken to be."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from tests.browser import ROOT, STAGE, next_frame, settle
+
+ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "2"))
+"""How often theme and page are changed when leaks are looked for; fifty in a long run."""
+
+BUS = "globalThis.ramanujan"
+REGION = ".st-key-voice [role=status]"
+
+
+@pytest.fixture
+def visit(visit):
+    """As everywhere, and wait until the stage has drawn."""
+
+    def open_page(*arguments, **options):
+        page = visit(*arguments, **options)
+        page.wait_for_selector("svg.machine[viewBox]", state="attached")
+        next_frame(page)
+        return page
+
+    return open_page
+
+
+def inside(page, expression: str):
+    """Evaluate a JavaScript expression with `root` as the stage's own document."""
+    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
+
+
+def slab_over_block(page) -> float:
+    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
+    slab, block = inside(page, f"['.slab', '.block'].map({place})")
+    return slab - block
+
+
+def source(*files: str) -> str:
+    """JavaScript files of the app, to be run inside a function."""
+    text = "\n".join((ROOT / "ramanujan" / file).read_text(encoding="utf-8") for file in files)
+    return text.replace("export default", "const exported =")
+
+
+# ---- theme, pages, motion
+
+
+@pytest.mark.parametrize("link", ["", "motion?figure=Energy"])
+def test_figures_follow_a_theme_that_is_switched(visit, link):
+    page = visit(link, height=1400)
+    ink = "document.querySelector('.js-plotly-plot .xtick text').style.fill"
+    page.wait_for_selector(".js-plotly-plot .xtick text", state="attached")
+    light = page.evaluate(ink)
+    page.emulate_media(color_scheme="dark", reduced_motion="reduce")
+    page.wait_for_function(f"{ink} !== '{light}'")
+    dark = page.evaluate(ink)
+    settle(page)
+    page.emulate_media(color_scheme="light", reduced_motion="reduce")
+    page.wait_for_function(f"{ink} === '{light}'")
+    settle(page)
+    assert dark != light
+    # Once for each switch: nothing asks for ever.
+    sent = len(page.frames_sent)
+    page.wait_for_timeout(800)
+    assert len(page.frames_sent) == sent
+
+
+def test_theme_and_page_changes_leave_nothing_behind(visit):
+    page = visit()
+    client = page.context.new_cdp_session(page)
+    client.send("Performance.enable")
+
+    def listeners() -> float:
+        client.send("HeapProfiler.collectGarbage")
+        metrics = client.send("Performance.getMetrics")["metrics"]
+        return next(metric["value"] for metric in metrics if metric["name"] == "JSEventListeners")
+
+    def go(name: str, wait: str) -> None:
+        page.get_by_role("link", name=name).first.click()
+        page.wait_for_selector(wait, state="attached")
+        settle(page)
+
+    def tour() -> dict[str, int]:
+        go("Motion", ".time-cursor")
+        assert not [topic for topic in page.evaluate(f"{BUS}.census()") if topic.endswith("/oscillator")]
+        for theme in ("dark", "light"):
+            page.emulate_media(color_scheme=theme, reduced_motion="reduce")
+            page.wait_for_timeout(400)
+            settle(page)
+        assert page.locator(".time-cursor").count() == page.evaluate(
+            "[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {layout, data}) =>"
+            " sum + (layout.meta.cursor === 'orbit' ? data.length : 1), 0)"
+        )
+        go("Oscillator", ".present-machine")
+        assert not [topic for topic in page.evaluate(f"{BUS}.census()") if topic.endswith("/motion")]
+        assert page.locator(".present-machine").count() == 1
+        return page.evaluate(f"{BUS}.census()")
+
+    first = tour()
+    before = listeners()
+    for _ in range(ROUNDS):
+        assert tour() == first
+    # Streamlit and Plotly keep a few of their own with every page.
+    assert listeners() - before < 60 * ROUNDS
+    client.detach()
+
+
+def test_the_wish_for_less_motion_is_followed_at_once(visit):
+    page = visit(motion="no-preference")
+    page.get_by_role("button", name="Pause", exact=True).wait_for()
+    page.emulate_media(color_scheme="light", reduced_motion="reduce")
+    page.get_by_role("button", name="Play", exact=True).wait_for()
+    next_frame(page)
+    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 5
+    page.emulate_media(color_scheme="light", reduced_motion="no-preference")
+    page.get_by_role("button", name="Pause", exact=True).wait_for()
+    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 0
+
+
+def test_ghosts_are_of_the_present_machine_and_silent(visit):
+    page = visit()
+    ghosts = "root.querySelector('.ghosts').innerHTML"
+    before = inside(page, ghosts)
+    page.locator(".st-key-m_prime input[type=range]").focus()
+    page.keyboard.press("PageUp")
+    page.wait_for_function(f"{STAGE}.querySelector('.ghosts').innerHTML !== {before!r}")
+    settle(page)
+    assert (
+        inside(page, "root.querySelectorAll('.ghosts [role], .ghosts [tabindex], .ghosts [aria-valuenow]').length") == 0
+    )
+    # The last exposure is half a period on: the slab as far on the other side.
+    x = "(node) => node.transform.baseVal[0].matrix.e"
+    first, last = inside(
+        page,
+        f"[0, 4].map((i) => root.querySelectorAll('.ghosts > g')[i])"
+        f".map((ghost) => ({x})(ghost.querySelector('.slab')) - ({x})(ghost.querySelector('.block')))",
+    )
+    assert (first, last) == (pytest.approx(8, abs=1e-3), pytest.approx(-8, abs=1e-3))
+
+
+def test_the_first_picture_does_not_make_the_curve_jump(visit):
+    page = visit()
+    page.add_init_script(
+        """window.heights = [];
+        const look = () => {
+          const heading = [...document.querySelectorAll("h3")].find((h) => h.innerText.startsWith("When is it"));
+          if (heading) window.heights.push(heading.getBoundingClientRect().top);
+          requestAnimationFrame(look);
+        };
+        requestAnimationFrame(look);"""
+    )
+    page.reload()
+    page.wait_for_selector(".present-machine", state="attached")
+    settle(page)
+    heights = page.evaluate("window.heights")
+    assert len(heights) > 5
+    assert max(heights) - min(heights) < 12
+
+
+# ---- one clock
+
+
+def test_the_cursor_moves_the_machine_and_the_machine_the_cursor(visit):
+    page = visit("motion?figure=Displacements", height=1400)
+    page.wait_for_selector(".time-cursor", state="attached")
+    slider = page.get_by_label("Time cursor")
+    slider.fill("0.25")  # half a period of the two shown: the spring is stretched by 8 cm
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(-8, abs=0.02)
+    sent = len(page.frames_sent)
+    page.get_by_role("button", name="Step forward").click()
+    next_frame(page)
+    assert float(slider.input_value()) == pytest.approx(13 / 48, abs=1e-3)
+    # A click on a figure freezes the machine there; the line can be dragged.
+    panel = page.locator(".js-plotly-plot .nsewdrag").first.bounding_box()
+    page.mouse.click(panel["x"] + 0.5 * panel["width"], panel["y"] + 20)
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(8, abs=0.1)
+    line = page.locator(".time-cursor").first.bounding_box()
+    x, y = line["x"] + line["width"] / 2, line["y"] + line["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + panel["width"] / 4, y, steps=5)
+    page.mouse.up()
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(-8, abs=0.1)
+    assert float(slider.input_value()) == pytest.approx(0.75, abs=2e-3)
+    assert len(page.frames_sent) == sent
+
+
+def test_beyond_the_edge_the_picture_stops_and_says_so(visit):
+    page = visit("motion?spin=3&figure=Displacements")
+    page.wait_for_selector(".time-cursor", state="attached")
+    slider = page.get_by_label("Time cursor")
+    slider.fill("0.999")
+    next_frame(page)
+    assert "The picture stops there" in inside(page, "root.querySelector('.note').textContent")
+    assert float(slider.input_value()) == pytest.approx(0.999)
+    top, block = inside(
+        page, "['.top', '.block'].map((name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e)"
+    )
+    place = top - block
+    slider.fill("0.9")
+    next_frame(page)
+    top, block = inside(
+        page, "['.top', '.block'].map((name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e)"
+    )
+    assert top - block == pytest.approx(place, abs=0.05)
+    slider.fill("0")
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(8, abs=0.02)
+
+
+def test_the_view_does_not_jump_when_a_push_begins(visit):
+    page = visit("motion")
+    page.get_by_role("button", name="Step forward").click()
+    next_frame(page)
+    place = "root.querySelector('.centre').transform.baseVal[0].matrix.e"
+    before = inside(page, place)
+    ruler = inside(page, "root.querySelector('.ruler').transform.baseVal[0].matrix.e")
+    page.locator(".st-key-glide input[type=range]").focus()
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    # Half a centimetre a second, a twelfth of a second after release.
+    assert inside(page, place) == pytest.approx(before, abs=0.2)
+    assert inside(page, "root.querySelector('.ruler').transform.baseVal[0].matrix.e") == pytest.approx(ruler, abs=0.2)
+
+
+def test_nothing_moves_before_it_is_computed(visit):
+    page = visit("speed?method=Yoshida+6&periods=300&steps=192", motion="no-preference")
+    stepped = (
+        "document.querySelector('.st-key-stepped [data-testid=stBidiComponentIsolated]').shadowRoot"
+        ".querySelector('.moving .slab').getAttribute('transform')"
+    )
+    waiting = "document.querySelector('.st-key-stepped [data-testid=stBidiComponentIsolated]').shadowRoot.querySelector('.awaiting')"
+    page.evaluate(f"{BUS}.publish('machine/stepped', {{ ...{BUS}.last('machine/exact'), awaiting: true }})")
+    page.wait_for_function(f"{waiting} !== null")
+    page.wait_for_timeout(300)
+    place = page.evaluate(stepped)
+    page.wait_for_timeout(400)
+    assert page.evaluate(stepped) == place
+
+
+# ---- the screen reader's tree
+
+
+def test_the_slab_is_a_slider_of_its_own_and_the_picture_names_its_bodies(visit):
+    page = visit("1729?left=sphere&top=hoop")
+    stage = page.locator(".st-key-stage_bodies")
+    stage.locator("[role=slider]").wait_for()
+    assert stage.locator("[role=img] [role=slider]").count() == 0
+    named = stage.locator("svg.machine [role=img]").get_attribute("aria-label")
+    assert "on the left a sphere, on the right a cylinder" in named
+    assert "a hoop rolls free" in named
+    assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00 cm"
+
+
+def test_controls_by_arrow_keys(visit):
+    page = visit()
+    stage = page.locator(".st-key-stage")
+    focused = f"{STAGE}.activeElement.getAttribute('aria-label') ?? {STAGE}.activeElement.textContent"
+    stops = "root.querySelectorAll('.controls button[tabindex=\"0\"]').length"
+    assert inside(page, stops) == 3  # one each for playback, speed and layers
+    stage.get_by_role("button", name="Release again").focus()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate(focused) == "Step back"
+    page.keyboard.press("End")
+    assert page.evaluate(focused) == "Step forward"
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate(focused) == "Release again"
+    stage.get_by_role("radio", name="1×", exact=True).focus()
+    page.keyboard.press("ArrowDown")
+    assert stage.get_by_role("radio", name="½×").get_attribute("aria-checked") == "true"
+    assert inside(page, "root.querySelectorAll('[role=radio][aria-checked=true]').length") == 1
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("ArrowLeft")
+    assert stage.get_by_role("radio", name="⅒×").get_attribute("aria-checked") == "true"
+    stage.get_by_role("slider", name="Position within one period").fill("0.5")
+    next_frame(page)
+    assert "0.50 periods" in stage.get_by_role("slider", name="Position within one period").get_attribute(
+        "aria-valuetext"
+    )
+
+
+@pytest.mark.parametrize("link", ["", "motion", "1729", "derivation", "speed?periods=1"])
+def test_one_live_region_on_every_page(visit, link):
+    page = visit(link)
+    page.wait_for_selector(REGION, state="attached")
+    regions = page.evaluate(
+        """() => {
+          const found = [];
+          const search = (root) => {
+            for (const node of root.querySelectorAll("*")) {
+              const live = node.matches("[role=status], [aria-live]:not([aria-live=off]), output:not([aria-hidden=true])");
+              if (live && !node.closest("[data-testid=stStatusWidget], [data-testid=stToast]")) found.push(node);
+              if (node.shadowRoot) search(node.shadowRoot);
+            }
+          };
+          document.querySelectorAll("[data-testid=stMain], [data-testid=stSidebar]").forEach(search);
+          return found.map((node) => node.outerHTML.slice(0, 80));
+        }"""
+    )
+    assert len(regions) == 1, regions
+
+
+def test_what_happens_is_said_once(visit):
+    page = visit("motion?mu=1.5", motion="no-preference")
+    region = page.locator(REGION)
+    said = f"document.querySelector('{REGION}')"
+    page.evaluate(
+        """() => {
+          const region = document.querySelector(".st-key-voice [data-testid=stBidiComponentIsolated]").shadowRoot
+            .querySelector("[role=status]");
+          window.said = [];
+          new MutationObserver(() => region.textContent && window.said.push(region.textContent))
+            .observe(region, { childList: true, characterData: true, subtree: true });
+        }"""
+    )
+    assert said
+
+    def heard(part: str) -> None:
+        page.wait_for_function(f"window.said.some((sentence) => sentence.includes({part!r}))")
+        assert len([each for each in page.evaluate("window.said") if part in each]) == 1
+        page.evaluate("window.said = []")
+
+    page.get_by_role("button", name="Pause", exact=True).click()
+    heard("Paused.")
+    page.get_by_role("button", name="Step forward").click()
+    heard("periods after release, t =")
+    page.locator(".st-key-mu input[type=range]").focus()
+    page.keyboard.press("Home")
+    heard("would slip")
+    page.get_by_text("Light rollers").click()
+    heard("one full turn in")
+    assert region.count() == 1
+
+
+# ---- the assumptions, one by one
+
+
+def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
+    """Each function of hosts.js finds what it promises; whichever assumption breaks is named here."""
+    page = visit("motion?figure=Displacements", height=1400)
+    page.wait_for_selector(".time-cursor", state="attached")
+    hosts = source("page/hosts.js")
+    broken = page.evaluate(
+        f"""() => {{
+          {hosts}
+          const graphs = hosts.graphs(), panel = hosts.panels(graphs[0])[0], slider = hosts.slider("m");
+          const theme = document.querySelector(".st-key-voice [data-testid=stBidiComponentIsolated]").shadowRoot;
+          const holds = {{
+            "slider: a range input with bounds, step and value": slider?.type === "range" && slider.min === "0.5"
+              && slider.max === "5" && Number(slider.step) === 0.01 && slider.value === "1",
+            "sliderKey: the slider's nodes carry its key": hosts.sliderKey(slider, ["k", "m"]) === "m",
+            "theme: components get the page's background colour": hosts.theme(theme) === "light",
+            "graphs: Plotly marks its graphs and keeps data and layout on them": graphs.length === 2
+              && graphs.every((graph) => graph.data.length && graph.layout.meta),
+            "graphs: Plotly's graphs tell when they are drawn": graphs.every((graph) => graph.on && graph.removeListener),
+            "panels: a rectangle over each panel": Boolean(panel) && hosts.isPanel(panel),
+            "graphOf: from the panel to its graph": hosts.graphOf(panel) === graphs[0],
+          }};
+          return Object.keys(holds).filter((name) => !holds[name]);
+        }}"""
+    )
+    assert broken == []
+    # A slider moved from the page is drawn by Streamlit, and nothing is sent.
+    sent = len(page.frames_sent)
+    page.evaluate(f"() => {{ {hosts} hosts.moveSlider(hosts.slider('compression'), 5); }}")
+    page.wait_for_timeout(400)
+    assert page.locator(".st-key-compression [data-testid=stSliderThumbValue]").inner_text() == "5.0"
+    assert len(page.frames_sent) == sent
+
+
+def test_the_bus(visit):
+    """Publish, subscribe until aborted, the last value; a second script finds the same bus; a life begins and ends once."""
+    heard = visit().evaluate(
+        f"""() => {{
+          const kept = globalThis.ramanujan;
+          delete globalThis.ramanujan;
+          const first = (() => {{ {source("page/bus.js")} return {{ bus, live }}; }})();
+          const second = (() => {{ {source("page/bus.js")} return {{ bus, live }}; }})();
+          const heard = [], stop = new AbortController(), {{ bus, live }} = first;
+          bus.publish("a", 1);
+          bus.subscribe("a", (value) => heard.push(["early", value]), {{ signal: stop.signal }});
+          second.bus.publish("a", 2);
+          stop.abort();
+          bus.publish("a", 3);
+          bus.subscribe("a", (value) => heard.push(["aborted", value]), {{ signal: stop.signal }});
+          bus.forget("a");
+          bus.subscribe("a", (value) => heard.push(["forgotten", value]));
+          const element = {{}};
+          const begin = (signal) => {{
+            heard.push(["begun"]);
+            signal.addEventListener("abort", () => heard.push(["ended"]));
+          }};
+          const [one, two] = [live(element, begin), live(element, begin)];
+          one.end(); // a clean-up that comes late
+          heard.push(["still there"]);
+          two.end();
+          globalThis.ramanujan = kept;
+          return {{ heard, same: first.bus === second.bus, census: bus.census() }};
+        }}"""
+    )
+    assert heard == {
+        "same": True,
+        "census": {"a": 1},
+        "heard": [["early", 1], ["early", 2], ["begun"], ["still there"], ["ended"]],
+    }
