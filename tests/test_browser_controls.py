@@ -1,4 +1,4 @@
-"""The sliders, their boxes and the presets under a hand: at any pace and over a slow network nothing is lost or taken back."""
+"""Sliders, boxes and presets under a hand: at any pace, over a slow network, nothing is lost or taken back."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def test_a_bad_entry_is_answered_at_its_box(visit):
 
 def test_a_second_click_on_the_same_mark_is_heard(visit):
     page = visit(height=1300)
-    mark = page.locator(".st-key-curve .scatterlayer .trace").nth(4).locator(".point")
+    mark = page.locator(".st-key-curve .scatterlayer .trace").last.locator(".point")
     mark.wait_for(state="attached")
     for other in ("2", "3"):
         page.wait_for_timeout(400)  # Plotly draws anew after an answer

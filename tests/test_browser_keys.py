@@ -1,8 +1,9 @@
-"""The lecture on page 2 by keys, clickers and buttons: each press is one step, however fast and however slow the network."""
+"""The lecture by keys, clickers and buttons: a press is a step, however fast, however slow the network."""
 
 from __future__ import annotations
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.browser import settle
 from tests.slow_network import delayed
@@ -18,7 +19,7 @@ def step(page) -> int:
 def lecture(visit):
     def open_page(query: str = "", **options):
         page = visit(f"derivation{query}", **options)
-        page.locator(HEADING).wait_for()
+        expect(page.locator(HEADING)).to_have_count(1, timeout=60_000)
         page.get_by_role("button", name="Next").wait_for()
         return page
 
@@ -63,7 +64,7 @@ def test_nothing_is_lost_over_a_slow_network(lecture, server):
     page = lecture()
     with delayed(server, 0.6) as address:
         page.goto(f"{address}/derivation?step=2")
-        page.locator(HEADING).wait_for(timeout=90_000)
+        expect(page.locator(HEADING)).to_have_count(1, timeout=90_000)
         page.get_by_role("button", name="Next").wait_for()
         settle(page)
         for _ in range(4):
