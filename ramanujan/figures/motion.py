@@ -62,7 +62,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     named: set[str] = set()
     for number, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if number == 1 else f"y{number}"
-        traces += [_trace(curve, panel, axis, end, named) for curve in panel.curves]
+        traces += [_trace(curve, panel, axis, end, named, several=len(panels) > 1) for curve in panel.curves]
         layout[f"yaxis{axis[1:]}"] = {
             "domain": domain,
             "title": {"text": f"{panel.title} [{panel.unit}]"},
@@ -81,7 +81,12 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         "position": 0,
         "unifiedhovertitle": {"text": "t = %{x:.4~g} s"},
     }
-    layout |= {"hovermode": "x unified", "hoversubplots": "axis"}
+    # One small box for all panels, which must not hide what it describes.
+    layout |= {
+        "hovermode": "x unified",
+        "hoversubplots": "axis",
+        "hoverlabel": {"font": {"size": 11}, "namelength": 12},
+    }
     return drawn(traces, layout | {"meta": {"cursor": "time", "period": period, "periods": periods}})
 
 
@@ -209,7 +214,9 @@ def _domains(panels: int) -> list[list[float]]:
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
-def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -> dict[str, Any]:
+def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str], *, several: bool) -> dict[str, Any]:
+    # The last word tells two panels apart: "over the ground", "over the block".
+    where = f", {panel.title.split()[-1]}" if several else ""
     group = curve.group or curve.name
     trace = {
         "type": "scatter",
@@ -223,7 +230,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -
         "showlegend": group not in named,
         "mode": "lines",
         "line": {"color": curve.color, "width": curve.width, "dash": curve.dash},
-        "hovertemplate": f"%{{y:.3~g}} {panel.unit}, {panel.title}",
+        "hovertemplate": f"%{{y:.3~g}} {panel.unit}{where}",
     }
     named.add(group)
     if curve.stacked:
