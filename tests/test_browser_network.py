@@ -49,6 +49,12 @@ def slider(tab: object) -> object:
     return tab.locator(".st-key-m input[type=range]").first
 
 
+def connected(tab: object) -> None:
+    """Wait until the widgets can be moved again: until then Streamlit disables them."""
+    tab.wait_for_timeout(1000)
+    tab.wait_for_selector(".st-key-m input[type=range]:enabled", timeout=60_000)
+
+
 def move(tab: object, key: str = "ArrowRight") -> None:
     slider(tab).focus()
     tab.keyboard.press(key)
@@ -109,9 +115,9 @@ def test_the_network_goes_away_for_a_while(server: str, profile: object) -> None
         assert "m=2.01" in address
         way.down()
         tab.wait_for_timeout(20_000 if CHANGES >= 100 else 3_000)
-        way.up()
         with tab.expect_websocket(timeout=60_000):
-            pass
+            way.up()
+        connected(tab)
         assert tab.url == address
         move(tab)
         assert tab.url == address.replace("2.01", "2.02")
@@ -131,6 +137,7 @@ def test_a_restarted_server_finds_everything_again(profile: object) -> None:
             way.lead_to(address)
             with tab.expect_websocket(timeout=60_000):
                 way.up()
+            connected(tab)
             move(tab)
             assert "m=2.02" in tab.url
             assert "step=3" in tab.url
