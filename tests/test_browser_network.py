@@ -127,7 +127,7 @@ def test_the_network_goes_away_for_a_while(server: str, profile: object) -> None
 
 def test_a_restarted_server_finds_everything_again(profile: object) -> None:
     first = running(ROOT / "app.py")
-    with network(first.__enter__()) as way:
+    with first as address, network(address) as way:
         tab = open_tab(profile, f"{way.address}/derivation?m=2&step=3")
         move(tab)
         first.process.kill()
