@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import os
 import random
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -46,6 +47,12 @@ def alive(tab: object) -> None:
 
 def slider(tab: object) -> object:
     return tab.locator(".st-key-m input[type=range]").first
+
+
+def connected(tab: object) -> None:
+    """Wait until the widgets can be moved again: until then Streamlit disables them."""
+    tab.wait_for_timeout(1000)
+    tab.wait_for_selector(".st-key-m input[type=range]:enabled", timeout=60_000)
 
 
 def move(tab: object, key: str = "ArrowRight") -> None:
@@ -95,7 +102,9 @@ def test_a_page_keeps_no_message_that_changes_and_forgets_none(server: str, page
         assert visitor.max_age > 10**9
         await visitor.close()
 
-    asyncio.run(visit())
+    # In a thread of its own: the browser of the other tests keeps an event loop in this one.
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, visit()).result()
 
 
 def test_the_network_goes_away_for_a_while(server: str, profile: object) -> None:
@@ -106,9 +115,9 @@ def test_the_network_goes_away_for_a_while(server: str, profile: object) -> None
         assert "m=2.01" in address
         way.down()
         tab.wait_for_timeout(20_000 if CHANGES >= 100 else 3_000)
-        way.up()
         with tab.expect_websocket(timeout=60_000):
-            pass
+            way.up()
+        connected(tab)
         assert tab.url == address
         move(tab)
         assert tab.url == address.replace("2.01", "2.02")
@@ -118,7 +127,7 @@ def test_the_network_goes_away_for_a_while(server: str, profile: object) -> None
 
 def test_a_restarted_server_finds_everything_again(profile: object) -> None:
     first = running(ROOT / "app.py")
-    with network(first.__enter__()) as way:
+    with first as address, network(address) as way:
         tab = open_tab(profile, f"{way.address}/derivation?m=2&step=3")
         move(tab)
         first.process.kill()
@@ -128,6 +137,7 @@ def test_a_restarted_server_finds_everything_again(profile: object) -> None:
             way.lead_to(address)
             with tab.expect_websocket(timeout=60_000):
                 way.up()
+            connected(tab)
             move(tab)
             assert "m=2.02" in tab.url
             assert "step=3" in tab.url

@@ -16,7 +16,8 @@ from playwright.sync_api import Browser, sync_playwright
 from tests.browser import CHROMIUM, FLAGS, ROOT, running
 from tests.deployed import deployed
 
-DRAWN = "document.querySelector('[data-testid=stBidiComponentIsolated]')?.shadowRoot?.querySelector('svg .body')"
+DRAWN = """[...document.querySelectorAll('[data-testid=stBidiComponentIsolated]')].some(
+  (component) => component.shadowRoot?.querySelector('svg .body'))"""
 
 
 def main() -> None:

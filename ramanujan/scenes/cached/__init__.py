@@ -18,15 +18,17 @@ from ramanujan.derivation import ROUTES, Route
 def warm_up() -> bool:
     """Import and derive what every page needs, then take it out of the garbage collector's rounds.
 
-    Streamlit collects garbage after every run; with SymPy and Plotly loaded, walking what never changes would be most
-    of a rerun.
+    With SymPy and Plotly loaded, walking through what never changes would be most of the collector's work.
     """
     # Imported here, because page 1's caches themselves stand on this file.
+    from ramanujan.scenes import look
     from ramanujan.scenes.cached import oscillator
 
     stage.warm_up()
     oscillator.curve()
     oscillator.summary(1.0, 1.0, 1.0)
+    # Plotly loads what checks a figure when the first one is drawn.
+    oscillator.figure(look.theme())
     gc.collect()
     gc.freeze()
     return True
