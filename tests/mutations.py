@@ -152,9 +152,9 @@ MUTATIONS = [
     Mutation("X counts to the right", "stage/coordinates.js", "length = -7.5", "length = 7.5", "layer_of_coordinates"),
     Mutation(
         "the picture's height follows the radius",
-        "stage/drawing.js",
-        "top: bottom + wide / ASPECT };",
-        "top };",
+        "stage/picture.js",
+        "set(svg, { viewBox: `",
+        "svg.style.aspectRatio = 1 + place.R / 10, set(svg, { viewBox: `",
         "nothing_below",
     ),
     Mutation("the wrong body is lit", "stage/picture.js", "body === name)", 'body === "hoop")', "lights"),

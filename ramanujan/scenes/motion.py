@@ -6,7 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import page, stage
-from ramanujan.contact import first_to_slip, friction_demand, largest_compression, required_friction
+from ramanujan.contact import first_to_slip, largest_compression, required_friction
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
@@ -51,10 +51,12 @@ def verdict(mu: float, largest: float, first: str, compression: float) -> None:
 
 def greatest_friction(motion: Record) -> tuple[float, str]:
     """Return when within the first period a contact needs the most friction [s], and which contact that is."""
-    t = motion.t[motion.t <= motion.oscillator.period]
-    needed = friction_demand(motion.oscillator, motion.initial, t, spacing=motion.spacing)
+    first_period = motion.t <= motion.oscillator.period
+    needed = {
+        name: (np.abs(motion.forces[name]) / normal)[first_period] for name, normal in motion.normal_forces.items()
+    }
     first = max(needed, key=lambda name: needed[name].max())
-    return float(t[needed[first].argmax()]), first
+    return float(motion.t[needed[first].argmax()]), first
 
 
 def show_displacements(motion: Record, figures: tuple) -> None:
