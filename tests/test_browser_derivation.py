@@ -11,7 +11,7 @@ from ramanujan.derivation import ROUTES
 from tests.browser import settle
 from tests.test_look import THEME, rgb
 
-STEP = ".st-key-lecture h3"
+STEP = ".st-key-lecture h3:visible"
 
 
 def step(page) -> str:
@@ -20,6 +20,7 @@ def step(page) -> str:
 
 def press(page, key: str) -> str:
     page.keyboard.press(key)
+    page.wait_for_timeout(400)  # after a turn the page waits 300 ms before it tells the server
     settle(page)
     return step(page)
 
@@ -77,7 +78,7 @@ def test_long_formulas_scroll_in_their_own_box_on_a_phone(visit, title):
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, theme):
     page = visit("derivation?step=2&body=hoop", theme=theme)
-    page.wait_for_selector(f"{STEP} >> nth=0")
+    page.locator(STEP).wait_for()
     inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
         .map(part => getComputedStyle(part).color)""")
     wanted = "rgb({}, {}, {})".format(*rgb(THEME[theme]["orangeTextColor"]))
@@ -141,7 +142,7 @@ def test_every_control_has_a_name(visit):
 def test_the_first_page_leads_here(visit):
     page = visit()
     page.get_by_role("link", name="The whole derivation, by five routes").click()
-    page.wait_for_selector(STEP)
+    page.locator(STEP).wait_for()
     settle(page)
     assert "/derivation" in page.url
     assert page.get_by_role("heading", name="Five ways to one frequency").is_visible()
@@ -150,7 +151,7 @@ def test_the_first_page_leads_here(visit):
 @pytest.mark.parametrize("link", ["route=Newton&step=4", "step=2", "step=2&values=My+numbers"])
 def test_steps_of_many_equations_fit_on_a_projector(visit, link):
     page = visit(f"derivation?{link}")
-    formula = page.locator(".katex-display").first
+    formula = page.locator(".st-key-lecture .katex-display:visible").first
     formula.wait_for()
     box = formula.bounding_box()
     assert box["y"] + box["height"] <= 720

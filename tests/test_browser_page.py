@@ -85,7 +85,9 @@ def test_theme_and_page_changes_leave_nothing_behind(visit):
 
     def known(stage: str) -> set[str]:
         """What the bus knows of a stage; the sidebar, which stays, listens for the compression of each."""
-        topics = {topic.removesuffix(f"/{stage}") for topic in page.evaluate(f"{BUS}.census()") if topic.endswith(stage)}
+        topics = {
+            topic.removesuffix(f"/{stage}") for topic in page.evaluate(f"{BUS}.census()") if topic.endswith(stage)
+        }
         return topics - {"compression"}
 
     def tour() -> dict[str, int]:

@@ -62,7 +62,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     for number, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if number == 1 else f"y{number}"
         for curve in panel.curves:
-            figure.add_trace(_trace(curve, panel, axis, end, named))
+            figure.add_trace(_trace(curve, panel, axis, end, named, several=len(panels) > 1))
         figure.update_layout(
             {
                 f"yaxis{axis[1:]}": {
@@ -90,7 +90,11 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         unifiedhovertitle={"text": "t = %{x:.4~g} s"},
     )
     figure.update_layout(
-        hovermode="x unified", hoversubplots="axis", meta={"cursor": "time", "period": period, "periods": periods}
+        # One small box for all panels, which must not hide what it speaks of.
+        hoverlabel={"font": {"size": 11}, "namelength": 12},
+        hovermode="x unified",
+        hoversubplots="axis",
+        meta={"cursor": "time", "period": period, "periods": periods},
     )
     return figure
 
@@ -199,7 +203,9 @@ def _domains(panels: int) -> list[list[float]]:
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
-def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -> go.Scatter:
+def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str], several: bool) -> go.Scatter:
+    # The last word tells two panels apart: "over the ground", "over the block".
+    where = f", {panel.title.split()[-1]}" if several else ""
     group = curve.group or curve.name
     trace = go.Scatter(
         # Equal steps need no array, and single precision is far finer than a pixel.
@@ -212,7 +218,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str]) -
         showlegend=group not in named,
         mode="lines",
         line={"color": curve.color, "width": curve.width, "dash": curve.dash},
-        hovertemplate=f"%{{y:.3~g}} {panel.unit}, {panel.title}",
+        hovertemplate=f"%{{y:.3~g}} {panel.unit}{where}",
     )
     named.add(group)
     if curve.stacked:

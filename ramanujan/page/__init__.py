@@ -12,6 +12,7 @@ The topics of the bus, where NAME is the name of a stage:
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
+    moment/NAME       {time [s], label}: the instant to which a button takes the stage, and what the button says
     say               {sentence, urgent}: news for the page's live region
 """
 
@@ -85,6 +86,18 @@ def cursor(stage: str) -> Any:
     stage : the name of the stage that shares the cursor's clock
     """
     return _component("cursor", "marks.js", "cursor.js")(key="cursor", data={"stage": stage})
+
+
+def moment(stage: str) -> Any:
+    """Put a button on the page that takes a stage, and all figures over time, to one instant and holds them there.
+
+    The topic moment/NAME says which: {time [s], label}.
+
+    Parameters
+    ----------
+    stage : the name of the stage
+    """
+    return _component("moment", "moment.js")(key="moment", data={"stage": stage})
 
 
 def give_back(*keys: str) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import page, stage
-from ramanujan.contact import first_to_slip, largest_compression, required_friction
+from ramanujan.contact import first_to_slip, friction_demand, largest_compression, required_friction
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
@@ -47,6 +47,14 @@ def verdict(mu: float, largest: float, first: str, compression: float) -> None:
             f":red[:material/error: **The model no longer holds.**] With μ = {mu:.2f}, **{contact}** slips from "
             f"x₀ = {100 * largest:.3g} cm on; the picture just rolls on."
         )
+
+
+def greatest_friction(motion: Record) -> tuple[float, str]:
+    """Return when within the first period a contact needs the most friction [s], and which contact that is."""
+    t = motion.t[motion.t <= motion.oscillator.period]
+    needed = friction_demand(motion.oscillator, motion.initial, t, spacing=motion.spacing)
+    first = max(needed, key=lambda name: needed[name].max())
+    return float(t[needed[first].argmax()]), first
 
 
 def show_displacements(motion: Record, figures: tuple) -> None:
@@ -170,7 +178,19 @@ with scene:
         periods=cached.PERIODS,
         on_released=controls.set_compression,
     )
-verdict(mu, largest, first, compression)
+with st.container(key="verdict"):
+    verdict(mu, largest, first, compression)
+instant, contact = greatest_friction(motion)
+page.feed(
+    "moment_feed",
+    {
+        "moment/motion": {
+            "time": instant,
+            "label": f"Freeze at the greatest friction: {cached.CONTACTS[contact]}, t = {instant:.2f} s",
+        }
+    },
+)
+page.moment("motion")
 
 marker, download = st.columns([5, 1], vertical_alignment="center")
 with marker:

@@ -1,0 +1,107 @@
+"""Sliders, boxes and presets under a hand: at any pace, over a slow network, nothing is lost or taken back."""
+
+from __future__ import annotations
+
+import contextlib
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser import settle
+from tests.slow_network import delayed
+
+
+def box(page, key: str):
+    return page.locator(f".st-key-{key}_exact input")
+
+
+def slider(page, key: str):
+    return page.locator(f".st-key-{key} input[type=range]")
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.1, 0.6])
+def test_every_key_press_is_kept(visit, server, delay):
+    with delayed(server, delay) if delay else contextlib.nullcontext(server) as address:
+        page = visit()
+        page.goto(f"{address}/")
+        slider(page, "k").wait_for(state="attached", timeout=90_000)
+        settle(page)
+        for presses, pause, expected in ((8, 250, 14.0), (20, 30, 24.0)):
+            slider(page, "k").focus()
+            for _ in range(presses):
+                page.keyboard.press("ArrowRight")
+                page.wait_for_timeout(pause)
+            assert float(box(page, "k").input_value()) == expected
+            page.wait_for_url(f"**k={expected:g}**")
+            settle(page)
+            assert float(slider(page, "k").input_value()) == float(box(page, "k").input_value()) == expected
+
+
+def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(visit, server):
+    with delayed(server, 0.4) as address:
+        page = visit()
+        page.goto(f"{address}/")
+        slider(page, "k").wait_for(state="attached", timeout=90_000)
+        settle(page)
+        # The message about k leaves before the page has heard of the preset, and still carries the old m′.
+        page.get_by_text("Light rollers").click()
+        slider(page, "k").focus()
+        page.keyboard.press("ArrowRight")
+        page.wait_for_timeout(400)
+        page.keyboard.press("ArrowRight")
+        page.wait_for_url("**m_prime=0.1**")
+        settle(page)
+        assert [float(box(page, key).input_value()) for key in ("m_prime", "k")] == [0.1, 11.0]
+        box(page, "m").fill("9/8")
+        box(page, "m").press("Enter")
+        slider(page, "k").focus()
+        page.keyboard.press("ArrowRight")
+        page.wait_for_url("**m=1.125**")
+        settle(page)
+        assert [float(box(page, key).input_value()) for key in ("m", "k")] == [1.125, 11.5]
+
+
+def test_the_box_follows_the_thumb_without_the_server(visit):
+    page = visit()
+    thumb = page.locator(".st-key-m [style*=left]").first.bounding_box()
+    x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+    sent = len(page.frames_sent)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y, steps=5)
+    expect(box(page, "m")).to_have_value(slider(page, "m").input_value())
+    assert float(box(page, "m").input_value()) > 1.5
+    assert len(page.frames_sent) == sent
+    page.mouse.move(x, y, steps=5)
+    page.mouse.up()
+    settle(page)
+    assert float(box(page, "m").input_value()) == 1.0
+
+
+def test_a_bad_entry_is_answered_at_its_box(visit):
+    page = visit("?k=20")
+    box(page, "k").fill("1e9")
+    box(page, "k").press("Enter")
+    sentence = page.get_by_text("k must be between 1 and 200 N/m. The old value, 20 N/m, was kept.")
+    sentence.wait_for()
+    at, entry = sentence.bounding_box(), box(page, "k").bounding_box()
+    assert 0 <= at["y"] - entry["y"] - entry["height"] < 40
+    assert at["y"] + at["height"] <= 720
+    expect(box(page, "k")).to_have_value("20.0")
+
+
+def test_a_second_click_on_the_same_mark_is_heard(visit):
+    page = visit(height=1300)
+    mark = page.locator(".st-key-curve .scatterlayer .trace").last.locator(".point")
+    mark.wait_for(state="attached")
+    for other in ("2", "3"):
+        page.wait_for_timeout(400)  # Plotly draws anew after an answer
+        place = mark.bounding_box()
+        page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+        page.mouse.click(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+        expect(box(page, "m_prime")).to_have_value("1.1272568270162107")
+        settle(page)
+        box(page, "m_prime").fill(other)
+        box(page, "m_prime").press("Enter")
+        page.wait_for_url(f"**m_prime={other}**")
+        settle(page)
