@@ -1,7 +1,7 @@
-"""What the browser draws, read off the screen: positions in pixels, angles in degrees clockwise, painted colours.
+"""What the browser draws, off the screen: positions in pixels, angles in degrees clockwise, painted colours.
 
-Nothing here asks the page's own formulas or its layout. The scale comes from the drawn radius of a roller, the zero from
-the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
+Nothing here asks the page's own formulas or its layout. The scale comes from the drawn radius of a roller, the zero
+from the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
 """
 
 from __future__ import annotations
@@ -68,6 +68,7 @@ _READ = f"""() => {{
     ticks: numbered(".gauge .ticks text"),
     pointer: at(root.querySelector(".gauge .pointer"), 0, 0)[0],
     bars: byKey(".bar i", "body", (bar) => bar.getBoundingClientRect().width / whole),
+    shares: all(".legend b").map((text) => parseFloat(text.textContent)),
     block: box(root.querySelector(".moving .block .form")),
     slab: box(root.querySelector(".moving .slab .form")),
     spring: box(root.querySelector(".moving .spring")),

@@ -89,13 +89,11 @@ def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, th
 
 def test_three_machines_run_side_by_side(visit):
     page = visit("derivation", motion="no-preference")
-    page.wait_for_selector(".st-key-mode_roll")
-    page.wait_for_timeout(1500)
-    for key in ("swing", "glide", "roll"):
-        stage = page.locator(f".st-key-mode_{key}")
-        first = stage.screenshot()
-        page.wait_for_timeout(700)
-        assert stage.screenshot() != first
+    for key, body in (("swing", "slab"), ("glide", "block"), ("roll", "top")):
+        moving = f"""document.querySelector('.st-key-mode_{key} [data-testid=stBidiComponentIsolated]')
+          ?.shadowRoot.querySelector('.moving .{body}')?.getAttribute('transform')"""
+        page.wait_for_function(moving)
+        page.wait_for_function(f"(before) => {moving} !== before", arg=page.evaluate(moving))
 
 
 @pytest.mark.parametrize(("kind", "suffix"), [("latex", "tex"), ("markdown", "md"), ("notebook", "ipynb")])

@@ -1,8 +1,12 @@
-"""The picture is physics: bodies, hands, bars and arrows as the browser draws them, against the numeric core."""
+"""The picture is physics: bodies, hands, bars and arrows as the browser draws them, against the numeric core.
+
+RAMANUJAN_MACHINES sets how many machines from anywhere on the sliders are drawn besides those at the corners.
+"""
 
 from __future__ import annotations
 
 import math
+import os
 from itertools import combinations, product
 
 import numpy as np
@@ -23,6 +27,7 @@ from tests.test_look import THEME, rgb
 HALF_A_PIXEL = 0.5
 ONE_DEGREE = 1.0
 SEED = 1729
+MACHINES = int(os.environ.get("RAMANUJAN_MACHINES", "1"))
 
 
 def machines(count: int) -> list[tuple[Oscillator, float]]:
@@ -40,8 +45,8 @@ def machines(count: int) -> list[tuple[Oscillator, float]]:
     return found
 
 
-TIMES = (0.0, 0.25, 0.5, 0.75, *np.random.default_rng(SEED).uniform(-1, 4, 2))
-"""Quarters of a period, and two moments before or after."""
+TIMES = (0.0, 0.25, 0.5, 0.75, *np.random.default_rng(SEED).uniform(-1, 4, max(1, MACHINES)))
+"""Quarters of a period, and any moments before or after."""
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +58,7 @@ def open_once(profile, server):
         if address not in pages:
             pages[address] = profile.new_page()
             pages[address].on("pageerror", lambda error: errors.append(str(error)))
+            pages[address].set_default_timeout(120_000)
             pages[address].emulate_media(reduced_motion="reduce")
             pages[address].goto(f"{server}/{address}")
         pages[address].set_viewport_size({"width": 1280, "height": 720})
@@ -106,28 +112,54 @@ def check_bodies(picture: Picture, drawn: dict, home: dict[str, float]) -> None:
     assert left < x["hoop"] - R < x["cylinder"] - 3 * R < drawn["spring"][2] < x["top"] < right
 
 
-def test_bodies_stand_and_turn_as_the_core_says(picture):
+def test_all_that_is_drawn_agrees_with_the_core(picture):
+    picture.layers("energy", "arrows", "forces")
     known: dict[float, dict[str, float]] = {}
-    for machine, compression in machines(4):
+    for machine, compression in [*machines(MACHINES), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]:
         picture.show(machine, compression)
         for periods in TIMES:
             drawn = picture.at(periods)
-            # Where they stand at q = 0 depends on R alone: read once, it must do for every x₀ and every state.
+            # Where bodies stand at q = 0 depends on R alone: read once, it must do for every x₀ and every state.
             home = known.setdefault(machine.radius, homes(picture, drawn))
             check_bodies(picture, drawn, home)
+            check_clock(picture, drawn, home, periods)
+            check_bars(picture, drawn)
+            velocity = ground_velocities(machine, picture.q_dot)
+            check_arrows(drawn["arrows"], velocity, drawn["scales"]["speed"], "m/s")
+            force = contact_forces(machine, picture.initial, picture.time)
+            del force["spring"]
+            check_arrows(drawn["forces"], force, drawn["scales"]["force"], "N")
+            for name in ROLLERS:
+                if arrow := drawn["arrows"][name]:
+                    assert arrow[4] == pytest.approx(places(drawn)[name], abs=HALF_A_PIXEL), "it begins at the axis"
         assert home["cylinder"] - home["hoop"] == pytest.approx(drawn_spacing(machine.radius), rel=1e-3)
         assert home["slab"] == pytest.approx((home["cylinder"] + home["hoop"]) / 2, rel=1e-3)
+        (least, left), (most, right) = drawn["ticks"][0], drawn["ticks"][-1]
+        expected = left + (machine.normalized_frequency_squared - least) / (most - least) * (right - left)
+        assert drawn["pointer"] == pytest.approx(expected, abs=2 * HALF_A_PIXEL)
+
+
+def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: float) -> None:
+    """Both hands, and the plain mass, which swings by x₀ about one place."""
+    phase = math.sqrt(picture.machine.k / picture.machine.m) * picture.time
+    assert difference(drawn["hands"]["machine"], 360 * periods) < ONE_DEGREE
+    assert difference(drawn["hands"]["plain"], math.degrees(phase)) < ONE_DEGREE
+    moved = picture.compression * math.cos(phase)
+    rest = home.setdefault("plain", (middle(drawn["plain"]) - picture.zero) / picture.pixels - moved)
+    expected = picture.zero + (rest + moved) * picture.pixels
+    assert middle(drawn["plain"]) == pytest.approx(expected, abs=HALF_A_PIXEL)
 
 
 def test_a_pushed_machine_and_the_view_that_goes_with_it(pushed):
     known: dict[float, dict[str, float]] = {}
-    for machine, compression in machines(2):
+    corners = machines(MACHINES)
+    for machine, compression in corners[1:2] + corners[-1:]:
         far = 0.02 / machine.period
         start = released(machine, compression).phi
         for pushes in ({"X_dot": -0.2}, {"X_dot": 0.1}, {"Phi_dot": far / machine.radius}, {"phi_dot": -far}):
             pushed.show(machine, compression, InitialState(phi=start, **pushes))
             centres = []
-            for periods in (0.0, 0.25, 0.6, 0.95):
+            for periods in (0.0, 0.3, 0.95):
                 drawn = pushed.at(periods)
                 centres.append(drawn["centre"][0])
                 check_bodies(pushed, drawn, known.setdefault(machine.radius, homes(pushed, drawn)))
@@ -147,40 +179,6 @@ def test_the_smallest_push_moves_the_picture_least(pushed):
     assert np.ptp(blocks, axis=1).min() > 10
 
 
-def test_hands_gauge_and_plain_mass(picture):
-    known: dict[float, float] = {}
-    for machine, compression in [*machines(3), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]:
-        picture.show(machine, compression)
-        for periods in TIMES:
-            drawn = picture.at(periods)
-            phase = math.sqrt(machine.k / machine.m) * picture.time
-            assert difference(drawn["hands"]["machine"], 360 * periods) < ONE_DEGREE
-            assert difference(drawn["hands"]["plain"], math.degrees(phase)) < ONE_DEGREE
-            x = (middle(drawn["plain"]) - picture.zero) / picture.pixels - compression * math.cos(phase)
-            home = known.setdefault(machine.radius, x)
-            assert x * picture.pixels == pytest.approx(home * picture.pixels, abs=HALF_A_PIXEL)
-        (least, left), (most, right) = drawn["ticks"][0], drawn["ticks"][-1]
-        expected = left + (machine.normalized_frequency_squared - least) / (most - least) * (right - left)
-        assert drawn["pointer"] == pytest.approx(expected, abs=2 * HALF_A_PIXEL)
-
-
-def test_bars_arrows_and_forces(picture):
-    picture.layers("energy", "arrows", "forces")
-    for machine, compression in machines(3):
-        picture.show(machine, compression)
-        for periods in TIMES:
-            drawn = picture.at(periods)
-            check_bars(picture, drawn)
-            velocity = ground_velocities(machine, picture.q_dot)
-            check_arrows(drawn["arrows"], velocity, drawn["scales"]["speed"], "m/s")
-            force = contact_forces(machine, picture.initial, picture.time)
-            del force["spring"]
-            check_arrows(drawn["forces"], force, drawn["scales"]["force"], "N")
-            for name, tail in places(drawn).items():
-                if drawn["arrows"][name] and name in ROLLERS:
-                    assert drawn["arrows"][name][4] == pytest.approx(tail, abs=HALF_A_PIXEL)
-
-
 def check_bars(picture: Picture, drawn: dict) -> None:
     """Each bar is its body's share of the total energy ½kx₀², which the core knows without adding up."""
     total = picture.machine.k * picture.compression**2 / 2
@@ -188,8 +186,9 @@ def check_bars(picture: Picture, drawn: dict) -> None:
     for name, energy in energies(picture.machine, picture.q, picture.q_dot).items():
         shares[name.partition("_")[0]] += float(energy) / total
     bar = picture.page.evaluate(f"{STAGE}.querySelector('.bar').getBoundingClientRect().width")
-    for name, share in shares.items():
-        assert drawn["bars"][name] * bar == pytest.approx(share * bar, abs=HALF_A_PIXEL), name
+    for name, said in zip(drawn["bars"], drawn["shares"], strict=True):
+        assert drawn["bars"][name] * bar == pytest.approx(shares[name] * bar, abs=HALF_A_PIXEL), name
+        assert said == pytest.approx(100 * shares[name], abs=0.51), name
 
 
 def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str) -> None:
@@ -214,7 +213,7 @@ def test_the_traces_follow_the_marks_on_the_rims(picture):
         return [point.x, point.y];
       }});
     }}"""
-    for periods in (0.0, 0.2, 0.5, 0.8):
+    for periods in (0.2, 0.5):
         drawn = picture.at(periods)
         for name in ROLLERS:
             roller = drawn["rollers"][name]
@@ -290,11 +289,10 @@ def test_in_step_is_an_event_and_never_a_false_one(picture):
     step = picture.page.locator(".st-key-stage [data-step]")
     face = f"getComputedStyle({STAGE}.querySelector('.face')).fill"
     seen = {}
-    for off in (0.0, 1e-9, -1e-9, 1e-7, -1e-7, 1e-3, 0.05, -0.2):
+    for off in (0.0, -1e-9, 1e-7, 1e-3, 0.05, -0.2):
         # Ω/√(k/m) = 1 + off
         machine = Oscillator(2.0, 2.0 * mass_ratio_for((1 + off) ** 2), 30.0)
         picture.show(machine, 0.05)
-        picture.at(0.4)
         expected = "in-step" if abs(off) < 1e-8 else "nearly" if abs(off) < 1 / 500 else "apart"
         expect(step).to_have_attribute("data-step", expected)
         picture.page.wait_for_function(
@@ -331,9 +329,8 @@ def test_nothing_below_the_stage_moves_whatever_the_machine(picture, pushed):
     for shown, width in product((picture, pushed), (1280, 390)):
         shown.page.set_viewport_size({"width": width, "height": 844})
         seen = set()
-        for machine, compression in machines(2):
+        for machine, compression in machines(1)[1:4]:
             shown.show(machine, compression)
-            shown.at(0.3)
             top = shown.page.locator(".st-key-stage .controls").bounding_box()["y"]
             seen.add((top, shown.page.locator(".st-key-stage .stage").bounding_box()["height"]))
         assert len(seen) == 1, (shown.name, width)
@@ -388,9 +385,9 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture):
         heads: named(".arrows .line, .forces .line"),
       }};
     }}"""
-    for R, compression in product((0.05, 0.1, 0.2), (0.04, 0.12)):
+    for R, compression in ((0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)):
         picture.show(Oscillator(1.0, 0.8, 10.0, R), compression)
-        for periods in (0.08, 0.3, 0.6, 0.9):
+        for periods in (0.08, 0.6, 0.9):
             picture.at(periods)
             seen = picture.page.evaluate(boxes)
             for (a, first), (b, second) in combinations(seen["letters"], 2):
