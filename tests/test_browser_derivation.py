@@ -9,6 +9,7 @@ import pytest
 
 from ramanujan.derivation import ROUTES
 from tests.browser import settle
+from tests.test_look import THEME, rgb
 
 STEP = ".st-key-lecture h3:visible"
 
@@ -80,7 +81,7 @@ def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, th
     page.locator(STEP).wait_for()
     inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
         .map(part => getComputedStyle(part).color)""")
-    wanted = {"light": "rgb(138, 90, 0)", "dark": "rgb(246, 198, 103)"}[theme]
+    wanted = "rgb({}, {}, {})".format(*rgb(THEME[theme]["orangeTextColor"]))
     assert wanted in inks
     # Whatever is coloured has that ink, or none of its own.
     assert len(set(inks) - {wanted}) <= 1
@@ -88,13 +89,11 @@ def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit, th
 
 def test_three_machines_run_side_by_side(visit):
     page = visit("derivation", motion="no-preference")
-    page.wait_for_selector(".st-key-mode_roll")
-    page.wait_for_timeout(1500)
-    for key in ("swing", "glide", "roll"):
-        stage = page.locator(f".st-key-mode_{key}")
-        first = stage.screenshot()
-        page.wait_for_timeout(700)
-        assert stage.screenshot() != first
+    for key, body in (("swing", "slab"), ("glide", "block"), ("roll", "top")):
+        moving = f"""document.querySelector('.st-key-mode_{key} [data-testid=stBidiComponentIsolated]')
+          ?.shadowRoot.querySelector('.moving .{body}')?.getAttribute('transform')"""
+        page.wait_for_function(moving)
+        page.wait_for_function(f"(before) => {moving} !== before", arg=page.evaluate(moving))
 
 
 @pytest.mark.parametrize(("kind", "suffix"), [("latex", "tex"), ("markdown", "md"), ("notebook", "ipynb")])

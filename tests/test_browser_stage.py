@@ -278,15 +278,6 @@ def test_layers(visit):
     assert inside(page, "root.querySelector('.energy').hidden")
 
 
-def test_energies_add_up(visit):
-    page = visit("?m_prime=3", motion="no-preference")
-    for _ in range(4):
-        widths = inside(page, "[...root.querySelectorAll('.bar i')].map((bar) => parseFloat(bar.style.width))")
-        # A style keeps four digits after the point, of six widths: each is off by half of the last.
-        assert sum(widths) == pytest.approx(100, abs=6 * 0.51e-4)
-        page.wait_for_timeout(130)
-
-
 def test_reduced_motion_starts_with_a_still(visit):
     page = visit(motion="reduce")
     assert page.get_by_role("button", name="Play", exact=True).count() == 1

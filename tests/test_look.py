@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import re
 import tomllib
+import warnings
+from itertools import combinations
 
+import numpy as np
 import pytest
+from daltonlens import convert, simulate
 
 from ramanujan.scenes.look import BODY_COLORS
 from tests.browser import ROOT
@@ -14,9 +18,14 @@ THEME = tomllib.loads((ROOT / ".streamlit" / "config.toml").read_text())["theme"
 STYLE = (ROOT / "ramanujan" / "stage" / "stage.css").read_text()
 
 
+def rgb(color: str) -> tuple[int, int, int]:
+    """Red, green and blue, from 0 to 255, of a colour such as #1D2430."""
+    return tuple(int(color[i : i + 2], 16) for i in (1, 3, 5))
+
+
 def luminance(color: str) -> float:
     """WCAG 2.2, relative luminance."""
-    parts = [int(color[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    parts = [part / 255 for part in rgb(color)]
     linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
@@ -47,7 +56,36 @@ def test_text_and_controls_have_contrast_aa(theme, ink):
         assert contrast(THEME[theme][ink], THEME[theme][paper]) >= 4.5
 
 
+EYES = {
+    "Brettel, Viénot and Mollon 1997": simulate.Simulator_Brettel1997(convert.LMSModel_sRGB_SmithPokorny75()),
+    "Machado, Oliveira and Fernandes 2009": simulate.Simulator_Machado2009(),
+}
+
+
+def differences(colors: list[str], model: str, deficiency: simulate.Deficiency | None) -> list[float]:
+    """CIEDE2000 between every two colours, as an eye without one kind of cone sees them."""
+    with warnings.catch_warnings():  # about parts of the library that plot
+        warnings.simplefilter("ignore")
+        import colour
+    image = np.array([[rgb(color) for color in colors]], dtype=np.uint8)
+    if deficiency is not None:
+        image = EYES[model].simulate_cvd(image, deficiency, 1.0)
+    lab = colour.XYZ_to_Lab(colour.sRGB_to_XYZ(image[0] / 255))
+    return [float(colour.delta_E(lab[i], lab[j], method="CIE 2000")) for i, j in combinations(range(len(colors)), 2)]
+
+
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_no_two_bodies_share_a_colour(theme):
-    colors = [THEME[theme][f"{color}Color"] for color in BODY_COLORS.values()]
-    assert len(set(colors)) == len(BODY_COLORS)
+@pytest.mark.parametrize("kind", ["Color", "TextColor"])
+@pytest.mark.parametrize("deficiency", [None, *simulate.Deficiency])
+def test_every_two_bodies_keep_apart_to_the_eye_of_the_colour_blind(theme, kind, deficiency):
+    colors = [THEME[theme][f"{color}{kind}"] for color in BODY_COLORS.values()]
+    for model in EYES:
+        apart = dict(zip(combinations(BODY_COLORS, 2), differences(colors, model, deficiency), strict=True))
+        assert min(apart.values()) >= 10, (model, min(apart, key=apart.get))
+
+
+def test_the_eye_of_the_colour_blind_is_another_one():
+    """Negative control: red and green of one lightness, far apart to most eyes, are not to one without red cones."""
+    pair = ["#C1272D", "#5A6B00"]
+    assert differences(pair, next(iter(EYES)), None)[0] > 40
+    assert differences(pair, next(iter(EYES)), simulate.Deficiency.PROTAN)[0] < 25

@@ -26,9 +26,9 @@ def values(app) -> dict[str, float]:
 
 
 def box(app, key: str) -> dict[str, object]:
-    """What the head of a slider tells the page."""
-    (head,) = (e for e in app.get("bidi_component") if e.proto.id.endswith(f"-{key}_exact"))
-    return json.loads(head.proto.json)
+    """What the sidebar's feed tells the box of a slider."""
+    (feed,) = (e for e in app.get("bidi_component") if e.proto.id.endswith("-exact_feed"))
+    return json.loads(feed.proto.json)[f"exact/{key}"]
 
 
 def type_in(app, key: str, text: str):

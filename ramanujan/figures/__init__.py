@@ -27,6 +27,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> go.layout.T
         "linecolor": colors["ink"],
         "ticks": "outside",
         "title": {"standoff": 6},
+        "automargin": True,
     }
     layout = go.Layout(
         font={"color": colors["ink"], "size": 14},

@@ -104,10 +104,10 @@ def frequency_curve(
         xshift=6,
         font={"color": colors["primary"]},
     )
-    # Half-way down the asymptote there is nothing to its right.
-    half = int(np.argmin(np.abs(heavy_limit - light_limit / 2)))
+    # There is nothing to the right of the asymptote here, above the line “in step”.
+    there = int(np.argmin(np.abs(heavy_limit - 0.65 * light_limit)))
     figure.add_annotation(
-        beside, x=_log(ratios[half]), y=heavy_limit[half], text=heavy_label, yanchor="bottom", xshift=8
+        beside, x=_log(ratios[there]), y=heavy_limit[there], text=heavy_label, yanchor="bottom", xshift=8
     )
     figure.update_xaxes(
         type="log", title="mass ratio ε = m′/m", range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True

@@ -1,14 +1,23 @@
 // Notices that the theme has been switched, and asks for a run of the page: figures take their colours on the server.
 // Streamlit calls this function again whenever the theme changes.
 
+const PAUSE = 400; // ms until the question, since Streamlit's own messages learn of the new theme later than its components
+const TIMES = 5; // that a switch is asked about: a server that does not follow is not asked for ever
+
 export default function ({ data, parentElement, setTriggerValue }) {
-  const { begun, end } = live(parentElement, () => ({ asked: null }));
-  const shown = hosts.theme(parentElement);
-  // Once for each switch: a server that gives another answer is not asked for ever.
-  if (shown === data.theme) begun.asked = null;
-  else if (shown && shown !== begun.asked) {
-    begun.asked = shown;
-    setTriggerValue("switched", shown);
-  }
+  const { begun, end } = live(parentElement, (signal) => {
+    signal.addEventListener("abort", () => clearTimeout(begun.timer));
+    return { timer: 0 };
+  });
+  Object.assign(begun, { drawn: data.theme, asked: 0 });
+  const ask = () => {
+    const seen = hosts.theme(parentElement);
+    if (!seen || seen === begun.drawn || begun.asked >= TIMES) return;
+    begun.asked += 1;
+    setTriggerValue("switched", `${seen} ${begun.asked}`);
+    begun.timer = setTimeout(ask, 4 * PAUSE);
+  };
+  clearTimeout(begun.timer);
+  begun.timer = setTimeout(ask, PAUSE);
   return end;
 }

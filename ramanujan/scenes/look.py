@@ -46,6 +46,7 @@ def dress() -> None:
     shown = theme()
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
     own = f":root{{--paper:{colors()['paper']};--faint:{colors()['faint']};--under:{under}}}"
-    st.html(f"<style>{own}{page.style()}</style>")
-    page.follow_theme(theme())
+    # As Markdown, the style comes with the first headings; st.html loads a script first, and the page would jump.
+    st.markdown(f"<style>{own}{page.style()}</style>", unsafe_allow_html=True)
+    page.follow_theme(shown)
     page.voice()

@@ -35,15 +35,17 @@ def note(text: str) -> None:
 def verdict(mu: float, largest: float, first: str, compression: float) -> None:
     """Say whether every contact rolls, in two sentences of about the same length."""
     contact = cached.CONTACTS[first]
+    # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
+    box = st.container(border=True)
     if compression <= largest:
-        st.success(
-            f"**Every contact rolls.** With μ = {mu:.2f} you can release the machine from up to "
-            f"x₀ = {100 * largest:.3g} cm; beyond, **{contact}** slips first."
+        box.markdown(
+            f":green[:material/check_circle: **Every contact rolls.**] With μ = {mu:.2f} you can release the machine "
+            f"from up to x₀ = {100 * largest:.3g} cm; beyond, **{contact}** slips first."
         )
     else:
-        st.error(
-            f"**The model no longer holds.** With μ = {mu:.2f}, **{contact}** slips from x₀ = {100 * largest:.3g} cm "
-            f"on; the picture just rolls on."
+        box.markdown(
+            f":red[:material/error: **The model no longer holds.**] With μ = {mu:.2f}, **{contact}** slips from "
+            f"x₀ = {100 * largest:.3g} cm on; the picture just rolls on."
         )
 
 

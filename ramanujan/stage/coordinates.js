@@ -2,7 +2,7 @@
 // of the picture, y UP.
 
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
-const SENSE = { from: 44, to: 72, at: 1.12 }; // the arrow of the positive sense outside the rim: degrees and radii
+const SENSE = { from: 44, to: 74, label: 68, at: 1.12 }; // the arrow of the positive sense outside the rim: degrees and radii
 
 /** Each mark's attributes: `d` of a line, or x and y of a label. Pure. */
 function coordinateMarks(known, g, shift) {
@@ -32,7 +32,7 @@ function angleMarks(name, angle, moved, g) {
   const [x0, y0] = g.centre[name], x = x0 + moved, { R } = g;
   const point = (radii, at) => `${x + radii * R * Math.sin(at)} ${-y0 - radii * R * Math.cos(at)}`;
   const turn = ((angle % TURN) + TURN) % TURN, signed = turn > Math.PI ? turn - TURN : turn;
-  const [from, to, middle] = [SENSE.from, SENSE.to, (SENSE.from + SENSE.to) / 2].map((degrees) => (degrees * TURN) / 360);
+  const [from, to, beside] = [SENSE.from, SENSE.to, SENSE.label].map((degrees) => (degrees * TURN) / 360);
   const arc = `M${x} ${-y0}L${point(ARC, 0)}A${ARC * R} ${ARC * R} 0 0 ${signed > 0 ? 1 : 0} ${point(ARC, signed)}z`;
   const along = 1.8 / (SENSE.at * R); // the angle that the head takes
   const head = `M${point(SENSE.at + 0.9 / R, to - along)}L${point(SENSE.at, to)}L${point(SENSE.at - 0.9 / R, to - along)}`;
@@ -41,7 +41,7 @@ function angleMarks(name, angle, moved, g) {
     [`${name}_value`]: { d: Math.abs(signed) < 1e-3 ? "" : arc },
     [`${name}_radius`]: { d: `M${x} ${-y0}L${point(1, signed)}` },
     [`${name}_sense`]: { d: `M${point(SENSE.at, from)}A${SENSE.at * R} ${SENSE.at * R} 0 0 1 ${point(SENSE.at, to)}${head}` },
-    [`${name}_label`]: { x: x + (SENSE.at * R + 1.2) * Math.sin(middle), y: -y0 - (SENSE.at * R + 1.2) * Math.cos(middle) },
+    [`${name}_label`]: { x: x + (SENSE.at * R + 1.2) * Math.sin(beside), y: -y0 - (SENSE.at * R + 1.2) * Math.cos(beside) },
   };
 }
 

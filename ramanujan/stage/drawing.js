@@ -43,7 +43,7 @@ function centresOfMass(g) {
 function anchors(g) {
   return {
     block: [(g.riser + g.right) / 2, g.upper * 0.35],
-    slab: [(g.slab.left + g.slab.right) / 2, g.slab.bottom + g.thick + 2.5],
+    slab: [0.7 * g.slab.left + 0.3 * g.slab.right, g.slab.bottom + g.thick + 2.5], // its head stays clear of x₀
     ...g.centre,
   };
 }

@@ -44,7 +44,8 @@ function makePicture(root, { compact, dials, limits, label }) {
     if (!scale) return;
     svg.style.setProperty("--u", String(1 / scale));
     // What the screen shows can be wider than the view, and a label of the ruler is whole or not there.
-    const { left, right } = place.view, half = svg.clientWidth / scale / 2 - 45 / scale;
+    const { left, right } = place.view, word = 2 * parseFloat(getComputedStyle(svg).fontSize);
+    const half = (svg.clientWidth / 2 - word) / scale;
     ends = [(left + right) / 2 - half, (left + right) / 2 + half];
     slideFloor(svg, shifted, ends);
   }

@@ -25,7 +25,7 @@ from pathlib import Path
 from time import perf_counter
 
 from tests.benchmarks.app import BARE
-from tests.benchmarks.visitor import Visitor, VisitError
+from tests.benchmarks.visitor import VisitError, Visitor
 from tests.browser import ROOT, running
 
 PAGES = {"oscillator": "", "derivation": "derivation", "motion": "motion", "1729": "1729", "speed": "speed?periods=1"}
@@ -148,7 +148,11 @@ def report(name: str, seen: Lesson, bare: Lesson | None = None) -> None:
     p50, p95, p99 = quantiles(seen.waits)
     columns = [f"{1000 * value:>6.0f} ms" for value in (p50, p95, p99, max(seen.waits, default=float("nan")))]
     columns += [f"{len(seen.waits):>9}", f"{sum(seen.errors.values()):>8}"]
-    columns += [f"{1000 * seen.processor / runs:>8.1f} ms", f"{seen.bytes / runs:>9.0f}", f"{seen.messages / runs:>10.0f}"]
+    columns += [
+        f"{1000 * seen.processor / runs:>8.1f} ms",
+        f"{seen.bytes / runs:>9.0f}",
+        f"{seen.messages / runs:>10.0f}",
+    ]
     columns += [f"{seen.memory / 2**20:>8.2f} MiB", f"{1000 * quantiles(seen.opened)[1]:>10.0f} ms"]
     print(f"{name:<14}{''.join(columns)}", flush=True)
     if bare:

@@ -1,0 +1,215 @@
+"""Break the picture in one place at a time, and see a test fail each time: `python -m tests.mutations [words]`.
+
+Every mutation is made in a copy of the sources, in which the tests named with it are run; all of them must pass there
+before anything is broken. With words, only the mutations are run whose names contain one of them. This takes minutes
+and is no part of the test suite.
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.browser import ROOT
+
+_COPIED = ("app.py", "ramanujan", "tests", ".streamlit", ".pytest.ini")
+DRAWN = "all_that_is_drawn"
+"""The test that holds every body, hand, bar and arrow against the core."""
+
+
+@dataclass(frozen=True)
+class Mutation:
+    """What is broken: a text in a file, what takes its place, and the tests, in pytest's words, that must notice."""
+
+    name: str
+    file: str
+    old: str
+    new: str
+    tests: str = DRAWN
+
+
+_SPIN = "rotate(${(FORMULAS.angle[name](known) * 360) / TURN})"
+_ARROWS = "velocityArrow(start, from[name][1], FORMULAS.velocity[name](known) * speed"
+MUTATIONS = [
+    Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
+    Mutation(
+        "the top roller turns backwards",
+        "stage/drawing.js",
+        _SPIN,
+        _SPIN.replace("* 360", '* (name === "top" ? -360 : 360)'),
+    ),
+    Mutation(
+        "bodies move to the wrong side", "stage/drawing.js", "translate(${x0 + x[name]} ", "translate(${x0 - x[name]} "
+    ),
+    Mutation(
+        "the block stays where it is",
+        "stage/drawing.js",
+        "translate(${x0 + x[name]} ",
+        'translate(${name === "block" ? 0 : x0 + x[name]} ',
+    ),
+    Mutation(
+        "hoop and cylinder change places",
+        "stage/drawing.js",
+        "{ hoop: [hoop, deck + R], cylinder: [cylinder, deck + R]",
+        "{ hoop: [cylinder, deck + R], cylinder: [hoop, deck + R]",
+    ),
+    Mutation(
+        "the hoop is drawn as a disc", "stage/drawing.js", 'beta > 0.8 ? "hoop"', 'beta > 1.8 ? "hoop"', "painted"
+    ),
+    Mutation(
+        "the spring ends at the slab's left",
+        "stage/drawing.js",
+        "coil(g.slab.right + x.slab",
+        "coil(g.slab.left + x.slab",
+    ),
+    Mutation(
+        "the slab goes half as far",
+        "stage/__init__.py",
+        '"displacement": {body.name: body.displacement for',
+        '"displacement": {body.name: body.displacement / (1 + (body.name == "slab")) for',
+    ),
+    Mutation(
+        "the rollers' spin has no energy",
+        "stage/__init__.py",
+        '"kinetic_energy": {body.name: body.kinetic_energy for',
+        '"kinetic_energy": {body.name: body.mass * body.velocity**2 / 2 for',
+    ),
+    Mutation(
+        "two bars are swapped",
+        "stage/layers.js",
+        "BODIES.map((name) => FORMULAS.kinetic_energy[name](known))",
+        'BODIES.map((name) => FORMULAS.kinetic_energy[{ hoop: "cylinder", cylinder: "hoop" }[name] ?? name](known))',
+    ),
+    Mutation(
+        "bars against their own largest",
+        "stage/layers.js",
+        "energies.reduce((sum, energy) => sum + energy, 0)",
+        "Math.max(...energies)",
+    ),
+    Mutation("velocities point the wrong way", "stage/layers.js", _ARROWS, _ARROWS.replace("FORMULAS", "-FORMULAS")),
+    Mutation(
+        "forces point the wrong way",
+        "stage/layers.js",
+        "FORMULAS.contact_force[contact](known) * force",
+        "-FORMULAS.contact_force[contact](known) * force",
+    ),
+    Mutation(
+        "the reference arrow is too long",
+        "stage/layers.js",
+        "length = value * per[name]",
+        "length = 1.3 * value * per[name]",
+    ),
+    Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
+    Mutation(
+        "the hands are swapped",
+        "stage/stage.js",
+        "phase, plainPhase, shift, write, dirty });",
+        "phase: plainPhase, plainPhase: phase, shift, write, dirty });",
+    ),
+    Mutation(
+        "the gauge stays at 1", "stage/dial.js", "translate(${at(Math.min(normalized, limit))} ", "translate(${at(1)} "
+    ),
+    Mutation(
+        "in step when it is not", "stage/dial.js", "const IN_STEP = LEAST / 1e6;", "const IN_STEP = LEAST;", "in_step"
+    ),
+    Mutation(
+        "two bodies' colours are swapped",
+        "stage/stage.css",
+        "--hoop: var(--st-orange-color); --cylinder: var(--st-blue-color)",
+        "--hoop: var(--st-blue-color); --cylinder: var(--st-orange-color)",
+        "painted",
+    ),
+    Mutation(
+        "the traces run the other way",
+        "stage/drawing.js",
+        "g.R * Math.sin(angle)} ${-(y",
+        "-g.R * Math.sin(angle)} ${-(y",
+        "traces",
+    ),
+    Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)"),
+    Mutation("the speed buttons are dead", "stage/stage.js", "this.clock.speed = value;", "", "speed_buttons"),
+    Mutation(
+        "the slider of x₀ counts wrong",
+        "scenes/controls.py",
+        '"scale": control.scale}',
+        '"scale": control.scale * 1.1}',
+        "thumb",
+    ),
+    Mutation(
+        "the view jumps after a threshold",
+        "stage/playback.js",
+        "shift: this.solution.drift * time",
+        "shift: Math.abs(this.solution.drift) > 1e-12 ? this.solution.drift * time + 0.03 : 0",
+        "smallest_push",
+    ),
+    Mutation(
+        "the view stays behind", "stage/playback.js", "shift: this.solution.drift * time", "shift: 0", "pushed_machine"
+    ),
+    Mutation("X counts to the right", "stage/coordinates.js", "length = -7.5", "length = 7.5", "layer_of_coordinates"),
+    Mutation(
+        "the picture's height follows the radius",
+        "stage/drawing.js",
+        "top: bottom + wide / ASPECT };",
+        "top };",
+        "nothing_below",
+    ),
+    Mutation("the wrong body is lit", "stage/picture.js", "body === name)", 'body === "hoop")', "lights"),
+    Mutation(
+        "the spring's old colour",
+        "../.streamlit/config.toml",
+        'violetColor = "#B17DB5"',
+        'violetColor = "#B565A7"',
+        "colour_blind",
+    ),
+]
+
+
+def outcome(folder: Path, tests: str) -> str:
+    """Run tests in a copy of the sources, and return "passed", "failed" or what else pytest says of them."""
+    files = ["tests/test_look.py", "tests/test_browser_picture.py"]
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-n", "0", "-p", "no:cacheprovider", "-k", tests, *files]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    return {0: "passed", 1: "failed"}.get(done.returncode, f"pytest ended with {done.returncode}: {done.stdout[-500:]}")
+
+
+def broken(mutation: Mutation, folder: Path) -> str:
+    """Copy the sources, break them, and return the outcome of the tests."""
+    for name in _COPIED:
+        source = ROOT / name
+        if source.is_dir():
+            shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("__pycache__", ".*_cache"))
+        else:
+            shutil.copy(source, folder / name)
+    file = folder / "ramanujan" / mutation.file
+    text = file.read_text(encoding="utf-8")
+    if text.count(mutation.old) != 1:
+        return f"no mutation: its text stands {text.count(mutation.old)} times in {mutation.file}"
+    file.write_text(text.replace(mutation.old, mutation.new), encoding="utf-8")
+    return outcome(folder, mutation.tests)
+
+
+def main(words: list[str]) -> int:
+    """Print the outcome of every mutation, and return how many the tests did not notice."""
+    chosen = [mutation for mutation in MUTATIONS if not words or any(word in mutation.name for word in words)]
+    if (before := outcome(ROOT, " or ".join({mutation.tests for mutation in chosen}))) != "passed":
+        print(f"With nothing broken: {before}")
+        return 1
+    survivors = 0
+    for mutation in chosen:
+        with tempfile.TemporaryDirectory() as folder:
+            seen = broken(mutation, Path(folder))
+        survivors += seen != "failed"
+        print(
+            f"{'noticed' if seen == 'failed' else 'SURVIVED' if seen == 'passed' else seen}: {mutation.name}",
+            flush=True,
+        )
+    print(f"{survivors} of {len(chosen)} were not noticed.")
+    return survivors
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,158 @@
+"""What the browser draws, off the screen: positions in pixels, angles in degrees clockwise, painted colours.
+
+Nothing here asks the page's own formulas or its layout. The scale comes from the drawn radius of a roller, the zero
+from the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+
+import numpy as np
+from PIL import Image
+
+from ramanujan import Oscillator, stage
+from ramanujan.motion import InitialState, motion, released
+from tests.browser import STAGE, next_frame
+
+ROLLERS = ("hoop", "cylinder", "top")
+STEPS = 24
+"""Presses of the step button in a period."""
+
+_READ = f"""() => {{
+  const root = {STAGE};
+  const all = (selector) => [...root.querySelectorAll(selector)];
+  const at = (node, x, y) => {{
+    const {{ x: left, y: top }} = new DOMPoint(x, y).matrixTransform(node.getScreenCTM());
+    return [left, top];
+  }};
+  const box = (node) => {{
+    const {{ x, y, width, height }} = node.getBBox();
+    return [...at(node, x, y), ...at(node, x + width, y + height)];
+  }};
+  const middle = (node) => {{
+    const {{ x, y, width, height }} = node.getBBox();
+    return at(node, x + width / 2, y + height / 2);
+  }};
+  const turned = ([x0, y0], [x1, y1]) => (Math.atan2(x1 - x0, y0 - y1) * 180) / Math.PI;
+  const byKey = (selector, key, read) =>
+    Object.fromEntries(all(selector).map((node) => [node.dataset[key], read(node)]));
+  const roller = (name) => {{
+    const form = root.querySelector(`.moving .${{name}} .form`), mark = root.querySelector(`.moving .${{name}} .mark`);
+    const end = mark.getPointAtLength(mark.getTotalLength()), centre = middle(form), scale = form.getScreenCTM();
+    const radius = (form.getBBox().width / 2) * Math.hypot(scale.a, scale.b);
+    return {{ centre, radius, angle: turned(centre, at(mark, end.x, end.y)) }};
+  }};
+  const hand = (name) => {{
+    const line = root.querySelector(`.hand.${{name}}`);
+    return turned(at(line, 0, 0), at(line, line.x2.baseVal.value, line.y2.baseVal.value));
+  }};
+  const numbered = (selector) => all(selector).map((node) => {{
+    const {{ x, width }} = node.getBoundingClientRect();
+    return [parseFloat(node.textContent.replace("−", "-")), x + width / 2];
+  }});
+  const arrow = (group) => {{
+    const path = group.querySelector("path:last-of-type");
+    if (!path.getAttribute("d")) return null;
+    return [...box(path), path.getPointAtLength(0).matrixTransform(path.getScreenCTM()).x];
+  }};
+  const scale = (name) => {{
+    const group = root.querySelector(`.scales .${{name}}`), text = group.querySelector("text").textContent;
+    return group.style.display === "none" ? null : {{ value: parseFloat(text), text, box: arrow(group) }};
+  }};
+  const whole = root.querySelector(".bar").getBoundingClientRect().width;
+  return {{
+    rollers: Object.fromEntries({list(ROLLERS)}.map((name) => [name, roller(name)])),
+    ruler: numbered(".ruler text"),
+    ticks: numbered(".gauge .ticks text"),
+    pointer: at(root.querySelector(".gauge .pointer"), 0, 0)[0],
+    bars: byKey(".bar i", "body", (bar) => bar.getBoundingClientRect().width / whole),
+    shares: all(".legend b").map((text) => parseFloat(text.textContent)),
+    block: box(root.querySelector(".moving .block .form")),
+    slab: box(root.querySelector(".moving .slab .form")),
+    spring: box(root.querySelector(".moving .spring")),
+    plain: box(root.querySelector(".plain .form")),
+    centre: middle(root.querySelector(".centre circle")),
+    hands: {{ machine: hand("machine"), plain: hand("plain") }},
+    arrows: byKey(".arrows [data-body]", "body", arrow),
+    forces: byKey(".forces [data-contact]", "contact", arrow),
+    scales: {{ speed: scale("speed"), force: scale("force") }},
+    step: root.querySelector("[data-step]").dataset.step,
+  }};
+}}"""
+
+_SEEK = f"""([periods, part]) => {{
+  const root = {STAGE}, press = (name) => root.querySelector(`[data-do=${{name}}]`).click();
+  press("restart");
+  for (let i = 0; i < Math.abs(periods) * {STEPS}; i++) press(periods > 0 ? "forward" : "back");
+  const scrub = root.querySelector(".scrub input");
+  scrub.value = part;
+  scrub.dispatchEvent(new Event("input", {{ bubbles: true }}));
+}}"""
+
+
+class Picture:
+    """A page with a stage of a given name, told which machine to show and at which time."""
+
+    def __init__(self, page: object, name: str) -> None:
+        self.page, self.name = page, name
+        page.wait_for_function(f"globalThis.ramanujan?.last('time/{name}')")
+
+    def show(self, machine: Oscillator, compression: float, initial: InitialState | None = None) -> None:
+        """Show a machine in place of the page's own, by the door through which the server's numbers come."""
+        self.machine, self.compression, self.initial = machine, compression, initial or released(machine, compression)
+        data = stage.payload(machine, compression, initial=initial)
+        self.page.evaluate(f"(data) => ramanujan.publish('machine/{self.name}', data)", data)
+        next_frame(self.page)
+
+    def at(self, periods: float) -> dict:
+        """Go to a time, in periods after release, by the buttons and the scrubber, and return what is drawn there.
+
+        The state that the core computes for that time is then in `time`, `q` and `q_dot`.
+        """
+        whole = math.floor(periods)
+        self.page.evaluate(_SEEK, [whole, periods - whole])
+        next_frame(self.page)
+        drawn = self.page.evaluate(_READ)
+        self.time = periods * self.machine.period
+        self.q, self.q_dot = motion(self.machine, self.initial, self.time)
+        self.pixels = drawn["rollers"]["hoop"]["radius"] / self.machine.radius
+        value, x = drawn["ruler"][0]
+        self.zero = x - value / 100 * self.pixels
+        return drawn
+
+    def layers(self, *names: str) -> None:
+        """Show these layers and no others."""
+        for button in self.page.locator(".st-key-stage [data-layer]").all():
+            if (button.get_attribute("aria-pressed") == "true") != (button.get_attribute("data-layer") in names):
+                button.click()
+        next_frame(self.page)
+
+    def painted(self) -> np.ndarray:
+        """The screen as it is painted: red, green and blue from 0 to 255, by row and column."""
+        return np.asarray(Image.open(io.BytesIO(self.page.screenshot())).convert("RGB"), dtype=float)
+
+
+def middle(box: list[float]) -> float:
+    """Half-way between the left and the right end of a box."""
+    return (box[0] + box[2]) / 2
+
+
+def places(drawn: dict) -> dict[str, float]:
+    """Where the middle of each body is along the floor, in pixels."""
+    rollers = {name: drawn["rollers"][name]["centre"][0] for name in ROLLERS}
+    return {"block": middle(drawn["block"]), "slab": middle(drawn["slab"]), **rollers}
+
+
+def length(arrow: list[float] | None) -> float:
+    """The length of an arrow in pixels, positive to the right; its path begins at its tail."""
+    if arrow is None:
+        return 0.0
+    left, _, right, _, tail = arrow
+    return right - left if abs(tail - left) < abs(tail - right) else left - right
+
+
+def difference(a: float, b: float) -> float:
+    """The angle between two directions, in degrees."""
+    return abs((a - b + 180) % 360 - 180)

@@ -1,0 +1,523 @@
+"""The picture is physics: bodies, hands, bars and arrows as the browser draws them, against the numeric core.
+
+RAMANUJAN_MACHINES sets how many machines from anywhere on the sliders are drawn besides those at the corners.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from itertools import combinations, product
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator, mass_ratio_for
+from ramanujan.contact import contact_forces
+from ramanujan.energy import energies
+from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
+from ramanujan.scenes.cached.motion import drawn_spacing
+from ramanujan.scenes.controls import CONTROLS
+from ramanujan.scenes.look import BODY_COLORS
+from tests.browser import STAGE, next_frame, settle
+from tests.picture import ROLLERS, Picture, difference, length, middle, places
+from tests.test_look import THEME, rgb
+
+HALF_A_PIXEL = 0.5
+ONE_DEGREE = 1.0
+SEED = 1729
+MACHINES = int(os.environ.get("RAMANUJAN_MACHINES", "1"))
+
+
+def machines(count: int) -> list[tuple[Oscillator, float]]:
+    """The corners of R and x₀ with unequal masses, and so many machines from anywhere on the sliders."""
+    random = np.random.default_rng(SEED)
+
+    def anywhere(key: str) -> float:
+        control = CONTROLS[key]
+        return math.exp(random.uniform(math.log(control.least), math.log(control.most))) * control.scale
+
+    corners = product(*((CONTROLS[key].least, CONTROLS[key].most) for key in ("radius", "compression")))
+    found = [(Oscillator(2.0, 0.7, 30.0, R / 100), x0 / 100) for R, x0 in corners]
+    for _ in range(count):
+        found.append((Oscillator(*map(anywhere, ("m", "m_prime", "k", "radius"))), anywhere("compression")))
+    return found
+
+
+TIMES = (0.0, 0.25, 0.5, 0.75, *np.random.default_rng(SEED).uniform(-1, 4, max(1, MACHINES)))
+"""Quarters of a period, and any moments before or after."""
+
+
+@pytest.fixture(scope="module")
+def open_once(profile, server):
+    """Open a page of the app for all tests of this file: they set the machine themselves, without the server."""
+    pages, errors = {}, []
+
+    def shared(address: str, name: str) -> Picture:
+        if address not in pages:
+            pages[address] = profile.new_page()
+            pages[address].on("pageerror", lambda error: errors.append(str(error)))
+            pages[address].set_default_timeout(120_000)
+            pages[address].emulate_media(reduced_motion="reduce")
+            pages[address].goto(f"{server}/{address}")
+        pages[address].set_viewport_size({"width": 1280, "height": 720})
+        picture = Picture(pages[address], name)
+        picture.layers("energy")
+        return picture
+
+    yield shared
+    for page in pages.values():
+        page.close()
+    assert errors == []
+
+
+@pytest.fixture
+def picture(open_once) -> Picture:
+    return open_once("", "oscillator")
+
+
+@pytest.fixture
+def pushed(open_once) -> Picture:
+    """The motion page's stage: a machine that was pushed drifts, and the view goes with its centre of mass."""
+    return open_once("motion", "motion")
+
+
+def homes(picture: Picture, drawn: dict) -> dict[str, float]:
+    """Where the bodies' middles would be at q = 0 [m over the floor's zero], from a picture of a known state."""
+    moved = ground_positions(picture.machine, picture.q)
+    return {name: (x - picture.zero) / picture.pixels - moved[name] for name, x in places(drawn).items()}
+
+
+def check_bodies(picture: Picture, drawn: dict, home: dict[str, float]) -> None:
+    """Every body is where the core has it over the drawn floor, turned as far, and touches what it rolls on."""
+    machine, pixels = picture.machine, picture.pixels
+    for value, x in drawn["ruler"]:
+        assert x == pytest.approx(picture.zero + value / 100 * pixels, abs=2 * HALF_A_PIXEL), "the ruler is to scale"
+    for name, moved in ground_positions(machine, picture.q).items():
+        expected = picture.zero + (home[name] + moved) * pixels
+        assert places(drawn)[name] == pytest.approx(expected, abs=HALF_A_PIXEL), name
+    _, phi, Phi = picture.q
+    R = machine.radius * pixels
+    for name, angle in (("hoop", phi), ("cylinder", phi), ("top", Phi)):
+        assert difference(drawn["rollers"][name]["angle"], math.degrees(angle)) < ONE_DEGREE, name
+        assert drawn["rollers"][name]["radius"] == pytest.approx(R, abs=HALF_A_PIXEL), name
+    slab, (left, upper, right, _) = drawn["slab"], drawn["block"]
+    x = places(drawn)
+    lower = drawn["rollers"]["hoop"]["centre"][1]
+    assert drawn["rollers"]["cylinder"]["centre"][1] == pytest.approx(lower, abs=HALF_A_PIXEL)
+    assert lower - R == pytest.approx(slab[3], abs=HALF_A_PIXEL), "the slab lies on the rollers"
+    assert drawn["rollers"]["top"]["centre"][1] + R == pytest.approx(upper, abs=HALF_A_PIXEL)
+    assert drawn["spring"][0] == pytest.approx(slab[2], abs=HALF_A_PIXEL), "the spring begins at the slab"
+    assert left < x["hoop"] - R < x["cylinder"] - 3 * R < drawn["spring"][2] < x["top"] < right
+
+
+def test_all_that_is_drawn_agrees_with_the_core(picture):
+    picture.layers("energy", "arrows", "forces")
+    known: dict[float, dict[str, float]] = {}
+    for machine, compression in [*machines(MACHINES), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]:
+        picture.show(machine, compression)
+        for periods in TIMES:
+            drawn = picture.at(periods)
+            # Where bodies stand at q = 0 depends on R alone: read once, it must do for every x₀ and every state.
+            home = known.setdefault(machine.radius, homes(picture, drawn))
+            check_bodies(picture, drawn, home)
+            check_clock(picture, drawn, home, periods)
+            check_bars(picture, drawn)
+            velocity = ground_velocities(machine, picture.q_dot)
+            check_arrows(drawn["arrows"], velocity, drawn["scales"]["speed"], "m/s")
+            force = contact_forces(machine, picture.initial, picture.time)
+            del force["spring"]
+            check_arrows(drawn["forces"], force, drawn["scales"]["force"], "N")
+            for name in ROLLERS:
+                if arrow := drawn["arrows"][name]:
+                    assert arrow[4] == pytest.approx(places(drawn)[name], abs=HALF_A_PIXEL), "it begins at the axis"
+        assert home["cylinder"] - home["hoop"] == pytest.approx(drawn_spacing(machine.radius), rel=1e-3)
+        assert home["slab"] == pytest.approx((home["cylinder"] + home["hoop"]) / 2, rel=1e-3)
+        (least, left), (most, right) = drawn["ticks"][0], drawn["ticks"][-1]
+        expected = left + (machine.normalized_frequency_squared - least) / (most - least) * (right - left)
+        assert drawn["pointer"] == pytest.approx(expected, abs=2 * HALF_A_PIXEL)
+
+
+def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: float) -> None:
+    """Both hands, and the plain mass, which swings by x₀ about one place."""
+    phase = math.sqrt(picture.machine.k / picture.machine.m) * picture.time
+    assert difference(drawn["hands"]["machine"], 360 * periods) < ONE_DEGREE
+    assert difference(drawn["hands"]["plain"], math.degrees(phase)) < ONE_DEGREE
+    moved = picture.compression * math.cos(phase)
+    rest = home.setdefault("plain", (middle(drawn["plain"]) - picture.zero) / picture.pixels - moved)
+    expected = picture.zero + (rest + moved) * picture.pixels
+    assert middle(drawn["plain"]) == pytest.approx(expected, abs=HALF_A_PIXEL)
+
+
+def test_a_pushed_machine_and_the_view_that_goes_with_it(pushed):
+    known: dict[float, dict[str, float]] = {}
+    corners = machines(MACHINES)
+    for machine, compression in corners[1:2] + corners[-1:]:
+        far = 0.02 / machine.period
+        start = released(machine, compression).phi
+        for pushes in ({"X_dot": -0.2}, {"X_dot": 0.1}, {"Phi_dot": far / machine.radius}, {"phi_dot": -far}):
+            pushed.show(machine, compression, InitialState(phi=start, **pushes))
+            centres = []
+            for periods in (0.0, 0.3, 0.95):
+                drawn = pushed.at(periods)
+                centres.append(drawn["centre"][0])
+                check_bodies(pushed, drawn, known.setdefault(machine.radius, homes(pushed, drawn)))
+            assert max(centres) - min(centres) < HALF_A_PIXEL, "the centre of mass stands still in the view"
+
+
+def test_the_smallest_push_moves_the_picture_least(pushed):
+    """The view has no threshold at which it would jump from the floor to the centre of mass."""
+    machine = Oscillator(2.0, 0.7, 30.0)
+    start = released(machine, 0.1).phi
+    blocks = []
+    for push in (0.0, 1e-13, 1e-10, 1e-6):
+        pushed.show(machine, 0.1, InitialState(phi=start, X_dot=push))
+        blocks.append([middle(pushed.at(periods)["block"]) for periods in (0.25, 0.5, 0.9)])
+    assert np.ptp(blocks, axis=0).max() < HALF_A_PIXEL
+    # Negative control: the block itself moves, and further than half a pixel.
+    assert np.ptp(blocks, axis=1).min() > 10
+
+
+def check_bars(picture: Picture, drawn: dict) -> None:
+    """Each bar is its body's share of the total energy ½kx₀², which the core knows without adding up."""
+    total = picture.machine.k * picture.compression**2 / 2
+    shares = dict.fromkeys(BODY_COLORS, 0.0)
+    for name, energy in energies(picture.machine, picture.q, picture.q_dot).items():
+        shares[name.partition("_")[0]] += float(energy) / total
+    bar = picture.page.evaluate(f"{STAGE}.querySelector('.bar').getBoundingClientRect().width")
+    for name, said in zip(drawn["bars"], drawn["shares"], strict=True):
+        assert drawn["bars"][name] * bar == pytest.approx(shares[name] * bar, abs=HALF_A_PIXEL), name
+        assert said == pytest.approx(100 * shares[name], abs=0.51), name
+
+
+def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str) -> None:
+    """Each arrow is as long as its value says by the reference arrow beside them, whose size is round."""
+    assert scale["text"].endswith(f" {unit}")
+    mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
+    assert round(mantissa, 9) in (1, 2, 5)
+    per_unit = length(scale["box"]) / scale["value"]
+    assert per_unit > 0
+    assert arrows.keys() == expected.keys()
+    for name, value in expected.items():
+        assert length(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name
+
+
+def test_the_traces_follow_the_marks_on_the_rims(picture):
+    picture.layers("traces")
+    picture.show(Oscillator(1.0, 0.3, 20.0), 0.1)
+    traces = f"""(name) => {{
+      const path = {STAGE}.querySelector(`.traces [data-body=${{name}}] path`), matrix = path.getScreenCTM();
+      return path.getAttribute("d").slice(1).split("L").map((pair) => {{
+        const [x, y] = pair.split(" ").map(Number), point = new DOMPoint(x, y).matrixTransform(matrix);
+        return [point.x, point.y];
+      }});
+    }}"""
+    for periods in (0.2, 0.5):
+        drawn = picture.at(periods)
+        for name in ROLLERS:
+            roller = drawn["rollers"][name]
+            angle = math.radians(roller["angle"])
+            x, y = roller["centre"]
+            rim = np.array([x + roller["radius"] * math.sin(angle), y - roller["radius"] * math.cos(angle)])
+            points = np.array(picture.page.evaluate(traces, name))
+            assert np.linalg.norm(points - rim, axis=1).min() < 2, name
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_every_body_is_painted_in_its_own_colour_and_the_heavier_the_fuller(visit, theme):
+    """From the pixels themselves: a body's fill lies on the way from the paper to its colour."""
+    picture = Picture(visit(theme=theme), "oscillator")
+    paper = rgb(THEME[theme]["backgroundColor"])
+    fill = {name: rgb(THEME[theme][f"{color}Color"]) for name, color in BODY_COLORS.items()}
+    fullness: dict[str, list[float]] = {}
+    for m, m_prime in ((0.5, 0.1), (4.0, 6.0)):
+        picture.show(Oscillator(m, m_prime), 0.08)
+        drawn = picture.at(0.25)
+        painted = picture.painted()
+        R = drawn["rollers"]["top"]["radius"]
+        block, slab = drawn["block"], drawn["slab"]
+        # Away from letters, lines and marks; the hoop is painted in its ring only.
+        spots = {name: (drawn["rollers"][name]["centre"], 0.7) for name in ("cylinder", "top")}
+        spots["hoop"] = (drawn["rollers"]["hoop"]["centre"], 0.89)
+        pixels = {name: (x - share * R, y) for name, ((x, y), share) in spots.items()}
+        pixels["block"] = (block[2] - 10, block[1] + 20)
+        pixels["slab"] = (slab[0] + 20, (slab[1] + slab[3]) / 2)
+        for name, (x, y) in pixels.items():
+            colour = painted[round(y), round(x)]
+            way = np.array(fill[name]) - paper
+            share = float((colour - paper) @ way / (way @ way))
+            assert np.abs(paper + share * way - colour).max() < 4, name
+            fullness.setdefault(name, []).append(share)
+        hole = drawn["rollers"]["hoop"]["centre"]
+        assert painted[round(hole[1] - 0.4 * R), round(hole[0] - 0.4 * R)] == pytest.approx(np.array(paper), abs=2)
+    assert all(0.1 < light < heavy < 1 for light, heavy in fullness.values())
+
+
+@pytest.mark.parametrize("forced", ["none", "active"])
+def test_bars_swatches_and_checked_states_keep_their_colours(picture, forced):
+    """Also where the system forces its own colours on everything else."""
+    page = picture.page
+    page.emulate_media(forced_colors=forced, reduced_motion="reduce")
+    try:
+        painted = page.evaluate(f"""() => {{
+          const all = (selector) => [...{STAGE}.querySelectorAll(selector)];
+          const colour = (node, pseudo) => getComputedStyle(node, pseudo).backgroundColor;
+          const entries = all(".legend li");
+          return all(".bar i").map((bar, i) =>
+            [bar.dataset.body, colour(bar), colour(entries[i], "::before"), entries[i].textContent]);
+        }}""")
+        assert len(painted) == len(BODY_COLORS)
+        for name, bar, swatch, said in painted:
+            assert bar == swatch == "rgb({}, {}, {})".format(*rgb(THEME["light"][f"{BODY_COLORS[name]}Color"])), name
+            assert name in said
+        looks = page.evaluate(
+            f"""() => [...{STAGE}.querySelectorAll("[data-layer]")].map((button) => {{
+          const {{ backgroundColor, boxShadow }} = getComputedStyle(button);
+          return [button.getAttribute("aria-pressed"), forced ? backgroundColor : boxShadow];
+        }})""".replace("forced ?", f"{str(forced == 'active').lower()} ?")
+        )
+        pressed, others = ({look for is_pressed, look in looks if is_pressed == state} for state in ("true", "false"))
+        assert len(pressed) == len(others) == 1
+        assert pressed != others
+    finally:
+        page.emulate_media(forced_colors="none", reduced_motion="reduce")
+
+
+def test_in_step_is_an_event_and_never_a_false_one(picture):
+    """The stage lights up only where no hand could part by a hundredth of a turn in a million periods."""
+    step = picture.page.locator(".st-key-stage [data-step]")
+    face = f"getComputedStyle({STAGE}.querySelector('.face')).fill"
+    seen = {}
+    for off in (0.0, -1e-9, 1e-7, 1e-3, 0.05, -0.2):
+        # Ω/√(k/m) = 1 + off
+        machine = Oscillator(2.0, 2.0 * mass_ratio_for((1 + off) ** 2), 30.0)
+        picture.show(machine, 0.05)
+        expected = "in-step" if abs(off) < 1e-8 else "nearly" if abs(off) < 1 / 500 else "apart"
+        expect(step).to_have_attribute("data-step", expected)
+        picture.page.wait_for_function(
+            f"{STAGE}.querySelector('.face').getAnimations().every(each => each.playState === 'finished')"
+        )
+        seen[expected] = picture.page.evaluate(face)
+        said = step.locator(".parting").inner_text()
+        if expected == "in-step":
+            assert "less than 0.01 turn apart after a million periods" in said
+        else:
+            periods = float(said.split("after ")[1].split(" periods")[0].replace("\u202f", ""))
+            assert periods == pytest.approx(1 / abs(off), rel=0.05)
+    assert seen["in-step"] != seen["apart"]
+
+
+def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
+    verdict = picture.page.locator(".st-key-stage .verdict")
+    for machine, side in ((Oscillator(1.0, 0.1), "ahead"), (Oscillator(1.0, 9.0), "behind")):
+        picture.show(machine, 0.05)
+        ratio = machine.natural_frequency / math.sqrt(machine.k / machine.m)
+        picture.at(0.0)
+        expect(verdict).to_have_text("Both hands start together.")
+        for periods in (0.6, 3.2):
+            picture.at(periods)
+            turns = abs(periods - periods / ratio)
+            expect(verdict).to_contain_text(f"Machine {side} by {turns:.2f} turn after {periods / ratio:.1f} periods")
+        picture.at(-1.5)
+        expect(verdict).to_contain_text("before the release")
+        expect(verdict).not_to_contain_text("ahead")
+        expect(verdict).not_to_contain_text("behind")
+
+
+def test_nothing_below_the_stage_moves_whatever_the_machine(picture, pushed):
+    for shown, width in product((picture, pushed), (1280, 390)):
+        shown.page.set_viewport_size({"width": width, "height": 844})
+        seen = set()
+        for machine, compression in machines(1)[1:4]:
+            shown.show(machine, compression)
+            top = shown.page.locator(".st-key-stage .controls").bounding_box()["y"]
+            seen.add((top, shown.page.locator(".st-key-stage .stage").bounding_box()["height"]))
+        assert len(seen) == 1, (shown.name, width)
+
+
+def test_words_grow_with_the_screen(picture):
+    words = [".ruler text", ".gauge text", ".verdict", ".legend li", ".readouts dd", ".controls button"]
+    sizes = f"""(words) => words.map((selector) => {{
+      const node = {STAGE}.querySelector(selector), scale = node.getScreenCTM?.().a ?? 1;
+      return parseFloat(getComputedStyle(node).fontSize) * scale;
+    }})"""
+    seen = []
+    for width, height in ((390, 844), (1280, 720), (1920, 1080)):
+        picture.page.set_viewport_size({"width": width, "height": height})
+        next_frame(picture.page)
+        next_frame(picture.page)
+        seen.append(dict(zip(words, picture.page.evaluate(sizes, words), strict=True)))
+    phone, laptop, projector = seen
+    assert min(phone.values()) >= 11.4
+    assert min(laptop.values()) >= 12
+    assert min(projector.values()) >= 17.5
+    assert max(projector.values()) <= 26
+
+
+def test_the_floor_is_as_wide_as_its_ruler_and_no_label_is_cut(picture):
+    for R in (0.05, 0.1, 0.2):
+        picture.show(Oscillator(radius=R), 0.08)
+        picture.at(0.0)
+        seen = picture.page.evaluate(f"""() => {{
+          const box = (node) => {{ const {{ left, right }} = node.getBoundingClientRect(); return [left, right]; }};
+          const find = (selector) => {STAGE}.querySelector(selector);
+          const labels = [...{STAGE}.querySelectorAll(".ruler text")].filter((node) => !node.style.visibility);
+          return {{ svg: box(find("svg.machine")), ground: box(find(".ground")), labels: labels.map(box) }};
+        }}""")
+        left, right = seen["svg"]
+        assert seen["ground"][0] <= left
+        assert seen["ground"][1] >= right
+        assert len(seen["labels"]) >= 2
+        assert all(left <= a and b <= right for a, b in seen["labels"])
+
+
+def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture):
+    """With every layer on, at several moments, for the smallest and the largest machine."""
+    picture.layers("energy", "arrows", "forces", "traces", "coordinates")
+    boxes = f"""() => {{
+      const named = (selector) => [...{STAGE}.querySelectorAll(selector)].map((node) => {{
+        const {{ left, top, right, bottom }} = node.getBoundingClientRect();
+        return [node.textContent, [left, top, right, bottom]];
+      }}).filter(([, [left, , right]]) => right > left);
+      return {{
+        letters: named(".moving text, .coordinates text, .scales text, .plain text"),
+        heads: named(".arrows .line, .forces .line"),
+      }};
+    }}"""
+    for R, compression in ((0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)):
+        picture.show(Oscillator(1.0, 0.8, 10.0, R), compression)
+        for periods in (0.08, 0.6, 0.9):
+            picture.at(periods)
+            seen = picture.page.evaluate(boxes)
+            for (a, first), (b, second) in combinations(seen["letters"], 2):
+                assert not overlap(first, second, 0.35), (R, compression, periods, a, b)
+            for letter, box in seen["letters"]:
+                for _, head in seen["heads"]:
+                    assert not overlap(box, head, 0.25), (R, compression, periods, letter)
+
+
+def overlap(a: list[float], b: list[float], inset: float) -> bool:
+    """Whether two boxes overlap, each smaller by so much of its height: a line's box has air above its letters."""
+
+    def inner(box: list[float]) -> list[float]:
+        margin = inset * (box[3] - box[1])
+        return [box[0] + 1, box[1] + margin, box[2] - 1, box[3] - margin]
+
+    (l1, t1, r1, b1), (l2, t2, r2, b2) = inner(a), inner(b)
+    return l1 < r2 and l2 < r1 and t1 < b2 and t2 < b1
+
+
+def test_the_layer_of_coordinates_shows_signs_and_sizes(picture):
+    """X to the left, angles clockwise, x₀ and R to scale, as drawn."""
+    picture.layers("coordinates")
+    read = f"""(mark) => {{
+      const path = {STAGE}.querySelector(`[data-mark=${{mark}}]`), matrix = path.getScreenCTM();
+      const at = (length) => {{ const p = path.getPointAtLength(length).matrixTransform(matrix); return [p.x, p.y]; }};
+      const {{ x, y, width, height }} = path.getBBox();
+      const corner = (x, y) => {{ const p = new DOMPoint(x, y).matrixTransform(matrix); return [p.x, p.y]; }};
+      const box = [...corner(x, y), ...corner(x + width, y + height)];
+      return {{ start: at(0), end: at(path.getTotalLength()), box }};
+    }}"""
+
+    def mark(name: str) -> dict:
+        return picture.page.evaluate(read, name)
+
+    for machine, compression in machines(1):
+        picture.show(machine, compression)
+        for periods in (0.1, 0.4):
+            drawn = picture.at(periods)
+            X, phi, Phi = picture.q
+            way = mark("X_value")
+            assert way["start"][0] - way["end"][0] == pytest.approx(X * picture.pixels, abs=HALF_A_PIXEL)
+            assert way["end"][0] == pytest.approx(drawn["block"][0], abs=HALF_A_PIXEL)
+            sense = mark("X_sense")
+            assert sense["box"][0] < sense["start"][0] - 3, "X counts to the left"
+            for name, angle in (("hoop", phi), ("cylinder", phi), ("top", Phi)):
+                centre, line = drawn["rollers"][name]["centre"], mark(f"{name}_radius")
+                assert line["start"] == pytest.approx(centre, abs=HALF_A_PIXEL)
+                x, y = np.subtract(line["end"], line["start"])
+                assert difference(math.degrees(math.atan2(x, -y)), math.degrees(angle)) < ONE_DEGREE
+                # Clockwise: from the upper right of the rim down to the right.
+                arc = mark(f"{name}_sense")
+                assert arc["start"][0] > centre[0]
+                assert arc["box"][3] > arc["start"][1] + 2
+            x0, R = mark("x0_value"), mark("R_value")
+            assert x0["end"][0] - x0["start"][0] == pytest.approx(compression * picture.pixels, abs=HALF_A_PIXEL)
+            assert math.dist(R["start"], R["end"]) == pytest.approx(machine.radius * picture.pixels, abs=HALF_A_PIXEL)
+            both = mark("shared_value")["box"]
+            x = places(drawn)
+            assert [both[0], both[2]] == pytest.approx([x["hoop"], x["cylinder"]], abs=HALF_A_PIXEL)
+    shared = picture.page.locator(".st-key-stage .shared").inner_text()
+    assert "Mass m: block, slab, top cylinder." in shared
+    assert "Mass m′: hoop, cylinder." in shared
+
+
+def test_the_derivation_lights_the_chosen_body_beside_its_steps(visit):
+    page = visit("derivation?body=hoop&step=3")
+    bodies = """[...document.querySelector(".st-key-beside [data-testid=stBidiComponentIsolated]").shadowRoot
+      .querySelectorAll(".moving > *")].map(({ classList }) => [...classList])"""
+    page.wait_for_function(f"{bodies}.some((names) => names.includes('lit'))")
+    for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
+        if chosen != "hoop":
+            page.locator(".st-key-body button", has_text=chosen).first.click()
+        page.wait_for_function(f"{bodies}.every((names) => names.includes('lit') === names.includes('{name}'))")
+    picture, step = (page.locator(f".st-key-{key}").bounding_box() for key in ("beside", "lecture"))
+    assert picture["y"] + picture["height"] <= step["y"] < 300
+
+
+def test_the_buttons_need_no_symbol_font(picture):
+    page = picture.page
+    for name in ("Release again", "Step back", "Play", "Step forward"):
+        button = page.locator(".st-key-stage").get_by_role("button", name=name, exact=True)
+        assert button.inner_text().strip() == ""
+        assert button.locator("svg:visible").count() == 1
+
+
+def test_a_slider_s_thumb_moves_what_it_names_and_as_far(visit):
+    """Each slider in turn, two steps on; what is drawn is read before the server has answered."""
+    page = visit("?m=2&m_prime=0.7&k=30&compression=6&radius=8")
+    picture = Picture(page, "oscillator")
+    page.get_by_text("More", exact=True).click()
+    values = {"m": 2.0, "m_prime": 0.7, "k": 30.0, "radius": 8.0, "compression": 6.0}
+    for key, before in list(values.items()):
+        thumb = page.locator(f".st-key-{key} input[type=range]")
+        thumb.press("ArrowRight")
+        thumb.press("ArrowRight")
+        next_frame(page)
+        values[key] = float(thumb.input_value())
+        assert values[key] > before
+        m, m_prime, k, R, x0 = values.values()
+        picture.machine = Oscillator(m, m_prime, k, R / 100)
+        picture.initial = released(picture.machine, x0 / 100)
+        drawn, half = picture.at(0.0), picture.at(0.5)
+        compressed, stretched = (each["slab"][2] - each["block"][0] for each in (drawn, half))
+        assert compressed - stretched == pytest.approx(2 * x0 / 100 * picture.pixels, abs=2 * HALF_A_PIXEL), key
+        check_bodies(picture, half, homes(picture, half))
+        omega = page.locator(".st-key-stage [data-read=omega]").text_content()
+        assert float(omega.split()[0]) == pytest.approx(picture.machine.natural_frequency, rel=1e-4), key
+        settle(page)
+
+
+def test_speed_buttons_change_the_speed(visit):
+    """The phase that the page runs through, over the time of its own frames, at each speed."""
+    page = visit(motion="no-preference")
+    Picture(page, "oscillator")
+    rate = """() => new Promise((done) => {
+      let last = null, elapsed = 0, from = 0;
+      const look = (now) => {
+        const { phase } = ramanujan.last("time/oscillator");
+        // A frame that comes late counts as a tenth of a second: the page does not catch up.
+        if (last === null) from = phase;
+        else elapsed += Math.min((now - last) / 1000, 0.1);
+        last = now;
+        if (elapsed > 0.4) done((phase - from) / elapsed);
+        else requestAnimationFrame(look);
+      };
+      requestAnimationFrame(look);
+    })"""
+    omega = Oscillator(k=CONTROLS["k"].default).natural_frequency
+    for name, speed in (("1×", 1), ("½×", 0.5), ("⅒×", 0.1)):
+        page.get_by_role("radio", name=name, exact=True).click()
+        next_frame(page)
+        assert page.evaluate(rate) == pytest.approx(speed * omega, rel=0.15), name
