@@ -74,12 +74,17 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
     assert len(page.frames_sent) == before
 
 
-def test_the_pointer_takes_the_cursor_along_and_all_panels_answer(visit):
+def test_a_click_takes_the_cursor_along_and_all_panels_answer(visit):
     page = open_motion(visit, "?figure=Displacements", width=1280, height=1500)
     panel = page.locator(PLOT).first.bounding_box()
     page.mouse.move(panel["x"] + 0.5 * panel["width"], panel["y"] + 0.5 * panel["height"])
     page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
     page.wait_for_timeout(400)
+    # A pointer that only passes over a figure reads it; the machine that was frozen stays as it is.
+    assert float(page.get_by_label("Time cursor").input_value()) < 0.6
+    page.mouse.down()
+    page.mouse.up()
+    next_frame(page)
     assert float(page.get_by_label("Time cursor").input_value()) == pytest.approx(0.6, abs=0.01)
     # One label for both panels: five bodies over the ground, four over the block.
     assert page.locator(".hoverlayer .traces").count() == 9

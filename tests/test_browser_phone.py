@@ -137,7 +137,8 @@ def test_nothing_scrolls_sideways_on_a_narrow_phone(phone, path):
         "[document.documentElement, document.querySelector('[data-testid=stMain]')].map((n) => n.scrollWidth)"
     )
     small = page.evaluate("""() => [...document.querySelectorAll('main button, [data-testid=stSidebarNavLink]')]
-        .filter((node) => node.offsetParent && !node.closest('.modebar, .stTooltipIcon, [role=tablist]'))
+        .filter((node) => node.offsetParent && node.tabIndex >= 0)
+        .filter((node) => !node.closest('.modebar, .stTooltipIcon, [role=tablist]'))
         .filter((node) => node.getBoundingClientRect().height < 43.5).map((node) => node.outerHTML.slice(0, 160))""")
     page.set_viewport_size({"width": 390, "height": 844})
     assert max(wide) <= 320

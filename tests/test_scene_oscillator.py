@@ -26,8 +26,8 @@ def values(app) -> dict[str, float]:
 
 
 def box(app, key: str) -> dict[str, object]:
-    """What the box of a slider is told to show."""
-    (feed,) = (each for each in app.get("bidi_component") if each.proto.id.endswith("-exact_feed"))
+    """What the sidebar's feed tells the box of a slider."""
+    (feed,) = (e for e in app.get("bidi_component") if e.proto.id.endswith("-exact_feed"))
     return json.loads(feed.proto.json)[f"exact/{key}"]
 
 
