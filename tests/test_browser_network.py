@@ -142,7 +142,7 @@ def test_a_restarted_server_finds_everything_again(profile: object) -> None:
             assert "m=2.02" in tab.url
             assert "step=3" in tab.url
             assert tab.get_by_text("3.", exact=False).count()
-            for page in PAGES:
+            for page in PAGES if CHANGES >= 100 else PAGES[1:2]:
                 tab.goto(f"{way.address}/{page}{'&' if '?' in page else '?'}m=2.5")
                 ready(tab)
                 tab.reload()
