@@ -154,10 +154,6 @@ class Stage {
     this.dirty = true;
   }
 
-  undo() {
-    return this.slab.undo();
-  }
-
   // ---- what is shown
 
   draw(elapsed) {

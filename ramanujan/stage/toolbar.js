@@ -1,6 +1,6 @@
 // The controls under the picture: what each does, and how the keyboard goes from one to the next.
 
-/** Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name). */
+/** Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name), slab.undo(). */
 function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
@@ -9,7 +9,7 @@ function listenToControls(root, stage, signal) {
     play: () => stage.play(),
     back: () => stage.step(-1),
     forward: () => stage.step(1),
-    undo: () => stage.undo(),
+    undo: () => stage.slab.undo(),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
   for (const button of all("[data-speed]")) on(button, "click", () => stage.speed(Number(button.dataset.speed)));
@@ -18,7 +18,7 @@ function listenToControls(root, stage, signal) {
   on(scrub, "input", () => stage.scrub(Number(scrub.value)));
 
   on(root.querySelector(".stage"), "keydown", (event) => {
-    if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.undo()) event.preventDefault();
+    if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.slab.undo()) event.preventDefault();
     const inControl = event.target.closest("input, button, [role=slider]");
     const action = { " ": "play", ArrowLeft: "back", ArrowRight: "forward", Home: "restart" }[event.key];
     if (!action || inControl || event.ctrlKey || event.altKey || event.metaKey) return;
