@@ -31,6 +31,10 @@ TWO_PI = Fraction(Decimal("6.283185307179586476925286766559005768394338798750211
 """2π to 60 digits."""
 
 
+DRAWN_SPACING = (Fraction(12, 5), Fraction(1, 20))
+"""a and b [m] of the drawn distance aR + b between the axes of hoop and lower cylinder."""
+
+
 def drawn_spacing(radius: float) -> float:
     """Return L [m], the distance between the axes of hoop and lower cylinder in every picture of the machine.
 
@@ -54,7 +58,8 @@ def drawn_spacing(radius: float) -> float:
     >>> round(drawn_spacing(0.1), 3)
     0.29
     """
-    return nearest("spacing", Fraction(12, 5) * Fraction(positive("radius", radius)) + Fraction(1, 20))
+    per_radius, gap = DRAWN_SPACING
+    return nearest("spacing", per_radius * Fraction(positive("radius", radius)) + gap)
 
 
 @dataclass(frozen=True)

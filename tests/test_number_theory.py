@@ -78,7 +78,7 @@ def derived_quadratic(betas: tuple[Fraction, ...], target: Fraction) -> tuple[in
     return tuple(x if coefficients[0] > 0 else -x for x in coefficients)
 
 
-def betas_of(machine: nt.Machine) -> tuple[Fraction, ...]:
+def betas_of(machine: nt.BodyChoice) -> tuple[Fraction, ...]:
     return tuple(nt.BODIES[name] for name in machine.bodies)
 
 
@@ -86,7 +86,7 @@ def betas_of(machine: nt.Machine) -> tuple[Fraction, ...]:
 
 
 def test_paper_machine():
-    machine = nt.Machine()
+    machine = nt.BodyChoice()
     assert nt.unit_quadratic("hoop", "cylinder", "cylinder") == PAPER == machine.quadratic
     assert nt.unit_quadratic(1, Fraction(1, 2), Fraction(1, 2)) == PAPER
     assert nt.discriminant(*PAPER) == machine.discriminant == 1729
@@ -215,17 +215,17 @@ def test_family_for_another_target():
 
 
 def test_discriminants_of_ordinary_targets_can_be_factored():
-    """The promise in `Machine`: parts up to 1000 suffice; large primes leave the least to cancel."""
+    """The promise in `BodyChoice`: parts up to 1000 suffice; large primes leave the least to cancel."""
     for target in (Fraction(997, 991), Fraction(1, 997), Fraction(991, 997), Fraction(1663, 998), Fraction(999, 1000)):
         for machine in nt.machines(target):
             assert math.prod(p**e for p, e in machine.factorization) == machine.discriminant
 
 
 def test_machine_is_a_value():
-    assert nt.Machine(target=1) == nt.Machine(target=Fraction(1))
-    assert len({nt.Machine(), nt.Machine()}) == 1
+    assert nt.BodyChoice(target=1) == nt.BodyChoice(target=Fraction(1))
+    assert len({nt.BodyChoice(), nt.BodyChoice()}) == 1
     with pytest.raises(dataclasses.FrozenInstanceError):
-        nt.Machine().top = "hoop"
+        nt.BodyChoice().top = "hoop"
 
 
 # Numbers
@@ -477,7 +477,7 @@ def everything(value: object):
     if isinstance(value, dict | list | tuple):
         for item in value.items() if isinstance(value, dict) else value:
             yield from everything(item)
-    elif isinstance(value, nt.Machine):
+    elif isinstance(value, nt.BodyChoice):
         public = ("left", "right", "top", "target", "quadratic", "discriminant", "factorization", "cubes")
         yield from everything([getattr(value, name) for name in (*public, "field_discriminant")])
     elif dataclasses.is_dataclass(value):
@@ -497,7 +497,7 @@ def outputs() -> list[object]:
     results: list[object] = [f(n) for f in functions for n in numbers]
     for one in (1, np.int64(1), sp.Integer(1), sp.Rational(1)):
         results += [nt.unit_quadratic(one, sp.Rational(1, 2), Fraction(1, 2), one), nt.norm_form(one)]
-        results += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.Machine(target=one)]
+        results += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.BodyChoice(target=one)]
         results += [nt.practical_ratios(target=one), nt.convergents([one, one])]
     quadratic = tuple(map(np.int64, PAPER))
     results += [nt.discriminant(*quadratic), nt.continued_fraction(*quadratic, 9)]
@@ -506,7 +506,7 @@ def outputs() -> list[object]:
 
 
 def test_answers_are_integers_fractions_and_text():
-    kept = {int, Fraction, str, list, tuple, dict, nt.Machine, nt.PracticalRatio}
+    kept = {int, Fraction, str, list, tuple, dict, nt.BodyChoice, nt.PracticalRatio}
     assert {type(value) for value in everything(outputs())} <= kept
     # Negative control: the walk finds a float inside a container.
     assert float in {type(value) for value in everything([(1, {"x": [0.5]})])}
@@ -606,7 +606,7 @@ def test_bad_bodies_are_refused(bad, place, name):
     with pytest.raises(ValueError, match=rf"^{name} must"):
         nt.normalized_frequency_squared_exact(*bodies, 1)
     with pytest.raises(ValueError, match=rf"^{('left', 'right', 'top')[place]} must"):
-        nt.Machine(*bodies)
+        nt.BodyChoice(*bodies)
 
 
 @pytest.mark.parametrize("bad", [0, -1, LIGHT_ROLLERS_LIMIT, 2, "1", *INEXACT], ids=lambda v: type(v).__name__)
@@ -614,7 +614,7 @@ def test_bad_targets_are_refused(bad):
     calls = [
         lambda: nt.unit_quadratic("hoop", "cylinder", "cylinder", bad),
         lambda: nt.practical_ratios(target=bad),
-        lambda: nt.Machine(target=bad),
+        lambda: nt.BodyChoice(target=bad),
         lambda: nt.norm_form(bad),
         lambda: nt.machines(bad),
         lambda: nt.one_change_away(bad),
@@ -644,4 +644,4 @@ def test_largest_permitted_inputs_have_a_discriminant():
     # Here the root lies below 1, so that the first convergent is 0 and left out.
     assert len(nt.practical_ratios(*betas, Fraction(999_953, 999_997), 100)) == 99
     with pytest.raises(ValueError, match=r"^n must"):
-        _ = nt.Machine(*betas, Fraction(999_953, 999_997)).factorization
+        _ = nt.BodyChoice(*betas, Fraction(999_953, 999_997)).factorization

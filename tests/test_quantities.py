@@ -22,7 +22,7 @@ import sympy as sp
 import ramanujan
 from ramanujan import METHODS, InitialState, Oscillator, motion
 from ramanujan.accuracy import Piece, results, work_precision
-from ramanujan.number_theory import Machine
+from ramanujan.number_theory import BodyChoice
 from ramanujan.quantities import coordinates, floats, integer, positive, rational, real, sequence, shown
 from ramanujan.record import record
 
@@ -191,7 +191,7 @@ GOOD_FOR = {
 
 def public_functions():
     """Every public function of the rooms, and the classes that a person makes, by name."""
-    found = {"Oscillator": Oscillator, "InitialState": InitialState, "Machine": Machine}
+    found = {"Oscillator": Oscillator, "InitialState": InitialState, "BodyChoice": BodyChoice}
     for room in ROOMS:
         package = importlib.import_module(f"ramanujan.{room}")
         modules = [package]

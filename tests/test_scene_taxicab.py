@@ -16,7 +16,7 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import normalized_frequency_squared, stage
 from ramanujan.figures import taxicab as figures
-from ramanujan.number_theory import BODIES, Machine, machines
+from ramanujan.number_theory import BODIES, BodyChoice, machines
 from ramanujan.scenes.cached import taxicab as cached
 
 PAGE = "ramanujan/scenes/taxicab.py"
@@ -83,7 +83,7 @@ def test_other_bodies_reach_numbers_and_stage(
         page.segmented_control(key=place).set_value(body)
     page.run()
     assert not page.exception
-    number = Machine(*bodies).discriminant
+    number = BodyChoice(*bodies).discriminant
     text = words(page)
     assert f"The discriminant **{number}**" in text
     assert ("is no sum of two positive cubes" in text) == (not two_cubes(number))
@@ -158,14 +158,14 @@ def test_identity_of_the_norm_for_random_targets() -> None:
     for _ in range(40):
         target = Fraction(dice.randint(1, 999), dice.randint(600, 1000))
         if target < Fraction(7, 4):
-            ratio = right.subs({p: target.numerator, q: target.denominator}) / Machine(target=target).discriminant
+            ratio = right.subs({p: target.numerator, q: target.denominator}) / BodyChoice(target=target).discriminant
             assert sp.sqrt(ratio).is_rational
 
 
 def test_a_hoop_and_a_cylinder_are_enough_for_the_norm_whatever_is_on_top() -> None:
     def primes(left: str, right: str) -> set[int]:
         targets = [Fraction(p, q) for p in range(1, 12) for q in range(8, 12)]
-        numbers = [Machine(left, right, top, w) for top in BODIES for w in targets if w < Fraction(5, 3)]
+        numbers = [BodyChoice(left, right, top, w) for top in BODIES for w in targets if w < Fraction(5, 3)]
         return {prime for number in numbers for prime, power in number.factorization if power % 2}
 
     assert all(prime == 3 or prime % 3 == 1 for prime in primes("hoop", "cylinder"))
@@ -178,7 +178,7 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
     tally = cached.tally.__wrapped__("hoop", "cylinder")
     targets = {Fraction(p, q) for p in range(1, 7) for q in range(1, 7)}
     targets = {w for w in targets if w < Fraction(5, 3)}
-    numbers = [Machine("hoop", "cylinder", top, w).discriminant for top in BODIES for w in targets]
+    numbers = [BodyChoice("hoop", "cylinder", top, w).discriminant for top in BODIES for w in targets]
     assert tally.machines == len(numbers)
     assert tally.sums == sum(bool(two_cubes(number)) for number in numbers)
     assert tally.taxicabs == sum(len(two_cubes(number)) > 1 for number in numbers)

@@ -9,7 +9,7 @@ discriminant 1729 = 1³ + 12³ = 9³ + 10³.
 
 from ramanujan.number_theory.bodies import (
     BODIES,
-    Machine,
+    BodyChoice,
     PracticalRatio,
     machines,
     norm_form,
@@ -33,7 +33,7 @@ from ramanujan.number_theory.integers import (
 
 __all__ = [
     "BODIES",
-    "Machine",
+    "BodyChoice",
     "PracticalRatio",
     "continued_fraction",
     "convergents",

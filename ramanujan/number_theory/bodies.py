@@ -111,7 +111,7 @@ def unit_quadratic(
 
 
 @dataclass(frozen=True)
-class Machine:
+class BodyChoice:
     """A choice of rolling bodies and of the target Ω²m/k, with the integers that follow from it.
 
     Parameters
@@ -124,7 +124,7 @@ class Machine:
     ------
     ValueError : as in `unit_quadratic`; a discriminant above 10¹² is neither factored nor searched for cubes.
 
-    >>> Machine().discriminant
+    >>> BodyChoice().discriminant
     1729
     """
 
@@ -171,7 +171,7 @@ class Machine:
         return tuple(integers.sums_of_two_cubes(self.discriminant))
 
 
-def machines(target: int | Fraction = 1) -> list[Machine]:
+def machines(target: int | Fraction = 1) -> list[BodyChoice]:
     """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES.
 
     Parameters
@@ -190,10 +190,10 @@ def machines(target: int | Fraction = 1) -> list[Machine]:
     [1064, 1729, 5896]
     """
     pairs = combinations_with_replacement(BODIES, 2)
-    return [Machine(left, right, top, target) for left, right in pairs for top in BODIES]
+    return [BodyChoice(left, right, top, target) for left, right in pairs for top in BODIES]
 
 
-def one_change_away(target: int | Fraction = 1) -> list[Machine]:
+def one_change_away(target: int | Fraction = 1) -> list[BodyChoice]:
     """Return the nine of the 40 machines that differ from the paper's in exactly one body.
 
     Parameters
@@ -211,7 +211,7 @@ def one_change_away(target: int | Fraction = 1) -> list[Machine]:
     >>> len(one_change_away())
     9
     """
-    paper = Machine()
+    paper = BodyChoice()
     return [machine for machine in machines(target) if _bodies_changed(machine, paper) == 1]
 
 
@@ -237,7 +237,7 @@ def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
     >>> norm_form()
     (41, 4)
     """
-    w = Machine(target=target).target
+    w = BodyChoice(target=target).target
     return 48 * w.denominator - 7 * w.numerator, 4 * w.numerator
 
 
@@ -313,7 +313,7 @@ def _primitive(*coefficients: Fraction) -> integers.Quadratic:
     return a // divisor, b // divisor, c // divisor
 
 
-def _bodies_changed(one: Machine, other: Machine) -> int:
+def _bodies_changed(one: BodyChoice, other: BodyChoice) -> int:
     """Return how many bodies must be exchanged to turn one machine into the other; lower rollers have no order."""
     lower = Counter([one.left, one.right]) - Counter([other.left, other.right])
     return lower.total() + (one.top != other.top)

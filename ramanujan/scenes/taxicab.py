@@ -9,12 +9,12 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, number_theory, stage
 from ramanujan.figures.taxicab import level_crossing
-from ramanujan.number_theory import BODIES, Machine
+from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.scenes import controls, emblems, links, look
 from ramanujan.scenes.cached import taxicab as cached
 
 PLACES = {"left": "Left roller", "right": "Right roller", "top": "Body on top"}
-PAPER = dict(zip(PLACES, Machine().bodies, strict=True))
+PAPER = dict(zip(PLACES, BodyChoice().bodies, strict=True))
 STILL = {"displayModeBar": False, "scrollZoom": False}
 LAST_TARGET = "last_target"
 MOST_DIGITS = number_theory.integers.MOST_DIGITS
@@ -45,7 +45,7 @@ def scientific(value: Fraction) -> str:
     return rf"{mantissa}\times10^{{{int(exponent)}}}"
 
 
-def name(machine: Machine) -> str:
+def name(machine: BodyChoice) -> str:
     """Return the bodies in words."""
     return f"{machine.left} and {machine.right} below, {machine.top} on top"
 
@@ -94,7 +94,7 @@ def digits_and_fractions() -> None:
             "Digits of ε after the point", 1, MOST_DIGITS, 100, step=10, key="digits", bind="query-params", width=260
         )
         st.code(
-            number_theory.positive_root_digits(*Machine().quadratic, count),
+            number_theory.positive_root_digits(*BodyChoice().quadratic, count),
             language=None,
             wrap_lines=True,
             height=190 if count > 200 else "content",
@@ -218,7 +218,7 @@ def told(story: cached.Story) -> None:
         st.button("The paper’s bodies", key="paper_bodies", on_click=take_paper)
 
 
-def forty_machines(chosen: Machine) -> None:
+def forty_machines(chosen: BodyChoice) -> None:
     """All machines in one figure."""
     machines = cached.machines()
     columns = list(BODIES)
@@ -312,7 +312,7 @@ def open_question() -> None:
     x, y = number_theory.norm_form()
     ways = number_theory.represent_x2_plus_3y2(number)
     written = " = ".join(f"{x}^2+3\\cdot{y}^2" for x, y in reversed(ways))
-    primes = [prime for prime, _ in Machine().factorization]
+    primes = [prime for prime, _ in BodyChoice().factorization]
     rests = {prime % 3 for prime in primes}
     st.markdown("**What has a reason.** For the target $p/q$ the paper’s bodies have the discriminant")
     st.latex(cached.norm_identity())
@@ -332,7 +332,7 @@ def open_question() -> None:
         progress.progress(n / len(pairs), "Counting sums of two cubes …")
         tallies.append(cached.tally(*pair))
     progress.empty()
-    at = pairs.index(Machine().bodies[:2])
+    at = pairs.index(BodyChoice().bodies[:2])
     paper = tallies[at]
     second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
     smaller = [tally for tally in tallies if tally.median < paper.median]

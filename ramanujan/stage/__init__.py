@@ -55,9 +55,9 @@ from ramanujan.derivation.newton import contact_forces
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, epsilon, k, m, m_prime, machine, phi, t
+from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
 from ramanujan.motion import InitialState
-from ramanujan.oscillator import Oscillator
+from ramanujan.oscillator import DRAWN_SPACING, Oscillator
 
 VERSION = 1
 SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
@@ -112,6 +112,7 @@ def formulas() -> dict[str, Any]:
     bodies = machine(**shape_factors)
     frequency_squared = eliminate(bodies).natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
+    per_radius, gap = map(sp.Rational, DRAWN_SPACING)
     # φ has no drift, so that φ̈ = −Ω²φ at every moment.
     forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
     return {
@@ -124,6 +125,7 @@ def formulas() -> dict[str, Any]:
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
             for q, parts in coefficients(bodies).items()
         },
+        "spacing": per_radius * R + gap,
         "deformation": bodies.deformation,
         "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
         "mass": {body.name: body.mass for body in bodies.bodies},

@@ -14,7 +14,7 @@ function layout({ radius }, [, largest]) {
   const roll = travel / 2;
   const deck = 8, thick = 4.5, step = 3, gap = 2.5;
   const hoop = roll + R + gap;
-  const cylinder = hoop + 2.4 * R + 5;
+  const cylinder = hoop + FORMULAS.spacing({ radius }) * CM;
   const slab = { left: hoop - roll - 4, right: cylinder + roll + 4, bottom: deck + 2 * R };
   const riser = slab.right + travel + 8;
   const upper = slab.bottom + thick + step;

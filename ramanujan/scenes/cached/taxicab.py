@@ -22,7 +22,7 @@ from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures import Drawn, kept
 from ramanujan.figures import taxicab as figures
-from ramanujan.number_theory import Machine
+from ramanujan.number_theory import BodyChoice
 from ramanujan.scenes.cached import route
 
 LARGEST_PART = 1000
@@ -73,7 +73,7 @@ def condition() -> Condition:
     steps = route("euler_lagrange")
     frequency = steps["ratio"].equations[1]
     lines = (frequency, *steps["unit"].equations, *steps["root"].equations)
-    paper = Machine()
+    paper = BodyChoice()
     a, b, c = paper.quadratic
     with sp.evaluate(False):
         expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
@@ -93,7 +93,7 @@ def condition() -> Condition:
 class Story:
     """What a machine's bodies and target lead to; formulas as LaTeX, the mass ratio also as a number."""
 
-    machine: Machine
+    machine: BodyChoice
     quadratic: str
     root: str
     ratio: float
@@ -104,8 +104,8 @@ class Story:
 
 @st.cache_data(show_spinner=False, max_entries=512)
 def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
-    """Return the story of the machine with these bodies and the target Ω²m/k = p/q; ValueError as in `Machine`."""
-    machine = Machine(left, right, top, Fraction(p, q))
+    """Return the story of the machine with these bodies and the target Ω²m/k = p/q; ValueError as in `BodyChoice`."""
+    machine = BodyChoice(left, right, top, Fraction(p, q))
     a, b, c = machine.quadratic
     root = (sp.sqrt(machine.discriminant) - b) / (2 * a)
     return Story(
@@ -120,7 +120,7 @@ def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
 
 
 @st.cache_resource(show_spinner=False)
-def machines() -> tuple[Machine, ...]:
+def machines() -> tuple[BodyChoice, ...]:
     """Return all 40 machines at the unit frequency, their factors and cubes at hand."""
     return tuple(number_theory.machines())
 
@@ -145,7 +145,7 @@ def practical_machines() -> tuple[PracticalMachine, ...]:
 
 def quotients(terms: int = 12) -> list[int]:
     """Return the continued fraction of the paper's mass ratio."""
-    return number_theory.continued_fraction(*Machine().quadratic, terms)
+    return number_theory.continued_fraction(*BodyChoice().quadratic, terms)
 
 
 @st.cache_data(show_spinner=False, max_entries=64)
@@ -177,7 +177,7 @@ def as_norm(p: int, q: int) -> str:
     """Return, as LaTeX, the norm x² + 3y² that belongs to the target p/q, and what it says of the discriminant."""
     target = Fraction(p, q)
     x, y = number_theory.norm_form(target)
-    number = Machine(target=target).discriminant
+    number = BodyChoice(target=target).discriminant
     # Where the quadratic's coefficients share a factor, the norm carries its square.
     shared = isqrt((x * x + 3 * y * y) // number)
     right = f"{shared}^2 \\cdot {number}" if shared > 1 else str(number)
