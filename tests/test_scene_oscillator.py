@@ -27,7 +27,7 @@ def values(app) -> dict[str, float]:
 
 def box(app, key: str) -> dict[str, object]:
     """What the sidebar's feed tells the box of a slider."""
-    (feed,) = (e for e in app.get("bidi_component") if e.proto.id.endswith("-exact_feed"))
+    (feed,) = (e for e in app.get("bidi_component") if e.proto.id.endswith("-boxes_feed"))
     return json.loads(feed.proto.json)[f"exact/{key}"]
 
 

@@ -106,7 +106,7 @@ def sidebar() -> None:
         boxes = {
             f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
         }
-        page.feed("exact_feed", boxes)
+        page.feed("boxes_feed", boxes)
         page.link()
         given.receipt()
     st.session_state[_SAID] = (complaints, notes)
