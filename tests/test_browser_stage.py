@@ -13,7 +13,7 @@ from playwright.sync_api import expect
 from ramanujan import Oscillator, stage
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
-from ramanujan.scenes.controls import CONTROLS
+from ramanujan.scenes.quantities import QUANTITIES
 from tests.browser import STAGE, WATCH_LAG, next_frame, settle
 from tests.reference import numpy_function
 
@@ -143,7 +143,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
 def test_every_slider_is_followed_live_by_keyboard_too(visit):
     page = visit()
     shown = "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent"
-    for key in CONTROLS:
+    for key in QUANTITIES:
         if key == "radius":
             page.get_by_text("More", exact=True).click()
             page.wait_for_timeout(500)
