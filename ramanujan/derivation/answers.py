@@ -136,7 +136,7 @@ def _to_simplify(question: str, typed: Expression, given: NormalForm) -> str | N
         return _("Can you combine the like terms?")
     if simplicity.has_root_to_take(typed):
         return _("Can you simplify a root, or the expression under it?")
-    if simplicity.has_root(typed) and not any(roots for roots, _ in given.numerators):
+    if simplicity.has_root(typed) and not any(roots for roots, _polynomial in given.numerators):
         return _("The formula can be written without a root.")
     if length(typed) > longest_form(question):
         return _("The formula can be written shorter.")

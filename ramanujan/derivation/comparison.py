@@ -157,7 +157,7 @@ def how_many_times(factor: str) -> str:
 
 def _is_negative(coefficient: NormalForm) -> bool:
     """Tell whether the leading term of a coefficient is negative."""
-    return any(polynomial.LC < 0 for _, polynomial in coefficient.numerators)
+    return any(polynomial.LC < 0 for _roots, polynomial in coefficient.numerators)
 
 
 # As one fraction
@@ -194,7 +194,7 @@ def _special_masses(given: NormalForm, right: NormalForm) -> list[str]:
 
 def in_short(differences: Differences) -> list[str]:
     """Return the sentences about what differs; if there are many, their number and the first one."""
-    sentences = [sentence for _, sentence in differences]
+    sentences = [sentence for _term, sentence in differences]
     if len(sentences) <= _MOST_SENTENCES:
         return sentences
     n = len(sentences)

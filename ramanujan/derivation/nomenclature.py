@@ -123,7 +123,7 @@ def _names(equations: Iterable[tuple[sp.Eq, ...]]) -> Iterable[str]:
 def _name(atom: sp.Basic) -> str:
     """Return a symbol's name, with every body's name replaced by the word body, and the three roots Λ by one letter."""
     name = atom.func.__name__ if isinstance(atom, AppliedUndef) else atom.name
-    letter, _, subscript = name.partition("_")
+    letter, _bar, subscript = name.partition("_")
     if subscript in ("block", "hoop", "cylinder", "slab", "top"):
         return f"{letter}_body"
     return letter if subscript.isdigit() and letter == "Lambda" else name

@@ -201,7 +201,12 @@ class _Reader:
                 reach_is_clear = _is_fraction(factors) or (whole and self.spaced)
             elif self._starts_a_factor():
                 if not reach_is_clear:
-                    raise UnreadableError(_("Where does the denominator end? Put it in brackets, or write a multiplication sign after it."))
+                    raise UnreadableError(
+                        _(
+                            "Where does the denominator end? Put it in brackets, or write a multiplication sign after "
+                            "it."
+                        )
+                    )
                 factors.append(self.factor())
             else:
                 return _bounded(factors[0] if len(factors) == 1 else Product(tuple(factors)))
