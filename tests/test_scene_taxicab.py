@@ -126,7 +126,7 @@ def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
 def test_a_target_out_of_reach_gets_one_sentence_and_the_last_good_one_stays(page: AppTest) -> None:
     page.number_input(key="p").set_value(3).run()
     assert [warning.value for warning in page.warning] == [
-        "The target must lie strictly between 0 and 7/4, the value for very light rollers; 3/1 does not. Shown is 1/1."
+        "The target must lie strictly between 0 and 7/4, the limit for very light rollers; 3/1 does not. Shown is 1/1."
     ]
     page.number_input(key="q").set_value(2).run()
     assert not page.warning
