@@ -34,7 +34,7 @@ ROOMS = {
     "page": (set(), {"streamlit"}),
     "stage": (CORE | {"derivation", "page"}, {"streamlit", "sympy"}),
 }
-"""Room → rooms it may import from, beside LANGUAGE, and third-party packages. `scenes` may import all."""
+"""Room → rooms it may import from (besides `words` and `numerals`), third-party packages. `scenes` may import all."""
 
 OTHER_PAGES = (
     "accuracy",

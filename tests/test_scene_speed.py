@@ -290,7 +290,7 @@ def test_forms_that_never_fail_are_named_right():
     sentence = verdicts.where_forms_fail(sweeps, "s")
     right = sentence.splitlines()[-1]
     assert "effective mass" in right
-    assert "the paper's" not in right
+    assert "the paper’s form" not in right
 
 
 # ---- figures
@@ -301,7 +301,7 @@ def test_failures_are_gaps_and_plateaus(app):
     sweeps = [s for s in results(extremes(samples_per_decade=1)) if (s.along, s.dtype) == ("scale", "float64")]
     exponents, truth, forms = thinned.sweep(sweeps)
     figure = figures.forms(exponents, truth, forms, quantity="s", colors=look.colors()).checked()
-    value, error = (trace for trace in figure.data if trace.name == "the paper's")
+    value, error = (trace for trace in figure.data if trace.name == "the paper’s form")
     assert np.isnan(value.y[-1])  # it returns −0 there, which has no logarithm
     assert np.isfinite(value.y[0])
     assert np.ptp(value.y[:10]) == 0  # the plateau of the wrong value
