@@ -257,7 +257,7 @@ def test_a_visitor_who_has_to_wait_is_told_how_many_come_first(monkeypatch):
     experiments.work([("mine", mine, Place())])
     assert [words.partition(".")[0] for words in told] == [
         "2 measurements come before yours",
-        "Another visitor is measuring",
+        "1 measurement comes before yours",
         "counting",
     ]
     assert mine.complete

@@ -88,8 +88,8 @@ def _about_cubes(story: cached.Story) -> str:
     ways = len(story.machine.cubes)
     sentence = (
         ngettext(
-            "The discriminant {number} is a sum of two positive cubes, ${cubes}$.",
-            "The discriminant {number} is a sum of two positive cubes, ${cubes}$, **in {n} ways**.",
+            "The discriminant {number} is a sum of two positive cubes in {n} way: ${cubes}$.",
+            "The discriminant {number} is a sum of two positive cubes **in {n} ways**: ${cubes}$.",
             ways,
         )
         if ways

@@ -305,7 +305,7 @@ def margin() -> None:
         for note in cached.notes():
             mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")
             st.markdown(
-                _("**{where}** {mark}  \nThe paper has: {printed}  \nBetter: {correct}  \n:small[{note}]").format(
+                _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n:small[{note}]").format(
                     where=note.where, mark=mark, printed=note.printed, correct=note.correct, note=note.note
                 )
             )

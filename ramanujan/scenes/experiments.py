@@ -137,7 +137,7 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
 def _waiting(before: int) -> str:
     """Return the sentence for a visitor who waits for so many others."""
     return ngettext(
-        "Another visitor is measuring. Your measurement begins when theirs has ended.",
+        "{n} measurement comes before yours. They run one after the other, so that none disturbs another.",
         "{n} measurements come before yours. They run one after the other, so that none disturbs another.",
         before,
     ).format(n=before)

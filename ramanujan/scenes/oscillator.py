@@ -31,7 +31,7 @@ def the_curve() -> None:
     st.header(_("When does it keep time with the plain mass?"), anchor=False)
     st.markdown(
         _(
-            "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{k/m}$, the machine has $\\Omega$. "
+            "The plain mass $m$ on the spring $k$ has the angular frequency √(k/m), the machine has $\\Omega$. "
             "They keep time where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
         )
     )

@@ -30,7 +30,7 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
 
 def _motion(states: Sequence[ClosedForm]) -> str:
     return _(
-        "**Motion, stage and figures: the closed form.** From {first} to {last} periods its phase error is at most "
+        "**Motion, stage and figures**: the closed form. From {first} to {last} periods its phase error is at most "
         "{error} rad, and a state takes {time}, however late it is."
     ).format(
         first=states[0].periods,
@@ -43,7 +43,7 @@ def _motion(states: Sequence[ClosedForm]) -> str:
 def _frequency(kinds: dict[str, Arithmetic], form: Sequence[Sweep]) -> str:
     many = next(kind for name, kind in kinds.items() if name.startswith("float64, one of"))
     return _(
-        "**Ω²: {formula}.** It is right to {error} ulp over the whole range of float64. A value takes {many} in an "
+        "**Ω²**: {formula}. It is right to {error} ulp over the whole range of float64. A value takes {many} in an "
         "array and {one} by itself."
     ).format(
         formula=FORMS[list(FORMS)[-1]].formula,
@@ -56,7 +56,7 @@ def _frequency(kinds: dict[str, Arithmetic], form: Sequence[Sweep]) -> str:
 def _formulas(kinds: dict[str, Arithmetic]) -> str:
     digits = [kind for name, kind in kinds.items() if name.startswith("mpmath")]
     return _(
-        "**Formulas and steps of the derivation: exact fractions.** A fraction has no error and takes {fraction}. "
+        "**Formulas and steps of the derivation**: exact fractions. A fraction has no error and takes {fraction}. "
         "mpmath takes {few} with {few_digits} digits and {many} with {many_digits} digits."
     ).format(
         fraction=duration(kinds["fraction"].seconds.median),
@@ -70,9 +70,9 @@ def _formulas(kinds: dict[str, Arithmetic]) -> str:
 def _curves(curves: Sequence[CurveSampling]) -> str:
     enough = {name: next(c for c in curves if c.curve == name and c.pixels < 0.5) for name in ("cosine", "frequency")}
     return _(
-        "**Curves: as many points as an error below half a pixel requires.** In a figure {height} pixels high, "
-        "{cosine} points draw one period to {cosine_error} pixel, and {curve} points draw the curve of Ω² to "
-        "{curve_error} pixel."
+        "**Curves**: enough points for an error below half a pixel. In a figure {height} pixels high, {cosine} points "
+        "draw one period to {cosine_error} pixel, and {curve} points draw the curve of Ω² to {curve_error} "
+        "pixel.{curve_error} pixel."
     ).format(
         height=FIGURE_HEIGHT,
         cosine=enough["cosine"].points,
@@ -85,12 +85,12 @@ def _curves(curves: Sequence[CurveSampling]) -> str:
 def _bytes() -> str:
     rounding = float(np.finfo(np.float32).eps) / 2
     return _(
-        "**Numbers sent to the browser: float32.** They take half the bytes of float64. Rounding changes a number by "
+        "**Numbers sent to the browser**: float32. They take half the bytes of float64. Rounding changes a number by "
         "at most one part in {part}, {finer} times less than half a pixel of a screen {height} pixels high."
     ).format(part=number(1 / rounding), finer=number(0.5 / SCREEN_HEIGHT / rounding), height=SCREEN_HEIGHT)
 
 
 def _kept(compared: Comparison) -> str:
-    return _("**{fast}:** {ratio} times faster than {slow}.").format(
+    return _("**{fast}**: {ratio} times faster than {slow}.").format(
         fast=compared.fast, ratio=number(compared.ratio), slow=compared.slow
     )

@@ -47,7 +47,7 @@ def exactly_in_step(facts: cached.Condition) -> None:
         st.markdown(
             _(
                 "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
-                "$\\sqrt{k/m}$. They keep time for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
+                "√(k/m). They keep time for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )
@@ -116,10 +116,11 @@ def practical_ratios() -> str:
     rows = [f"| {' | '.join(head)} |", "|--|--|--|"]
     for entry in cached.practical_machines():
         periods = round(entry.periods)
+        lasting = ngettext("{n} period", "{n} periods", periods).format(n=number(periods, 4))
         rows.append(
             f"| ${entry.ratio.numerator}/{entry.ratio.denominator}$ "
             f"| ${entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}$ "
-            f"| {ngettext('{n} period', '{n} periods', periods).format(n=number(periods, 4))} |"
+            f"| {lasting} |"
         )
     return "\n".join(rows)
 

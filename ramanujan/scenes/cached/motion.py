@@ -106,7 +106,7 @@ def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
         "block": (_("block, relative to the ground"), motion.over_ground, motion.velocity_over_ground),
         "top": (_("top cylinder, relative to the block"), motion.over_block, motion.velocity_over_block),
     }
-    curves = [Curve(name, _CM * x[body], colors[body]) for body, (name, x, _) in shown.items()]
+    curves = [Curve(name, _CM * x[body], colors[body]) for body, (name, x, _v) in shown.items()]
     velocities = [_CM * v[body] for body, (_name, _x, v) in shown.items()]
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
