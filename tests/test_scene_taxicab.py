@@ -61,7 +61,7 @@ def test_as_many_digits_as_asked_for(page: AppTest, digits: int) -> None:
 
 
 def test_each_practical_ratio_with_the_error_that_it_leaves(page: AppTest) -> None:
-    rows = re.findall(r"\| \$(\d+)/(\d+)\$ \| \$(-?\d+)/(\d+)\\approx.*?\$ \| ([\d\u202f]+) periods?", words(page))
+    rows = re.findall(r"\| \$(\d+)/(\d+)\$ \| \$\{(-?\d+)/(\d+)\\approx.*?\$ \| ([\d\u202f]+) periods?", words(page))
     assert [row[:2] for row in rows][2:4] == [("9", "8"), ("62", "55")]
     for p, q, over, under, periods in rows:
         value = normalized_frequency_squared(int(p) / int(q))

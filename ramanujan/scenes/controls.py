@@ -12,7 +12,7 @@ import math
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, page
-from ramanujan.scenes import complaints, given, widgets
+from ramanujan.scenes import cached, complaints, given, widgets
 from ramanujan.scenes.quantities import QUANTITIES, Quantity, read_number
 from ramanujan.words import _
 
@@ -49,6 +49,8 @@ def sidebar() -> None:
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. It changes no frequency."))
             values["radius"] = _slider(QUANTITIES["radius"])
+        with st.expander(_("Symbols")):
+            st.markdown(cached.symbols())
         judged = st.session_state.get(_JUDGED, 0)
         boxes = {
             f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()

@@ -55,8 +55,8 @@ QUESTION = links.Choice(
 STEP = links.Count("step", LONGEST_ROUTE)
 KEYS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION)
 
-VIEW_WORDS = {"lecture": _("Step by step"), "reading": _("All steps")}
-VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("My numbers")}
+VIEW_WORDS = {"lecture": _("One step"), "reading": _("All steps")}
+VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
     "markdown": ("Markdown", "md", "text/markdown"),
@@ -118,7 +118,7 @@ def show() -> None:
 
 def choose() -> Setting:
     """Draw the choice of the route and of how it is shown."""
-    with st.container(horizontal=True, gap="medium", key="choices"):
+    with st.container(horizontal=True, key="choices"):
         hidden = {"label_visibility": "collapsed"}
         titles = cached.titles()
         route = widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)

@@ -137,8 +137,8 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
 def _waiting(before: int) -> str:
     """Return the sentence for a visitor who waits for so many others."""
     return ngettext(
-        "{n} measurement comes before yours. They run one after the other, so that none disturbs another.",
-        "{n} measurements come before yours. They run one after the other, so that none disturbs another.",
+        "{n} measurement comes before yours. Measurements run one after the other, so that none disturbs another.",
+        "{n} measurements come before yours. Measurements run one after the other, so that none disturbs another.",
         before,
     ).format(n=before)
 

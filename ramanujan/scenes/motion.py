@@ -20,7 +20,7 @@ from ramanujan.scenes.quantities import Quantity
 from ramanujan.words import _
 
 GLIDE = Quantity("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
-SPIN = Quantity("spin", "Φ̇₀", _("Initial angular velocity of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+SPIN = Quantity("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
 MU = Quantity("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
 FIGURE = links.Choice(
     "figure",
@@ -169,7 +169,6 @@ def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) 
     for view, tab in widgets.tabs(FIGURE, VIEW_WORDS).items():
         if tab.open:
             with tab:
-                st.header(VIEW_WORDS[view], anchor=False)
                 shows[view](motion, cached.figures(view, look.theme(), *setting))
 
 
@@ -203,14 +202,16 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
             ),
         )
     end = motion.t[-1]
-    block, top = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
+    # Rounding leaves something of a drift that is not there.
+    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
+    block, top = (round(float(drift), 9) for drift in drifts)
     note(
         _(
             "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
             "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
-            "the block. With an initial angular velocity $\\dot\\Phi_0$ the top cylinder alone rolls away. After whole "
+            "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away. After whole "
             "periods only this drift is left: {block} for the block, {top} for the top cylinder relative to it."
-        ).format(block=quantity(float(block), "cm/s", 3), top=quantity(float(top), "cm/s", 3))
+        ).format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3))
     )
 
 

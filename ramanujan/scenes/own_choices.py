@@ -72,7 +72,7 @@ def _curves(curves: Sequence[CurveSampling]) -> str:
     return _(
         "**Curves**: enough points for an error below half a pixel. In a figure {height} pixels high, {cosine} points "
         "draw one period to {cosine_error} pixel, and {curve} points draw the curve of Ω² to {curve_error} "
-        "pixel.{curve_error} pixel."
+        "pixel."
     ).format(
         height=FIGURE_HEIGHT,
         cosine=enough["cosine"].points,

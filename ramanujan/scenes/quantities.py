@@ -20,7 +20,8 @@ class Quantity:
     Parameters
     ----------
     key : of the slider, in the session state and in the address
-    symbol, meaning, unit : what the slider says
+    symbol, meaning, unit : what the slider is called
+    short : the meaning in as few words as fit beside a box
     least, most, default, step, format : its range, in this unit
     parameter : what the stage calls it; empty where the stage does not follow the slider
     scale : this unit in SI units
@@ -37,6 +38,7 @@ class Quantity:
     format: str
     parameter: str = ""
     scale: float = 1.0
+    short: str = ""
 
     @property
     def label(self) -> str:
@@ -74,16 +76,24 @@ class Quantity:
         return min(max(value, self.least), self.most)
 
 
+def _masses(key: str, symbol: str, least: float, most: float, meaning: str, short: str) -> Quantity:
+    return Quantity(key, symbol, meaning, "kg", least, most, 1.0, 0.01, "%.2f", key, short=short)
+
+
+def _length(key: str, symbol: str, least: float, most: float, default: float, step: float, **words: str) -> Quantity:
+    return Quantity(key, symbol, words["meaning"], "cm", least, most, default, step, "%.1f", key, 0.01, words["short"])
+
+
 QUANTITIES = {
     quantity.key: quantity
     for quantity in (
-        Quantity("m", "m", _("mass of block, slab and top cylinder"), "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", "m"),
-        Quantity("m_prime", "m′", _("mass of each lower roller"), "kg", 0.05, 10.0, 1.0, 0.01, "%.2f", "m_prime"),
-        Quantity("k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", "k"),
+        _masses("m", "m", 0.5, 5.0, _("mass of block, slab and top cylinder"), _("block, slab, top")),
+        _masses("m_prime", "m′", 0.05, 10.0, _("mass of each lower roller"), _("each lower roller")),
         Quantity(
-            "compression", "x₀", _("compression at release"), "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", "compression", 0.01
+            "k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", "k", short=_("stiffness")
         ),
-        Quantity("radius", "R", _("radius of the rollers"), "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", "radius", 0.01),
+        _length("compression", "x₀", 0.5, 12.0, 8.0, 0.1, meaning=_("compression at release"), short=_("compression")),
+        _length("radius", "R", 5.0, 20.0, 10.0, 0.5, meaning=_("radius of the rollers"), short=_("roller radius")),
     )
 }
 KEYS = tuple(quantity.in_links for quantity in QUANTITIES.values())

@@ -125,7 +125,7 @@ def what_has_a_reason(discriminant: int) -> None:
     st.markdown(
         _(
             "**What has a reason.** For the target $p/q$, the discriminant of the paper’s machine is, up to a square "
-            "factor,"
+            "factor:"
         )
     )
     st.latex(cached.norm_identity())

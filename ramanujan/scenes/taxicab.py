@@ -119,7 +119,7 @@ def practical_ratios() -> str:
         lasting = ngettext("{n} period", "{n} periods", periods).format(n=number(periods, 4))
         rows.append(
             f"| ${entry.ratio.numerator}/{entry.ratio.denominator}$ "
-            f"| ${entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}$ "
+            f"| ${{{entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}}}$ "
             f"| {lasting} |"
         )
     return "\n".join(rows)

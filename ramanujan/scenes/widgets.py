@@ -130,7 +130,7 @@ def slider_with_box(quantity: Quantity, stages: tuple[str, ...], enter: Callable
                 "key": quantity.key,
                 "symbol": quantity.symbol,
                 "unit": quantity.unit,
-                "meaning": quantity.meaning,
+                "meaning": quantity.short,
                 "label": _("Exact value: {quantity}").format(quantity=quantity.label),
                 "longest": LONGEST,
                 "scale": quantity.scale,
