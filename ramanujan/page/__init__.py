@@ -1,8 +1,9 @@
-"""The page's side: what runs in the browser beside the machine, and all that knows Streamlit's and Plotly's pages.
+"""The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
 
-bus.js carries the news between the components, hosts.js holds every selector into the host pages, page.css every style
-rule for them. The other files belong to one component each. Components v2 takes one script for each component: `script`
-puts the files together, without a build step, and every script begins with bus.js and hosts.js. No physics here.
+bus.js carries messages between the components, hosts.js holds every selector into the host pages, page.css every style
+rule for them, and sentences.js fills templates and writes numbers. The other files belong to one component each.
+Components v2 takes one script for each component: `script` puts the files together, without a build step, and every
+script begins with bus.js and hosts.js. No physics here.
 
 The topics of the bus, where NAME is the name of a stage:
 
@@ -22,10 +23,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from html import escape
 from pathlib import Path
 from typing import Any
 
 import streamlit as st
+
+from ramanujan.words import _
 
 _HERE = Path(__file__).parent
 _BASE = ("bus.js", "hosts.js")
@@ -73,7 +77,8 @@ def ring(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("ring", "marks.js", "ring.js")(key="ring", data={"stage": stage})
+    label = _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")
+    return _component("ring", "sentences.js", "marks.js", "ring.js")(key="ring", data={"stage": stage, "label": label})
 
 
 def cursor(stage: str) -> Any:
@@ -86,7 +91,8 @@ def cursor(stage: str) -> Any:
     ----------
     stage : the name of the stage that shares the cursor's clock
     """
-    return _component("cursor", "marks.js", "cursor.js")(key="cursor", data={"stage": stage})
+    made = _component("cursor", "sentences.js", "marks.js", "cursor.js", cursor=_("Time cursor"))
+    return made(key="cursor", data={"stage": stage, "place": _("t = {time}, {periods} periods")})
 
 
 def moment(stage: str) -> Any:
@@ -123,12 +129,13 @@ def follow_theme(theme: str) -> Any:
 
 def sheet() -> Any:
     """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
-    return _component("sheet", "touch.js", "sheet.js")(key="sheet")
+    return _component("sheet", "touch.js", "sheet.js", handle=_("Sliders and presets"))(key="sheet")
 
 
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
-    return _component("link", "link.js")(key="link")
+    made = _component("link", "link.js", copy=_("Copy link"), link=_("Link"))
+    return made(key="link", data={"copied": _("Copied."), "by_hand": _("Copy the link from here:")})
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
@@ -196,16 +203,24 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
         at = st.session_state["steps"].at
         on_turned(at["route"], at["step"])
 
-    data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
-    return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
+    data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
+    made = _component(
+        "steps", "sentences.js", "steps.js", steps=_("Steps"), step=_("Step"), back=_("Back"), next=_("Next")
+    )
+    return made(key="steps", data=data, on_at_change=turned)
 
 
 @cache
-def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE) -> Any:
-    """Return a component of this folder; its HTML and CSS are the files of its name, if there are any."""
+def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE, **texts: str) -> Any:
+    """Return a component of this folder; its HTML and CSS are the files of its name, if there are any.
+
+    The texts fill the slots of the HTML.
+    """
     look = {
         kind: (_HERE / f"{name}.{kind}").read_text(encoding="utf-8")
         for kind in ("html", "css")
         if (_HERE / f"{name}.{kind}").exists()
     }
+    if texts:
+        look["html"] = look["html"].format(**{slot: escape(text) for slot, text in texts.items()})
     return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **look)
