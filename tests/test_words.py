@@ -1,4 +1,4 @@
-"""Every sentence for people is a whole template that gettext tools find, and the pseudo-language leaves its slots alone."""
+"""Every sentence for people is a whole template that gettext tools find; the pseudo-language keeps its slots."""
 
 from __future__ import annotations
 
