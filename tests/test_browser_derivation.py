@@ -118,8 +118,8 @@ def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
     for text, told in (
         ("m X'^2", "leave out the ½"),
         ("½ m X'²", "Right!"),
-        ("<img src=x onerror=alert(1)>", "Type only the expression"),
-        (":red[x]", "There is a character that does not belong in a formula: colon."),
+        ("<img src=x onerror=alert(1)>", "Type only what comes to the right of the equals sign"),
+        (":red[x]", "colon"),
     ):
         box.fill(text)
         page.keyboard.press("Enter")
