@@ -229,5 +229,5 @@ def _component() -> Callable[..., Any]:
     unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
     words = {**SENTENCES, "slips": SLIPS, "bodies": BODIES, "unity": unity}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
-    script = page.script("sentences.js", *(_HERE / f"{module}.js" for module in _MODULES))
+    script = page.script(*(_HERE / f"{module}.js" for module in _MODULES))
     return st.components.v2.component("ramanujan_stage", html=filled(html), css=css, js=given + script)
