@@ -368,7 +368,15 @@ def rows_of(text):
 def test_command_line_prints_every_table(capsys):
     assert main(["--periods", "2", "--steps", "8", "16", "--dtype", "float64", "--tolerance", "0.5"]) == 0
     out = capsys.readouterr().out
-    for words in ("after 2 periods", "fewest evaluations", "Fastest run", "Points of a curve", "Closed form", "Forms of Ω²", "Phase error"):
+    for words in (
+        "after 2 periods",
+        "fewest evaluations",
+        "Fastest run",
+        "Points of a curve",
+        "Closed form",
+        "Forms of Ω²",
+        "Phase error",
+    ):
         assert words in out
     for method in METHODS.values():
         assert method.title in out

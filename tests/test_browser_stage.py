@@ -224,7 +224,7 @@ def test_step_scrub_and_speed(visit):
 
 def test_fast_motion_is_slowed_and_says_so(visit):
     page = visit("?m=0.5&m_prime=0.05&k=200")
-    assert "of its real speed" in text(page, ".note")
+    assert "times its real speed" in text(page, ".note")
     page.get_by_text("Reset", exact=True).click()
     settle(page)
     assert text(page, ".note") == ""
@@ -390,7 +390,7 @@ def test_copy_link_gives_the_address(visit):
     page.locator(".st-key-link button").click()
     expect(page.locator(".st-key-link .told")).not_to_be_empty()
     said = page.locator(".st-key-link .told").inner_text()
-    assert said in ("Copied.", "Copy it from here:")
+    assert said in ("Copied.", "Copy the link from here:")
     if said != "Copied.":
         assert page.locator(".st-key-link input").input_value() == page.url
 

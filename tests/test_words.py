@@ -1,4 +1,4 @@
-"""Every sentence for people is a whole template that gettext tools find, and the pseudo-language leaves its slots alone."""
+"""Every sentence for people is a whole template that gettext tools find; the pseudo-language keeps its slots."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ KNOWN = {
     "record": "largest compression without slip",
     "rounding": "{name} is too large for float64",
     "sampling": "periods and height_px are too large: the curve would need more than {most} points",
-    "stage": "In step: less than {least} turn apart after a million periods.",
+    "stage": "In step: after a million periods the hands are less than {least} turns apart.",
     "table": "columns must hold at least one column",
 }
 """Room → one of its sentences."""

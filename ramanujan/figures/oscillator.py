@@ -64,15 +64,11 @@ def frequency_curve(
         hoverinfo="skip",
         name=_("limit"),
     )
-    # Only markers can be clicked; these are invisible, and smaller than the marks.
     figure.add_scatter(
         x=ratios,
         y=values,
-        mode="lines+markers",
+        mode="lines",
         line={"color": colors["primary"], "width": 3},
-        marker={"size": 6, "opacity": 0},
-        selected={"marker": {"opacity": 0}},
-        unselected={"marker": {"opacity": 0}},
         name=_("any machine"),
     )
     figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")
