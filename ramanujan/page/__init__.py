@@ -42,6 +42,7 @@ _PARTS = {
     "link": ("link.js",),
     "moment": ("moment.js",),
     "pick": ("pick.js",),
+    "reach": ("reach.js",),
     "receipt": ("receipt.js",),
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
@@ -146,6 +147,11 @@ def follow_theme(theme: str) -> Any:
     theme : the one that this run draws with, light or dark
     """
     return _component("theme")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
+
+
+def reach() -> Any:
+    """Let every box that scrolls sideways by itself take the focus, so that the arrow keys move it."""
+    return _component("reach")(key="reach", data={"label": _("Wide content, the arrow keys scroll it")})
 
 
 def sheet() -> Any:

@@ -52,10 +52,11 @@ def _colors(shown: str) -> dict[str, str]:
 
 
 def dress() -> None:
-    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
+    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its live region."""
     shown = theme()
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
-    own = f":root{{--paper:{colors()['paper']};--faint:{colors()['faint']};--under:{under}}}"
+    kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
+    own = f":root{{{kept}--under:{under}}}"
     # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
     first = "" if st.session_state.get(_DRESSED) else page.style()
     st.session_state[_DRESSED] = True
@@ -64,3 +65,4 @@ def dress() -> None:
     page.bring()
     page.follow_theme(shown)
     page.voice()
+    page.reach()

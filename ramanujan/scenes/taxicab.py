@@ -112,7 +112,7 @@ def digits_and_fractions() -> None:
 
 def practical_ratios() -> str:
     """Return the table of ratios for the workshop as Markdown."""
-    head = (_("$\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
+    head = (_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
     rows = [f"| {' | '.join(head)} |", "|--|--|--|"]
     for entry in cached.practical_machines():
         periods = round(entry.periods)
