@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import gc
 import importlib
-import importlib.util
 import pkgutil
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -42,17 +41,10 @@ def warm_up() -> None:
     been imported never changes, and the collector need not walk through it again and again.
     """
     for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan."):
-        if _is_page(module.name) or module.name.endswith("__main__"):
-            continue
-        importlib.import_module(module.name)
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
     gc.collect()
     gc.freeze()
-
-
-def _is_page(name: str) -> bool:
-    """Tell whether a module is a page, which draws when it is imported."""
-    package, _, page = name.rpartition(".")
-    return package == "ramanujan.scenes" and importlib.util.find_spec(f"{package}.cached.{page}") is not None
 
 
 class Compressed:
