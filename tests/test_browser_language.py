@@ -1,4 +1,4 @@
-"""The app in its pseudo-language: no sentence was forgotten, and longer words are neither cut nor wider than the page."""
+"""The app in its pseudo-language: no sentence was forgotten, and longer words are neither cut nor too wide."""
 
 from __future__ import annotations
 
@@ -10,36 +10,39 @@ import pytest
 from ramanujan.scenes.pages import PAGES
 from tests.browser import ROOT, count_anew, listen, running, settle
 
-FORGOTTEN = """() => {
-  const found = [];
-  const skipped = ".katex, code, pre, script, style, title, noscript, [data-testid=stTooltipContent], .js-plotly-plot .xtick, .js-plotly-plot .ytick";
-  const walk = (root) => {
+UNTOUCHED = """(text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍÓÚÝŚ⟦⟧·]/.test(text)"""
+"""Whether a text has words, none of which gettext has seen: those would carry accents."""
+NO_WORDS = ".katex, code, pre, script, style, title, noscript, .xtick, .ytick"
+FORGOTTEN = f"""() => {{
+  const untouched = {UNTOUCHED}, found = new Set();
+  const walk = (root) => {{
     const texts = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
-    for (let node = texts.nextNode(); node; node = texts.nextNode()) {
-      const text = node.textContent.trim(), parent = node.parentElement;
-      // A word that gettext has seen carries an accent; names, units and file types have none.
-      if (!/[a-z]{4}/.test(text) || /[áéíóúýćńśźÁÉÍÓÚÝŚ⟦⟧·]/.test(text)) continue;
-      if (parent?.closest(skipped) || parent?.checkVisibility?.({ opacityProperty: true, visibilityProperty: true }) === false) continue;
-      found.push(text.slice(0, 80));
-    }
-    for (const node of root.querySelectorAll("*")) {
+    for (let node = texts.nextNode(); node; node = texts.nextNode()) {{
+      const parent = node.parentElement, text = node.textContent.trim();
+      if (!untouched(text) || parent?.closest("{NO_WORDS}")) continue;
+      if (parent?.checkVisibility({{ visibilityProperty: true }}) !== false) found.add(text.slice(0, 80));
+    }}
+    for (const node of root.querySelectorAll("*")) {{
       if (node.shadowRoot) walk(node.shadowRoot);
       const label = node.getAttribute("aria-label") ?? "";
-      if (/[a-z]{4}/.test(label) && !/[áéíóúýćńśźÁÉÍÓÚÝŚ⟦⟧·]/.test(label) && !node.closest(skipped)) found.push(`aria-label ${label.slice(0, 80)}`);
-    }
-  };
+      if (untouched(label) && !node.closest("{NO_WORDS}")) found.add(`aria-label: ${{label.slice(0, 80)}}`);
+    }}
+  }};
   walk(document.body);
-  return [...new Set(found)];
-}"""
+  return [...found];
+}}"""
 CUT = """() => {
   const found = [];
+  const cut = (node) => {
+    const style = getComputedStyle(node);
+    const hides = ["hidden", "clip"].includes(style.overflowX) || style.textOverflow === "ellipsis";
+    return hides && node.clientWidth > 1 && node.scrollWidth > node.clientWidth + 1 && node.innerText?.trim()
+      && node.checkVisibility() && !node.closest(".katex, .js-plotly-plot");
+  };
   const walk = (root) => {
     for (const node of root.querySelectorAll("*")) {
       if (node.shadowRoot) walk(node.shadowRoot);
-      const style = getComputedStyle(node);
-      const hides = ["hidden", "clip"].includes(style.overflowX) || style.textOverflow === "ellipsis";
-      if (!hides || node.clientWidth < 2 || node.scrollWidth <= node.clientWidth + 1 || !node.innerText?.trim()) continue;
-      if (node.checkVisibility() && !node.closest(".katex, .js-plotly-plot")) found.push(`${node.className}: ${node.innerText.slice(0, 60)}`);
+      if (cut(node)) found.push(`${node.className}: ${node.innerText.slice(0, 60)}`);
     }
   };
   walk(document.body);
