@@ -44,8 +44,9 @@ def cursor_times(page):
 
 def choose(page, view):
     """Open a view."""
-    page.get_by_role("tab", name=view).click()
-    page.locator(f".st-key-figure_{view.lower().replace(' ', '-')} .nsewdrag").first.wait_for(state="attached")
+    page.get_by_role("tab").nth(list(cached.VIEWS).index(view)).click()
+    figure = "contact_forces" if view == "forces" else view
+    page.locator(f".st-key-figure_{figure} .nsewdrag").first.wait_for(state="attached")
     settle(page)
 
 
@@ -59,7 +60,7 @@ def test_a_change_of_a_slider_sends_at_most_60_kB(visit):
 
 
 def test_the_cursor_moves_all_figures_without_the_server(visit):
-    page = open_motion(visit, "?figure=Displacements")
+    page = open_motion(visit, "?figure=displacements")
     slider = page.get_by_label("Time cursor")
     before = len(page.frames_sent)
     slider.fill("0.3")
@@ -77,7 +78,7 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
 
 
 def test_a_click_takes_the_cursor_along_and_all_panels_answer(visit):
-    page = open_motion(visit, "?figure=Displacements", width=1280, height=1500)
+    page = open_motion(visit, "?figure=displacements", width=1280, height=1500)
     panel = page.locator(PLOT).first.bounding_box()
     page.mouse.move(panel["x"] + 0.5 * panel["width"], panel["y"] + 0.5 * panel["height"])
     page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
@@ -93,7 +94,7 @@ def test_a_click_takes_the_cursor_along_and_all_panels_answer(visit):
 
 
 def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
-    page = open_motion(visit, "?figure=Displacements")
+    page = open_motion(visit, "?figure=displacements")
     page.get_by_label("Time cursor").fill("0")
     next_frame(page)
     places = page.evaluate(
@@ -162,7 +163,7 @@ def test_the_spacing_is_that_of_the_picture(visit, radius):
 
 
 def test_nothing_jumps_when_the_model_stops_to_hold(visit):
-    page = open_motion(visit, "?mu=0.07&figure=Contact+forces")
+    page = open_motion(visit, "?mu=0.07&figure=forces")
     top = page.get_by_role("tab", name="Energy").bounding_box()["y"]
     nudge(page, "mu", "Home")
     assert page.get_by_text("The model no longer holds").is_visible()

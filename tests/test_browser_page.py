@@ -153,7 +153,7 @@ def test_the_first_picture_does_not_make_the_curve_jump(visit):
     page.add_init_script(
         """window.heights = [];
         const look = () => {
-          const heading = [...document.querySelectorAll("h3")].find((h) => h.innerText.startsWith("When is it"));
+          const heading = [...document.querySelectorAll("h2")].find((h) => h.innerText.startsWith("When"));
           if (heading) window.heights.push(heading.getBoundingClientRect().top);
           requestAnimationFrame(look);
         };
@@ -263,9 +263,9 @@ def test_the_slab_is_a_slider_of_its_own_and_the_picture_names_its_bodies(visit)
     stage.locator("[role=slider]").wait_for()
     assert stage.locator("[role=img] [role=slider]").count() == 0
     named = stage.locator("svg.machine [role=img]").get_attribute("aria-label")
-    assert "on the left a sphere, on the right a cylinder" in named
-    assert "a hoop rolls free" in named
-    assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00 cm"
+    assert "a sphere on the left and a cylinder on the right" in named
+    assert "a hoop rolls freely" in named
+    assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00\u202fcm"
 
 
 def test_controls_by_arrow_keys(visit):

@@ -14,7 +14,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared,
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.scenes.cached.oscillator import CURVE_RANGE
-from ramanujan.scenes.controls import CONTROLS
+from ramanujan.scenes.quantities import QUANTITIES
 from tests.browser import STAGE, WATCH_LAG, next_frame, settle
 from tests.reference import numpy_function
 
@@ -144,7 +144,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
 def test_every_slider_is_followed_live_by_keyboard_too(visit):
     page = visit()
     shown = "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent"
-    for key in CONTROLS:
+    for key in QUANTITIES:
         if key == "radius":
             page.get_by_text("More", exact=True).click()
             page.wait_for_timeout(500)
@@ -225,7 +225,7 @@ def test_step_scrub_and_speed(visit):
 
 def test_fast_motion_is_slowed_and_says_so(visit):
     page = visit("?m=0.5&m_prime=0.05&k=200")
-    assert "of its real speed" in text(page, ".note")
+    assert "times its real speed" in text(page, ".note")
     page.get_by_text("Reset", exact=True).click()
     settle(page)
     assert text(page, ".note") == ""
@@ -396,7 +396,7 @@ def test_copy_link_gives_the_address(visit):
     page.locator(".st-key-link button").click()
     expect(page.locator(".st-key-link .told")).not_to_be_empty()
     said = page.locator(".st-key-link .told").inner_text()
-    assert said in ("Copied.", "Copy it from here:")
+    assert said in ("Copied.", "Copy the link from here:")
     if said != "Copied.":
         assert page.locator(".st-key-link input").input_value() == page.url
 

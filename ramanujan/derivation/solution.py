@@ -1,7 +1,7 @@
 """The motion in closed form: q(t) = a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, from any initial state.
 
-The shape of the solution is the spectrum: one oscillating mode (its shape from the elimination) and two zero modes,
-which let X and Φ drift. Its six constants are solved from the six initial values.
+The form follows from the spectrum: one oscillating mode, whose shape comes from the elimination, and two zero modes, in
+which X and Φ drift. The six initial values determine the six constants.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, X, machine, 
 Omega = sp.Symbol("Omega", positive=True)
 INITIAL = {q: sp.Symbol(name) for q, name in zip(COORDINATES, ("X", "phi", "Phi"), strict=True)}
 INITIAL_RATE = {q: sp.Symbol(f"{symbol.name}_dot") for q, symbol in INITIAL.items()}
-"""The initial values of the coordinates and of their rates."""
+"""The initial values of the coordinates and of their time derivatives."""
 
 
 @cache

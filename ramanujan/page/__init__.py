@@ -1,7 +1,8 @@
-"""The page's side: what runs in the browser beside the machine, and all that knows Streamlit's and Plotly's pages.
+"""The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
 
-bus.js carries the news between the components, hosts.js holds every selector into the host pages, page.css every style
-rule for them. The other files belong to one component each. No physics here.
+bus.js carries messages between the components, hosts.js holds every selector into the host pages, page.css every style
+rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
+component each. No physics here.
 
 Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
 message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
@@ -24,10 +25,13 @@ import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from html import escape
 from pathlib import Path
 from typing import Any
 
 import streamlit as st
+
+from ramanujan.words import _
 
 _HERE = Path(__file__).parent
 _PARTS = {
@@ -47,12 +51,20 @@ _PARTS = {
 }
 """Component → its script's files; its HTML and CSS are the files of its name, if there are any."""
 
+_TEXTS = {
+    "cursor": {"cursor": _("Time cursor")},
+    "link": {"copy": _("Copy link"), "link": _("Link")},
+    "sheet": {"handle": _("Sliders and presets")},
+    "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
+}
+"""Component → the texts for the slots of its HTML."""
+
 _ASK = (_HERE / "ask.js").read_text(encoding="utf-8")
 
 
 def script(*paths: Path | str) -> str:
-    """Return one script: bus.js, hosts.js, then these files (names are of this folder), without comments."""
-    return "\n".join(map(_bare, ("bus.js", "hosts.js", *paths)))
+    """Return one script: the shared files, then these (names are of this folder), without comments."""
+    return "\n".join(map(_bare, ("bus.js", "hosts.js", "sentences.js", *paths)))
 
 
 def bring() -> None:
@@ -86,7 +98,8 @@ def ring(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("ring")(key="ring", data={"stage": stage})
+    label = _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")
+    return _component("ring")(key="ring", data={"stage": stage, "label": label})
 
 
 def cursor(stage: str) -> Any:
@@ -99,7 +112,8 @@ def cursor(stage: str) -> Any:
     ----------
     stage : the name of the stage that shares the cursor's clock
     """
-    return _component("cursor")(key="cursor", data={"stage": stage})
+    place = _("t = {time}, {periods} periods")
+    return _component("cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
 def moment(stage: str) -> Any:
@@ -141,7 +155,8 @@ def sheet() -> Any:
 
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
-    return _component("link")(key="link")
+    told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
+    return _component("link")(key="link", data=told)
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
@@ -207,7 +222,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
         at = st.session_state["steps"].at
         on_turned(at["route"], at["step"])
 
-    data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
+    data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
@@ -230,11 +245,10 @@ def _library() -> Any:
 
 def _part(name: str, files: tuple[str, ...]) -> str:
     """Return the text of `parts.NAME`: the component's look, and the function that its script exports."""
-    look = "".join(
-        text if kind == "html" else f"<style>{text}</style>"
-        for kind in ("css", "html")
-        if (text := _text(_HERE / f"{name}.{kind}"))
-    )
+    style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
+    if name in _TEXTS:
+        html = html.format(**{slot: escape(text) for slot, text in _TEXTS[name].items()})
+    look = (f"<style>{style}</style>" if style else "") + html
     body = "\n".join(map(_bare, files)).replace("export default", "const begin =")
     return f"parts.{name} = {{ look: {json.dumps(look)}, begin: (() => {{\n{body}\nreturn begin;\n}})() }};"
 
