@@ -15,6 +15,7 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import read_po, write_po
 
+from ramanujan.stage import words
 from ramanujan.words import language
 from tests.browser import ROOT
 
@@ -231,3 +232,41 @@ def test_a_sentence_is_set_well_and_short(text):
     assert text == text.strip()
     for sentence in re.split(r"(?<=[.?!:;])\s+|\n+", prose):
         assert len(re.findall(r"[\w’{}]+", sentence)) <= SHORTEST_LIMIT, sentence
+
+
+# The page
+
+
+def scripts() -> dict[str, str]:
+    """Every JavaScript and HTML file without its comments."""
+    files = [*PACKAGE.rglob("*.js"), *PACKAGE.rglob("*.html")]
+    return {
+        str(file.relative_to(PACKAGE)): re.sub(
+            r"/\*.*?\*/|(?<![:\w])//[^\n]*", "", file.read_text(encoding="utf-8"), flags=re.DOTALL
+        )
+        for file in files
+    }
+
+
+def spoken(name: str, text: str) -> list[str]:
+    """What looks like words for people: two words in quotes that begin with a capital; in HTML, any text."""
+    pattern = r">\s*([A-Za-z]{3,}[^<>]*)<" if name.endswith("html") else r"[\"'`]([A-Z][a-z]+ [a-z][^\"'`]*)[\"'`]"
+    return re.findall(pattern, text)
+
+
+def test_no_words_for_people_stand_in_a_script_or_in_html():
+    assert spoken("a.js", 'node.textContent = "Both hands start together."')
+    assert spoken("a.html", "<button>Copy link</button>")
+    assert {name: found for name, text in scripts().items() if (found := spoken(name, text))} == {}
+
+
+def test_the_stage_says_what_words_py_holds_and_nothing_else():
+    texts = scripts()
+    used = {
+        name for path, text in texts.items() if path.startswith("stage") for name in re.findall(r"WORDS\.(\w+)", text)
+    }
+    # Why a motion has ended is looked up by the reason.
+    reasons = {"edge", "struck", "ended", "edge_ahead", "struck_ahead"}
+    assert used | reasons == {*words.SENTENCES, "slips", "bodies", "unity"}
+    assert sorted(set(fields(texts["stage/stage.html"]))) == sorted(words.TEXTS)
+    assert "{" not in words.filled((PACKAGE / "stage/stage.html").read_text(encoding="utf-8"))

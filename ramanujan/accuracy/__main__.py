@@ -197,7 +197,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="python -m ramanujan.accuracy",
         description=_(
-            "Measure the accuracy and the cost of each method to compute Ramanujan’s oscillator on this machine."
+            "Measure the accuracy and the cost of each method to compute Ramanujan’s oscillator on this computer."
         ),
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )

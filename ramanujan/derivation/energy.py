@@ -115,7 +115,7 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
             "quotient",
             _("Form Rayleigh’s quotient"),
             _(
-                "In a normal mode the largest kinetic energy equals the largest potential energy, and the largest "
+                "In a normal mode the largest kinetic energy equals the largest potential energy. The largest "
                 "$\\dot\\varphi$ is $\\Omega$ times the largest $\\varphi$. So $\\Omega^2$ is the first ratio below "
                 "divided by the second (Rayleigh’s quotient). The second one, the inertia, depends on how much the "
                 "block and the top cylinder move along: $\\xi=\\dot X/(R\\dot\\varphi)$ and "

@@ -184,7 +184,8 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
         _("Use the mass ratio"),
         _(
             "Divide numerator and denominator by $m^2$. In units of $k/m$, the square of the frequency then depends "
-            "only on $\\varepsilon=m'/m$, the mass of a lower roller divided by the mass of each other body."
+            "only on $\\varepsilon=m'/m$. This ratio is the mass of a lower roller divided by the mass of each other "
+            "body."
         ),
         (equation(epsilon, ratio), equation(Omega_squared * m / k, unit.normalized_frequency_squared)),
     )

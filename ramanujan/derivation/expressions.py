@@ -256,7 +256,7 @@ def _divides(factor: Expression) -> bool:
 
 
 def _without_sign(power: Power) -> Expression:
-    """Return what stands below the fraction line."""
+    """Return a power with the opposite exponent: what a divisor looks like below the fraction line."""
     return power.base if power.exponent == -1 else Power(power.base, -power.exponent)
 
 

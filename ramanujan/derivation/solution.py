@@ -21,7 +21,7 @@ INITIAL_RATE = {q: sp.Symbol(f"{symbol.name}_dot") for q, symbol in INITIAL.item
 
 @cache
 def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
-    """Return how far each coordinate swings for one radian of φ in the oscillating mode: κR, 1, λ.
+    """Return the amplitude of each coordinate for an amplitude of one radian in φ in the oscillating mode: κR, 1, λ.
 
     >>> mode_shape()[X]
     6*R*(m + m_prime)/(7*m + 6*m_prime)

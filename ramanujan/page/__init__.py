@@ -79,18 +79,18 @@ def style() -> str:
 
 
 def feed(key: str, topics: Mapping[str, Any]) -> Any:
-    """Bring values to the bus of the page; only they travel at a change.
+    """Publish values on the bus of the page; after a change only these values are sent.
 
     Parameters
     ----------
     key : of the element
-    topics : topic → value; what has not changed since the last run is not published again
+    topics : topic → value; a value that has not changed since the last run is not published again
     """
     return _component("feed")(key=key, data=dict(topics))
 
 
 def ring(stage: str) -> Any:
-    """Let a ring around the present machine follow a stage on a curve; call it once, beside the figure.
+    """Mark the machine of a stage on a curve by a ring that follows it; call it once, beside the figure.
 
     A figure takes part by its layout's `meta`: ring is the colour. Its axes are the mass ratio ε and Ω²m/k.
 
@@ -103,10 +103,10 @@ def ring(stage: str) -> Any:
 
 
 def cursor(stage: str) -> Any:
-    """Put the time cursor on the page: one instant, marked in every figure, moved without the server.
+    """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
 
     A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
-    time), period [s] and periods, the number of them that it shows. What is marked is the figure's own data.
+    time), period [s] and periods, the number of them that it shows. The marks are computed from the figure's own data.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def cursor(stage: str) -> Any:
 
 
 def moment(stage: str) -> Any:
-    """Put a button on the page that takes a stage, and all figures over time, to one instant and holds them there.
+    """Put a button on the page that moves a stage and all figures against time to one moment and stops them there.
 
     The topic moment/NAME says which: {time [s], label}.
 
@@ -129,17 +129,17 @@ def moment(stage: str) -> Any:
 
 
 def give_back(*keys: str) -> None:
-    """Let the choices under these widget keys give the keyboard back to the page when they are clicked."""
+    """After a click on one of these widgets, return the keyboard focus to the page."""
     _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
 def voice() -> Any:
-    """Put the live region on the page, the only one: it says what the topic `say` brings."""
+    """Put the page's only live region on the page; it announces the sentences of the topic `say`."""
     return _component("voice")(key="voice")
 
 
 def follow_theme(theme: str) -> Any:
-    """Run the page again when the visitor switches the theme, so that figures follow.
+    """Run the page again when the visitor switches the theme, so that the figures change, too.
 
     Parameters
     ----------
@@ -149,18 +149,18 @@ def follow_theme(theme: str) -> Any:
 
 
 def sheet() -> Any:
-    """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
+    """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
     return _component("sheet")(key="sheet")
 
 
 def link() -> Any:
-    """Put a button on the page that copies its address, in which everything stands that is set."""
+    """Put a button on the page that copies its address, which contains every setting."""
     told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
     return _component("link")(key="link", data=told)
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
-    """Put the head of a slider on the page, with a box that shows its value in full and takes any text.
+    """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) ->
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
-    """Hear of every click on a point of a figure, also of a second one on the same point.
+    """Call a function at every click on a point of a figure, also at a second click on the same point.
 
     Parameters
     ----------
@@ -196,26 +196,26 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
 
 
 def receipt(key: str, number: int) -> Any:
-    """Let the page tell the highest number that has reached it: it stands in the state of this key as `received`.
+    """Let the page report the highest number that has reached it, as `received` in the state of this key.
 
     Parameters
     ----------
     key : of the element
-    number : what the page is to receive
+    number : the number to be received
     """
     return _component("receipt")(key=key, data={"number": number}, on_received_change=lambda: None)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
-    """Turn the steps of a lecture on the page: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+    """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
 
-    The lecture begins at the step that the address names, any further route at its first.
+    The lecture begins at the step that the address names, every further route at its first step.
 
     Parameters
     ----------
-    route : name of what is lectured
+    route : name of the route
     headings : of the steps in their order, for screen readers
-    on_turned : called with the route and the step, some time after the last turn
+    on_turned : called with the route and the step, some time after the last change
     """
 
     def turned() -> None:

@@ -6,8 +6,8 @@ The page's side is stage.html, stage.css, and one JavaScript module for each con
 what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript:
 its formulas are printed by SymPy from the derivation.
 
-What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
-Streamlit sends it once a session, and a feed of the page (`page.feed`) carries the numbers.
+The stage itself is mounted with constant arguments, so that Streamlit sends it once in a session. After a change only a
+small feed of the page (`page.feed`) is sent, which carries the numbers.
 
 The contract, version 1. To the page, once:
 
@@ -17,9 +17,9 @@ The contract, version 1. To the page, once:
     clock        stages with the same clock run and pause together
     layers       which of energy, arrows, traces, forces, coordinates are shown at first
     compact      only the picture and its label, without controls
-    dials        the two clock hands, the gauge and the readouts are shown
+    dials        whether the two clock hands, the gauge and the readouts are shown
     periods      after so many periods the motion begins again; left out: never
-    label        what stands under the picture
+    label        the text under the picture
 
 and by the feed, at every change:
 
@@ -28,12 +28,12 @@ and by the feed, at every change:
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
     samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
     slipping     the contact that is marked, such as hoop_slab; left out: none
-    unity        what the gauge's mark at 1 says; left out: the paper's number
+    unity        the text at the gauge's mark 1; left out: the paper's number
     awaiting     true while samples are being computed: the machine stands still
-    lit          the body, or the spring, that stands out; left out: none
+    lit          the highlighted body, or spring; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
 
-What else on the page looks at a stage, or speaks to it, does so by the topics of the bus; `ramanujan.page` lists them.
+Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.page` lists them.
 
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
@@ -127,7 +127,7 @@ def payload(
     lit: str | None = None,
     awaiting: bool = False,
 ) -> dict[str, Any]:
-    """Return what the feed carries: the machine, and how it moves, as plain numbers.
+    """Return the content of the feed: the machine and its motion as plain numbers.
 
     Parameters
     ----------
@@ -137,9 +137,9 @@ def payload(
     shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
     samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
     slipping : the contact to mark, such as hoop_slab
-    unity : what the gauge says at 1, for bodies whose number is not the paper's
-    lit : the body that stands out, such as hoop, or spring
-    awaiting : samples will come, but are not there yet
+    unity : the text at the gauge's mark 1, for bodies whose number is not the paper's
+    lit : the highlighted body, such as hoop, or spring
+    awaiting : samples are still being computed
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional = {
@@ -173,7 +173,7 @@ def mount(
     hide: Iterable[str] = (),
     on_released: Callable[[float], None] | None = None,
 ) -> Any:
-    """Put a stage on the page and return its result; `result.released` is the compression at which it was let go.
+    """Put a stage on the page and return its result; `result.released` is the compression at which a hand let it go.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def mount(
     limits : the range of x₀ that the slab can be dragged through [m]
     watch : slider key → parameter and scale, for following a drag without the server
     key : of the stage among the page's elements
-    name : by which the page's bus knows the stage, no two alike in the whole app; without it, the key
+    name : the stage's name on the page's bus, unique in the whole app; without it, the key
     clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
     layers : shown at first, of energy, arrows, traces, forces, coordinates
     compact : only the picture and its label, without controls
