@@ -84,6 +84,12 @@ def test_every_key_that_a_page_declares_is_in_this_test():
     assert all(not OWN[a] & OWN[b] for a in OWN for b in OWN if a < b)
 
 
+def test_the_list_of_pages_is_whole():
+    drawn = {path.stem for path in (ROOT / "ramanujan" / "scenes").glob("*.py") if "__main__" in path.read_text()}
+    assert set(PAGES) <= drawn
+    assert drawn - set(PAGES) <= {"server", "pages"}
+
+
 @pytest.mark.parametrize("kind", UNMEANT)
 @pytest.mark.parametrize("name", PAGES)
 def test_all_keys_at_once_say_what_nobody_means(name, kind):

@@ -45,7 +45,8 @@ def show() -> None:
     st.markdown(
         _(
             "**How exact does this simulation have to be, and what does that cost?** Most simulations advance in small "
-            "time steps. This machine can also be solved exactly, so every error can be seen and measured."
+            "time steps. This machine can also be solved exactly: it oscillates with the angular frequency Ω. So every "
+            "error can be seen and measured."
         )
     )
     setting = choose()
