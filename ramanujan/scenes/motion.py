@@ -283,7 +283,7 @@ def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
         st.metric(_("Largest compression without slip"), centimetres(friction.largest))
     note(
         _(
-            "Forces on the rollers, positive to the right. A contact rolls without slipping while its friction stays "
+            "Forces on the rollers, positive to the right. A contact does not slip while its friction stays "
             "below μ times its normal force; the bars show the least μ that this takes at the worst instant. The axes "
             "of the two lower rollers are {spacing} apart, as drawn. No initial velocity changes a contact force: in a "
             "zero mode nothing accelerates."

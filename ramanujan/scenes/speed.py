@@ -153,9 +153,9 @@ def growing_errors(setting: Setting, run: thinned.Run | None) -> None:
             [thinned.growth(r, chosen=r is run) for r in runs], (exact[:, 0], exact[:, 1]), look.colors()
         ),
         "growth",
-        _("Energy error and phase error over the number of periods: every phase error grows steadily. {errors}").format(
-            errors=" ".join(found)
-        ),
+        _(
+            "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that of the closed form does not. {errors}"
+        ).format(errors=" ".join(found)),
     )
     st.caption(
         _(
