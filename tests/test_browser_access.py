@@ -41,7 +41,6 @@ def switch(page, theme: str) -> None:
 def audit(page) -> list[str]:
     """What axe-core finds now, once the page has come to rest."""
     settle(page)
-    page.evaluate("document.fonts.ready")
     page.wait_for_function(REACHED)
     return page.evaluate(FOUND)
 
@@ -50,6 +49,7 @@ def audit(page) -> list[str]:
 def test_axe_finds_nothing_in_both_themes_wide_and_narrow(visit, name):
     page = visit(PAGES[name].address)
     page.evaluate(OPEN)
+    page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
     page.evaluate(AXE.read_text(encoding="utf-8"))
     assert audit(page) == []
     switch(page, "dark")
