@@ -21,7 +21,7 @@ FOUND = f"""() => axe.run(document, {{ runOnly: {json.dumps(TAGS)}, resultTypes:
   .then((result) => result.violations.flatMap((each) => each.nodes.map((node) =>
     `${{each.id}}: ${{node.target.flat().join(" ")}} ${{node.html.slice(0, 160)}}`)))"""
 REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
-  || box.scrollWidth <= box.clientWidth + 1 || !/auto|scroll/.test(getComputedStyle(box).overflowX)
+  || box.scrollWidth <= box.clientWidth || !/auto|scroll/.test(getComputedStyle(box).overflowX)
   || box.querySelector("button, input, a, [tabindex='0']"))"""
 """Whether every box that scrolls sideways takes the focus, which it learns a moment after the page has changed."""
 HEADINGS = """() => [...document.querySelectorAll("h1, h2, h3, h4, h5, h6")]

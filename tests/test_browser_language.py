@@ -21,7 +21,8 @@ STREAMLITS_OWN = (
 """What Streamlit and Plotly say by themselves, in English always; no setting changes it."""
 NAMES = ("float32", "float64", "Markdown")
 """Names of formats, the same in every language."""
-NO_WORDS = "[data-testid=stIconMaterial], .katex, code, pre, script, style, title, noscript, .xtick, .ytick"
+ICONS = "[data-testid=stIconMaterial], [role=img][aria-label$=' icon']"
+NO_WORDS = f"{ICONS}, .katex, code, pre, script, style, title, noscript, .xtick, .ytick"
 FORGOTTEN = f"""() => {{
   const untouched = {UNTOUCHED}, found = new Set();
   const walk = (root) => {{
