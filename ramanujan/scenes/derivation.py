@@ -359,7 +359,7 @@ def dress() -> None:
     )
     st.markdown(
         f"<style>{bodies}"
-        ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
+        ".st-key-results{overflow:auto hidden}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
         f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
         "</style>",
