@@ -68,9 +68,18 @@ def script(*paths: Path | str) -> str:
     return "\n".join(map(_bare, ("bus.js", "hosts.js", "sentences.js", *paths)))
 
 
-def bring() -> None:
-    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn."""
-    _library()(key="library")
+def bring(theme: str) -> None:
+    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn.
+
+    With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
+    that scroll sideways; and a new run of the page when the visitor switches the theme, so that figures follow.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    """
+    data = {"theme": theme, "label": _("Wide content, the arrow keys scroll it")}
+    _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
 def style() -> str:
@@ -132,26 +141,6 @@ def moment(stage: str) -> Any:
 def give_back(*keys: str) -> None:
     """After a click on one of these widgets, return the keyboard focus to the page."""
     _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
-
-
-def voice() -> Any:
-    """Put the page's only live region on the page; it announces the sentences of the topic `say`."""
-    return _component("voice")(key="voice")
-
-
-def follow_theme(theme: str) -> Any:
-    """Run the page again when the visitor switches the theme, so that the figures change, too.
-
-    Parameters
-    ----------
-    theme : the one that this run draws with, light or dark
-    """
-    return _component("theme")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
-
-
-def reach() -> Any:
-    """Let every box that scrolls sideways by itself take the focus, so that the arrow keys move it."""
-    return _component("reach")(key="reach", data={"label": _("Wide content, the arrow keys scroll it")})
 
 
 def sheet() -> Any:

@@ -49,8 +49,10 @@ def sidebar() -> None:
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. It changes no frequency."))
             values["radius"] = _slider(QUANTITIES["radius"])
-        with st.expander(_("Symbols")):
-            st.markdown(cached.symbols())
+        # The list is sent to those who open it: on the first page it would be a twentieth of every change.
+        with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
+            if symbols.open:
+                st.markdown(cached.symbols())
         judged = st.session_state.get(_JUDGED, 0)
         boxes = {
             f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
