@@ -205,7 +205,7 @@ def shown(value: object) -> str:
     "'wheel'"
     """
     try:
-        return reprlib.repr(value)[:60]
+        return " ".join(reprlib.repr(value).split())[:60]
     except Exception:  # Python refuses to print very long integers; another class may fail in its own way.
         return _("a value of the type {kind}").format(kind=type(value).__name__)
 

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from tests.browser import settle
 from tests.slow_network import delayed
 
-HEADING = ".st-key-lecture h3:visible"
+HEADING = ".st-key-lecture h2:visible"
 
 
 def step(page) -> int:

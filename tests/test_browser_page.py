@@ -153,7 +153,7 @@ def test_the_first_picture_does_not_make_the_curve_jump(visit):
     page.add_init_script(
         """window.heights = [];
         const look = () => {
-          const heading = [...document.querySelectorAll("h3")].find((h) => h.innerText.startsWith("When is it"));
+          const heading = [...document.querySelectorAll("h2")].find((h) => h.innerText.startsWith("When"));
           if (heading) window.heights.push(heading.getBoundingClientRect().top);
           requestAnimationFrame(look);
         };

@@ -19,8 +19,8 @@ from ramanujan.contact import contact_forces
 from ramanujan.energy import energies
 from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
 from ramanujan.scenes.cached.motion import drawn_spacing
-from ramanujan.scenes.controls import CONTROLS
 from ramanujan.scenes.look import BODY_COLORS
+from ramanujan.scenes.quantities import QUANTITIES
 from tests.browser import STAGE, next_frame, settle
 from tests.picture import ROLLERS, Picture, difference, length, middle, places
 from tests.reading import NUMBER, read
@@ -37,10 +37,10 @@ def machines(count: int) -> list[tuple[Oscillator, float]]:
     random = np.random.default_rng(SEED)
 
     def anywhere(key: str) -> float:
-        control = CONTROLS[key]
+        control = QUANTITIES[key]
         return math.exp(random.uniform(math.log(control.least), math.log(control.most))) * control.scale
 
-    corners = product(*((CONTROLS[key].least, CONTROLS[key].most) for key in ("radius", "compression")))
+    corners = product(*((QUANTITIES[key].least, QUANTITIES[key].most) for key in ("radius", "compression")))
     found = [(Oscillator(2.0, 0.7, 30.0, R / 100), x0 / 100) for R, x0 in corners]
     for _ in range(count):
         found.append((Oscillator(*map(anywhere, ("m", "m_prime", "k", "radius"))), anywhere("compression")))
@@ -520,7 +520,7 @@ def test_speed_buttons_change_the_speed(visit):
       };
       requestAnimationFrame(look);
     })"""
-    omega = Oscillator(k=CONTROLS["k"].default).natural_frequency
+    omega = Oscillator(k=QUANTITIES["k"].default).natural_frequency
     for name, speed in (("1×", 1), ("½×", 0.5), ("⅒×", 0.1)):
         page.get_by_role("radio", name=name, exact=True).click()
         next_frame(page)
