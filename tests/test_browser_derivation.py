@@ -49,6 +49,24 @@ def test_arrow_keys_turn_the_steps_and_the_link_keeps_the_place(visit):
     assert "route=newton" in page.url
 
 
+def test_the_back_button_takes_a_choice_back_and_keeps_the_sliders(visit):
+    page = visit("derivation?m=2")
+    for place, route in ((1, "hamilton"), (2, "newton")):
+        page.locator(".st-key-route button").nth(place).click()
+        page.wait_for_url(f"**route={route}**")
+        settle(page)
+    page.go_back()
+    page.wait_for_url("**route=hamilton**")
+    settle(page)
+    assert page.locator(".st-key-route button[aria-checked=true]").inner_text() == "Hamilton"
+    page.go_back()
+    settle(page)
+    assert "route" not in page.url
+    assert page.locator(".st-key-route button").first.get_attribute("aria-checked") == "true"
+    assert "m=2" in page.url
+    assert page.locator(".st-key-m input[type=range]").input_value() == "2"
+
+
 def test_choices_work_by_keyboard_alone(visit):
     page = visit("derivation")
     page.locator(".st-key-values button").first.focus()

@@ -12,7 +12,17 @@ from tests.browser import ROOT, count_anew, listen, running, settle
 
 UNTOUCHED = """(text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍÓÚÝŚ⟦⟧·]/.test(text)"""
 """Whether a text has words, none of which gettext has seen: those would carry accents."""
-NO_WORDS = ".katex, code, pre, script, style, title, noscript, .xtick, .ytick"
+STREAMLITS_OWN = (
+    "Skip to main content",
+    *(f"aria-label: {label}" for label in ("Sidebar", "Collapse sidebar", "App pages", "Link to heading")),
+    *(f"aria-label: {label}" for label in ("Decrement", "Increment", "Copy to clipboard", "Fullscreen")),
+    *(f"aria-label: {label}" for label in ("Download plot as a PNG", "Autoscale", "Reset axes")),
+)
+"""What Streamlit and Plotly say by themselves, in English always; no setting changes it."""
+NAMES = ("float32", "float64", "Markdown")
+"""Names of formats, the same in every language."""
+ICONS = "[data-testid=stIconMaterial], [role=img][aria-label$=' icon']"
+NO_WORDS = f"{ICONS}, .katex, code, pre, script, style, title, noscript, .xtick, .ytick"
 FORGOTTEN = f"""() => {{
   const untouched = {UNTOUCHED}, found = new Set();
   const walk = (root) => {{
@@ -79,7 +89,7 @@ def test_no_sentence_was_forgotten_and_none_is_cut(page, name):
     page.wait_for_selector("[data-testid=stMainBlockContainer] h1")
     settle(page)
     assert "⟦" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
-    assert page.evaluate(FORGOTTEN) == []
+    assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
     assert page.evaluate(CUT) == []
     page.set_viewport_size({"width": 390, "height": 844})
     settle(page)

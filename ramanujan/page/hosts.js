@@ -77,7 +77,7 @@ const hosts = {
   boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), .st-key-results, [class*='st-key-table_']")],
 
   /** Whether a box can be scrolled sideways. */
-  scrollsAside: (box) => box.scrollWidth > box.clientWidth + 1 && /auto|scroll/.test(getComputedStyle(box).overflowX),
+  scrollsAside: (box) => box.scrollWidth > box.clientWidth && /auto|scroll/.test(getComputedStyle(box).overflowX),
 
   /** The box in which a lecture's steps are drawn. */
   lecture: () => document.querySelector(".st-key-lecture"),

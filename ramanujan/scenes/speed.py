@@ -154,7 +154,8 @@ def growing_errors(setting: Setting, run: thinned.Run | None) -> None:
         ),
         "growth",
         _(
-            "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that of the closed form does not. {errors}"
+            "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that "
+            "of the closed form does not. {errors}"
         ).format(errors=" ".join(found)),
     )
     st.caption(

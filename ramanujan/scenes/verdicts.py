@@ -20,6 +20,13 @@ from ramanujan.words import _, ngettext
 _SEEN = 0.05
 """Phase error [rad] that an eye can see between two machines side by side: about a hundredth of a full turn."""
 
+_SOLVERS = {
+    "eigvals of M⁻¹K": _("eigvals of M⁻¹K"),
+    "eigvals of M⁻¹K, ground displacements": _("eigvals of M⁻¹K, displacements relative to the ground"),
+    "eigh after Cholesky": _("eigh after a Cholesky factorization"),
+}
+"""Eigen-solver, as the experiment names it → what one calls it."""
+
 Table = list[tuple[str, ...]]
 
 
@@ -209,13 +216,13 @@ def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
         _(
             "**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines. Its "
             "square root is no frequency, and a program that goes on with it computes NaN."
-        ).format(solver=s.solver, count=int(s.without_frequency.sum()), all=s.error_ulp.size)
+        ).format(solver=_SOLVERS[s.solver], count=int(s.without_frequency.sum()), all=s.error_ulp.size)
         for s in sweeps
         if s.dtype == "float64" and s.without_frequency.any()
     ]
     said += [
         _("**{solver}** returns exactly 0 for both zero modes, because only one column of K is not zero.").format(
-            solver=s.solver
+            solver=_SOLVERS[s.solver]
         )
         for s in sweeps
         if s.dtype == "float64" and np.all(s.zero_modes == 0)
@@ -232,7 +239,7 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
         largest = float(np.nanmax(np.abs(s.zero_modes)))
         rows.append(
             (
-                s.solver,
+                _SOLVERS[s.solver],
                 s.dtype,
                 quantity(float(np.nanmax(s.error_ulp)), "ulp"),
                 quantity(largest, "rad²/s²") if largest else _("exactly 0"),
