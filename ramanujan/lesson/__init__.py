@@ -1,0 +1,1 @@
+"""The lesson: its stops and tasks, and the class's votes. Nothing here knows of a page."""
