@@ -9,6 +9,7 @@ The topics of the bus, where NAME is the name of a stage:
     machine/NAME      what `stage.payload` returns; published by the stage's feed, forgotten when the page is left
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
+                      (normalized is left out while the stage hides its numbers)
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed

@@ -10,7 +10,8 @@ export default function ({ data, parentElement }) {
     const show = () => {
       const machine = bus.last(`present/${data.stage}`);
       const panel = graph && hosts.panels(graph)[0];
-      if (machine && panel) mark(machine, graph, panel.getBoundingClientRect());
+      if (!machine || machine.normalized === undefined) graph && erase(graph, RING);
+      else if (panel) mark(machine, graph, panel.getBoundingClientRect());
     };
     const drawn = (each) => {
       if (!each.layout?.meta?.ring) return;

@@ -2,8 +2,8 @@
 
 This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is
 stage.html (what there is), stage.css (how it looks), and one JavaScript module for each concern, put together in the
-order of `_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; clock is time, words is what
-is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript: its
+order of `_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
+what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript: its
 formulas are printed by SymPy from the derivation.
 
 What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
@@ -31,6 +31,7 @@ and by the feed, at every change:
     unity        what the gauge's mark at 1 says; left out: the paper's number
     awaiting     true while samples are being computed: the machine stands still
     lit          the body, or the spring, that stands out; left out: none
+    hide         the parts that are hidden, see `PARTS`; left out: none
 
 What else on the page looks at a stage, or speaks to it, does so by the topics of the bus; `ramanujan.page` lists them.
 
@@ -40,7 +41,7 @@ From the page: the trigger `released`, the compression [m] at which the slab was
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
@@ -58,13 +59,26 @@ from ramanujan.derivation.solution import coefficients
 from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import DRAWN_SPACING, Oscillator
+from ramanujan.words import _
 
 VERSION = 1
+PARTS = {
+    "clocks": "the two clock hands, and every sign of how near the two frequencies are",
+    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and what follows from them",
+    "plain": "the plain mass",
+    "motion": "the motion itself and what shows it: the machine stands still as it was released",
+    "energy": "the energy bar, with its button",
+    "arrows": "the velocity arrows, with their button",
+    "forces": "the contact forces, with their button",
+    "traces": "the traces, with their button",
+    "coordinates": "the coordinates, with their button",
+}
+"""Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
 SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
 """β of the paper's rollers."""
 
 _HERE = Path(__file__).parent
-_PICTURE = ("motion", "drawing", "coordinates", "layers", "dial", "picture")
+_PICTURE = ("parts", "motion", "drawing", "coordinates", "layers", "dial", "picture")
 _MODULES = (*_PICTURE, "clock", "words", "playback", "slab", "thumb", "toolbar", "stage")
 _WORDS = {
     "picture": "A stepped block carries two rollers under a sprung slab: on the left a {left}, on the right a {right}. "
@@ -75,8 +89,10 @@ _WORDS = {
     "its clock hand loses one full turn in {turns} periods.",
     "together": "The slab swings relative to the block once every {period} s, in step with the plain mass for ever.",
     "moment": "{turns} periods after release, t = {time} s.",
+    "turned": _("{turns} periods after release."),
     "paused": "Paused.",
     "playing": "Playing.",
+    "in_slow_motion": _("Shown in slow motion."),
     "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
     "start": "Both hands start together.",
     "close": "Less than {least} turn apart after {periods} periods of the plain mass.",
@@ -193,6 +209,7 @@ def mount(
     dials: bool = True,
     periods: float | None = None,
     label: str | None = None,
+    hide: Iterable[str] = (),
     on_released: Callable[[float], None] | None = None,
 ) -> Any:
     """Put a stage on the page and return its result; `result.released` is the compression at which it was let go.
@@ -210,8 +227,11 @@ def mount(
     dials : show the two clock hands, the gauge and the readouts beside the picture
     periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
+    hide : the parts that are hidden, of `PARTS`; another run may hide others
     on_released : called with the compression [m] at which the slab was let go
     """
+    if unknown := set(hidden := sorted(hide)).difference(PARTS):
+        raise ValueError(f"hide must be of {', '.join(PARTS)}; got {', '.join(sorted(unknown))}")
     stage = _component()
     name = name or key
     fixed = {
@@ -232,7 +252,7 @@ def mount(
             on_released(st.session_state[key].released)
 
     result = stage(key=key, data=fixed, on_released_change=released)
-    page.feed(f"{key}_feed", {f"machine/{name}": data})
+    page.feed(f"{key}_feed", {f"machine/{name}": {**data, "hide": hidden} if hidden else data})
     return result
 
 

@@ -38,16 +38,17 @@ function sector(phase, plainPhase, r) {
 }
 
 function makeDial(root) {
-  const find = (selector) => root.querySelector(selector);
+  const find = finder(root);
   const reads = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
   const write = (node, text) => node.textContent === text || (node.textContent = text);
   for (let i = 0; i < 12; i++) element("line", { y1: -46, y2: -52, transform: `rotate(${30 * i})` }, find(".dial .ticks"));
 
-  function machine(solution, { unity }) {
+  /** Without clocks, nothing on the page tells how near the two frequencies are. */
+  function machine(solution, { unity }, clocks) {
     reads.normalized.textContent = digits(solution.normalized, 7);
     reads.omega.textContent = `${digits(solution.Omega, 5)} rad/s`;
     reads.period.textContent = `${digits(TURN / solution.Omega, 4)} s`;
-    set(find(".step"), { "data-step": nearness(solution) });
+    set(find(".step"), { "data-step": clocks ? nearness(solution) : "" });
     write(find(".parting"), parting(solution));
     drawGauge(solution.normalized, unity ?? WORDS.unity);
   }

@@ -4,7 +4,7 @@ const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // in which the greatest speed and force of a period are looked for
 
 function makeLayers(root) {
-  const find = (selector) => root.querySelector(selector);
+  const find = finder(root);
   let shown = new Set(), place = null, peak = { speed: 0, force: 0 }, data = {};
 
   const bars = [], shares = [], names = [];
@@ -61,8 +61,8 @@ function makeLayers(root) {
     const rows = { speed: [above + 16, velocityArrow, "m/s"], force: [above + 10, forceArrow, "N"] };
     for (const [name, [y, draw, unit]] of Object.entries(rows)) {
       const value = roundBelow(peak[name] || 1), length = value * per[name];
-      set(find(`.scales .${name} path`), { d: draw(x, y, length, headOf(place.R)) });
-      const label = find(`.scales .${name} text`);
+      set(find(`.${name} path`), { d: draw(x, y, length, headOf(place.R)) });
+      const label = find(`.${name} text`);
       set(label, { x: x + length + 1.5, y: -y });
       label.textContent = `${Number(value.toPrecision(1))} ${unit}`;
     }
@@ -110,8 +110,8 @@ function makeLayers(root) {
     find(".energy").hidden = !shown.has("energy");
     find(".shared").hidden = !shown.has("coordinates");
     for (const name of ["arrows", "traces", "forces", "coordinates"]) see(`.${name}`, shown.has(name));
-    see(".scales .speed", shown.has("arrows"));
-    see(".scales .force", shown.has("forces"));
+    see(".speed", shown.has("arrows"));
+    see(".force", shown.has("forces"));
   }
   const see = (selector, seen) => (find(selector).style.display = seen ? "" : "none");
 

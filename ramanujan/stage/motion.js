@@ -58,6 +58,10 @@ function sampleAt(samples, time) {
   return state;
 }
 
+/** The still of someone who asked for less motion: half a period in five exposures. */
+const exposures = (parameters, solution) =>
+  [0, 1, 2, 3, 4].map((i) => ({ ...parameters, ...stateAt(solution, (Math.PI * i) / 4, 0) }));
+
 /** The states of one period, from release on, with what the formulas need besides. */
 function onePeriod(parameters, solution, points) {
   return Array.from({ length: points + 1 }, (_, i) => {

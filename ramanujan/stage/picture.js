@@ -15,7 +15,7 @@ const element = (name, attributes = {}, parent) => {
  * The picture under a root.
  *
  * geometry(parameters)                              the radius or a body's shape has changed
- * machine({ parameters, solution, data })           any parameter has changed
+ * machine({ parameters, solution, data, parts })     any parameter has changed
  * frame({ known, phase, plainPhase, shift, write })  a frame: known = parameters, state, Omega; shift [m] of the view;
  *                                                   write: the running numbers, too
  * show(layers)                                      the set of layers that are seen
@@ -25,7 +25,7 @@ const element = (name, attributes = {}, parent) => {
  * dispose()
  */
 function makePicture(root, { compact, dials, limits, label }) {
-  const find = (selector) => root.querySelector(selector);
+  const find = finder(root);
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
   const parts = movingParts(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
@@ -70,11 +70,12 @@ function makePicture(root, { compact, dials, limits, label }) {
     set(find(".plain .caption"), { x: place.riser - 1, y: -place.shelf - high - 4 });
   }
 
-  function machine({ parameters, solution, data }) {
+  function machine({ parameters, solution, data, parts: { hides } }) {
     for (const name of BODIES) parts[name].group.style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
+    set(find(".picture"), { "aria-label": pictured(parameters) });
     light(data.lit);
-    dial.machine(solution, data);
+    dial.machine(solution, data, !hides("clocks"));
     layers.machine(parameters, solution, data);
   }
 

@@ -19,10 +19,11 @@ class Stage {
     this.scrubber = root.querySelector(".scrub input");
     this.playback = new Playback();
     this.picture = makePicture(root, options);
-    this.voice = makeVoice(root, { compact, signal });
+    this.parts = makeParts(root);
+    this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
     this.hand = new Hand(watch, { shown: (name) => this.parameters[name], told: (name) => this.data.parameters[name] }, signal);
-    listenToControls(root, this, signal);
+    this.mendControls = listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.calmed(), { signal });
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
@@ -40,6 +41,7 @@ class Stage {
 
   receive(data) {
     const before = this.data;
+    this.hide(data.hide ?? []);
     this.change(() => (this.data = data));
     this.host.classList.toggle("awaiting", Boolean(data.awaiting));
     if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
@@ -48,6 +50,14 @@ class Stage {
     if (before) return;
     this.picture.show(this.layers);
     this.calmed();
+  }
+
+  hide(names) {
+    const stood = this.parts.hides("motion");
+    this.parts.hide(names);
+    this.mendControls();
+    this.host.classList.add("told");
+    if (stood && !this.parts.hides("motion")) this.playback.reset();
   }
 
   /** Make a change that may move the bodies, and let the picture flow from where it was drawn to where it is now. */
@@ -64,18 +74,12 @@ class Stage {
     this.playback.take({ parameters: this.parameters, solution: this.solution, samples, leaves });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
-    const { parameters, solution } = this;
-    bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized: solution.normalized, parameters });
+    const { parameters } = this, normalized = this.parts.hides("numbers") ? undefined : this.solution.normalized;
+    bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
     this.slab.show(this.parameters.compression);
-    this.describe();
+    if (this.hand.state !== "following") this.voice.describe(description(this.solution));
     this.showSlowing();
     this.dirty = true;
-  }
-
-  describe() {
-    const node = this.root.querySelector(".picture");
-    node.setAttribute("aria-label", pictured(this.parameters));
-    if (this.hand.state !== "following") this.voice.describe(description(this.solution));
   }
 
   period() {
@@ -87,7 +91,8 @@ class Stage {
   advance(elapsed) {
     if (!this.solution) return;
     if (this.hand.look()) this.change(() => {});
-    const running = this.clock.playing && this.hand.state !== "held" && !this.data.awaiting;
+    const stands = this.hand.state === "held" || this.data.awaiting || this.parts.hides("motion");
+    const running = this.clock.playing && !stands;
     if (running) this.run(elapsed * this.clock.speed * this.clock.slowing);
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.dirty) this.draw(elapsed);
@@ -121,7 +126,7 @@ class Stage {
   stay(go) {
     this.clock.playing = false;
     for (const stage of this.clock.stages) {
-      if (!stage.solution) continue;
+      if (!stage.solution || stage.parts.hides("motion")) continue;
       const left = go(stage.playback);
       if (left) stage.voice.note(WORDS[`${left}_ahead`]);
       stage.showClock();
@@ -131,7 +136,7 @@ class Stage {
 
   step(by) {
     this.stay((playback) => playback.goTo(TURN * ((Math.round((playback.phase / TURN) * STEPS) + by) / STEPS)));
-    this.voice.tell(moment(this.playback.phase, this.playback.time));
+    this.voice.tell(moment(this.playback.phase, this.playback.time, this.parts));
   }
 
   scrub(share) {
@@ -165,9 +170,9 @@ class Stage {
     const known = { ...this.parameters, ...state, Omega: this.solution.Omega };
     const { phase, plainPhase, time } = playback;
     this.picture.frame({ known, phase, plainPhase, shift, write, dirty });
-    if (dirty && this.still) this.picture.ghosts(this.exposures());
+    if (dirty && this.still && !this.parts.hides("motion")) this.picture.ghosts(exposures(this.parameters, this.solution));
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
-    if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time));
+    if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
     bus.publish(`time/${this.name}`, { time, phase, playing: this.clock.playing });
     this.dirty = false;
   }
@@ -179,11 +184,6 @@ class Stage {
     if (this.still) this.clock.playing = false;
     else if (wasStill) this.clock.playing = true;
     for (const stage of this.clock.stages) stage.showClock();
-  }
-
-  /** The still of someone who asked for less motion: half a period of the present machine in five exposures. */
-  exposures() {
-    return [0, 1, 2, 3, 4].map((i) => ({ ...this.parameters, ...stateAt(this.solution, (Math.PI * i) / 4, 0) }));
   }
 
   showClock() {

@@ -1,6 +1,9 @@
 // The controls under the picture: what each does, and how the keyboard goes from one to the next.
 
-/** Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name), slab.undo(). */
+/**
+ * Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name),
+ * slab.undo(). Return a function to be called when controls have been hidden or shown.
+ */
 function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
@@ -21,26 +24,34 @@ function listenToControls(root, stage, signal) {
     if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.slab.undo()) event.preventDefault();
     const inControl = event.target.closest("input, button, [role=slider]");
     const action = { " ": "play", ArrowLeft: "back", ArrowRight: "forward", Home: "restart" }[event.key];
-    if (!action || inControl || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!action || inControl || stage.parts.hides("motion") || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     actions[action]();
   });
 
-  rove(all(".transport button"), { signal });
-  rove(all("[data-speed]"), { signal, choose: (button) => button.click() });
-  rove(all("[data-layer]"), { signal });
+  const groups = [
+    rove(all(".transport button"), { signal }),
+    rove(all("[data-speed]"), { signal, choose: (button) => button.click() }),
+    rove(all("[data-layer]"), { signal }),
+  ];
+  return () => groups.forEach((mend) => mend());
 }
 
-/** One stop for Tab in a group, arrows within it; in a radio group the arrows choose as well. */
-function rove(items, { signal, choose }) {
+/**
+ * One stop for Tab in a group, arrows within it; in a radio group the arrows choose as well. Return a function that gives Tab
+ * a stop among the items that are on the page.
+ */
+function rove(all, { signal, choose }) {
+  let items = all;
   const move = (to) => {
     for (const item of items) item.tabIndex = item === to ? 0 : -1;
   };
   move(items.find((item) => item.getAttribute("aria-checked") === "true") ?? items[0]);
-  items.forEach((item, i) => {
+  all.forEach((item) => {
     const on = (type, handler) => item.addEventListener(type, handler, { signal });
     on("focus", () => move(item));
     on("keydown", (event) => {
+      const i = items.indexOf(item);
       const to = {
         ArrowRight: i + 1, ArrowDown: i + 1, ArrowLeft: i - 1, ArrowUp: i - 1, Home: 0, End: items.length - 1,
       }[event.key];
@@ -51,12 +62,16 @@ function rove(items, { signal, choose }) {
       choose?.(next);
     });
   });
+  return () => {
+    items = all.filter((item) => item.isConnected);
+    if (items.length && items.every((item) => item.tabIndex < 0)) move(items[0]);
+  };
 }
 
 /** Show what is set: whether the machine plays, its speed, its layers, how far it is in its period. */
 function showControls(root, { playing, speed, layers }) {
   root.querySelector(".stage").classList.toggle("playing", playing);
-  root.querySelector("[data-do=play]").setAttribute("aria-label", playing ? "Pause" : "Play");
+  finder(root)("[data-do=play]").setAttribute("aria-label", playing ? "Pause" : "Play");
   for (const button of root.querySelectorAll("[data-speed]")) {
     const checked = Number(button.dataset.speed) === speed;
     button.setAttribute("aria-checked", String(checked));

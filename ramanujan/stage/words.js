@@ -21,13 +21,14 @@ function description({ Omega, plain }) {
 }
 
 /** Where the machine is, for those who cannot see it. */
-const moment = (phase, time) => fill(WORDS.moment, { turns: (phase / TURN).toFixed(2), time: time.toFixed(2) });
+const moment = (phase, time, { hides }) =>
+  fill(hides("numbers") ? WORDS.turned : WORDS.moment, { turns: (phase / TURN).toFixed(2), time: time.toFixed(2) });
 
 /**
  * The voice of one stage. `note` shows something for a few seconds, `slowed` as long as it holds, `describe` and `tell`
  * are for the page's live region, which says a sentence once; what the machine does by itself comes before descriptions.
  */
-function makeVoice(root, { compact, signal }) {
+function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
   let message = null, slowing = "", noting = 0, described = "", told = "";
   const show = () => (node.textContent = message ?? slowing);
@@ -44,11 +45,13 @@ function makeVoice(root, { compact, signal }) {
       show();
     },
     slowed(factor, speed) {
-      slowing = factor < 1 ? fill(WORDS.slowed, { factor: digits(factor * speed, 2) }) : "";
+      const sentence = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
+      slowing = factor < 1 ? fill(sentence, { factor: digits(factor * speed, 2) }) : "";
       show();
     },
+    /** The description compares the machine with the plain mass, in numbers. */
     describe(sentence) {
-      if (sentence === described) return;
+      if (sentence === described || parts.hides("numbers") || parts.hides("clocks")) return;
       described = sentence;
       told = "";
       say(sentence, false);
