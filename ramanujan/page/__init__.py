@@ -27,6 +27,8 @@ from typing import Any
 
 import streamlit as st
 
+from ramanujan.words import _
+
 _HERE = Path(__file__).parent
 _BASE = ("bus.js", "hosts.js")
 
@@ -200,12 +202,53 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
 
 
-@cache
-def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE) -> Any:
-    """Return a component of this folder; its HTML and CSS are the files of its name, if there are any."""
-    look = {
-        kind: (_HERE / f"{name}.{kind}").read_text(encoding="utf-8")
-        for kind in ("html", "css")
-        if (_HERE / f"{name}.{kind}").exists()
+def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
+    """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
+
+    Parameters
+    ----------
+    headings : of the stops in their order, for screen readers
+    now : the number of the stop that is drawn, from 1 on
+    on_turned : called with the number of the stop that is asked for
+    """
+
+    def turned() -> None:
+        if (to := st.session_state["turn"].to) is not None:
+            on_turned(to)
+
+    words = {
+        "label": _("Stops of the lesson"),
+        "place": _("Stop {now} of {count}:"),
+        "back": _("Back"),
+        "next": _("Next"),
     }
-    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **look)
+    data = {"headings": list(headings), "now": now, **words}
+    return _component("turn", "turn.js", look="steps")(key="turn", data=data, on_to_change=turned)
+
+
+def stopwatch(key: str) -> float | None:
+    """Put a stopwatch on the page and return the time that it showed when it was last stopped [s].
+
+    Parameters
+    ----------
+    key : of the element
+    """
+    data = {
+        "label": _("Stopwatch"),
+        "start": _("Start"),
+        "stop": _("Stop"),
+        "seconds": _("{seconds}\u202fs"),
+    }
+    watch = _component("stopwatch", "stopwatch.js")
+    return watch(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
+@cache
+def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE, look: str | None = None) -> Any:
+    """Return a component of this folder; its HTML and CSS are the files of its name, or of another's look."""
+    files = {
+        kind: (_HERE / f"{look or name}.{kind}").read_text(encoding="utf-8")
+        for kind in ("html", "css")
+        if (_HERE / f"{look or name}.{kind}").exists()
+    }
+    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **files)

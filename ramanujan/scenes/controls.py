@@ -63,7 +63,7 @@ CONTROLS = {
 }
 WATCH = {control.key: {"parameter": control.parameter, "scale": control.scale} for control in CONTROLS.values()}
 """For the stage: which slider moves which parameter."""
-STAGES = ("oscillator", "motion", "stage_bodies")
+STAGES = ("oscillator", "motion", "stage_bodies", "lesson_task")
 """Names of the stages whose slab can be dragged: while it is held, the box of x₀ follows it."""
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
