@@ -128,9 +128,14 @@ def sheet() -> Any:
     return _component("sheet", "touch.js", "sheet.js")(key="sheet")
 
 
-def link() -> Any:
-    """Put a button on the page that copies its address, in which everything stands that is set."""
-    return _component("link", "link.js")(key="link")
+def link(private: Sequence[str] = ()) -> Any:
+    """Put a button on the page that copies its address, in which everything stands that is set.
+
+    Parameters
+    ----------
+    private : keys of the address that are left out of the copy
+    """
+    return _component("link", "link.js")(key="link", data={"private": list(private)})
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:

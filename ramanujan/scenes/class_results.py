@@ -8,7 +8,7 @@ import streamlit as st
 
 from ramanujan.lesson.classes import ClassError, Comparison, shared
 from ramanujan.lesson.stop import Stop
-from ramanujan.lesson.written import percent
+from ramanujan.lesson.written import quantity
 from ramanujan.words import _, ngettext
 
 _KEPT = "class_result"
@@ -31,7 +31,7 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
     access : the class's code, or the lecturer's key
     stop : the question
     round_ : the last vote
-    solved : whether to say which answer is right, and why
+    solved : whether to say which answer is right
     chosen : a student's own answer in the last vote
     """
     try:
@@ -48,8 +48,6 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
                 st.progress(share, _share(number, len(result.votes), share, votes[option.id], total))
         if result.changes:
             st.markdown(_changes(result.changes))
-        if solved:
-            st.info(stop.explanation())
 
 
 def _result(access: str, stop: Stop, round_: int) -> _Result:
@@ -87,7 +85,7 @@ def _share(number: int, votes: int, share: float, people: int, total: int) -> st
         words = _("First vote: {people} of {total}, {share}")
     else:
         words = _("Second vote: {people} of {total}, {share}")
-    return words.format(people=people, total=total, share=percent(share))
+    return words.format(people=people, total=total, share=quantity(round(100 * share), "%"))
 
 
 def _changes(changes: Comparison) -> str:

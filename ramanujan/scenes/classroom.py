@@ -1,259 +1,142 @@
 """The class on the lesson's page: a lecturer opens one and asks, students answer on their phones.
 
-The lesson's page calls `panel(stop)` once a run, before it draws anything that gives the answer of the stop away. Who
-belongs to a class is known from the session, and after a reload from the address:
+    guests()      at the head of the page: a student sees what the class is asked, and nothing else of the page;
+                  a lecturer who invites sees code and address alone
+    door()        where a visitor opens a class or joins one
+    panel(stop)   on the page of a stop: the lecturer's desk
 
-    class       the code, in everybody's address; alone it is the link that students get
-    lecturer    the lecturer's key, in the lecturer's own address
-    voter       a student's random name, in the student's own address
-
-*Copy link* leaves out what `PRIVATE` names. Every phone asks every few seconds what the class is asked now; that is one
-read by keys, and what has been revealed is kept in the session, since it no longer changes.
+Every phone asks every few seconds what the class is asked now. That is one read by keys; what has been revealed no
+longer changes and is kept in the session.
 """
 
 from __future__ import annotations
 
-import secrets
 from collections.abc import Callable
 from urllib.parse import urlencode, urlsplit
 
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.class_codes import spaced
+from ramanujan.lesson.class_codes import parts_of, spaced
 from ramanujan.lesson.classes import ClassError, Desk, Question, Seat, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.scenes import class_results
+from ramanujan.scenes.class_session import (
+    arrive,
+    attempt,
+    change_seat,
+    key_held,
+    leave,
+    open_class,
+    refusal,
+    seat_held,
+    take_seat,
+)
 from ramanujan.words import _, ngettext
 
-PRIVATE = ("lecturer", "voter")
-"""Keys of the address that are nobody else's."""
-
-_KEY, _SEAT = "class_key", "class_seat"
-"""Session state: the lecturer's key; the student's seat."""
-_SESSION = "class_session"
-_JUDGED = "class_link_judged"
-_SAID = "class_said"
-"""Session state: what is to be said about the last thing that somebody did here."""
-_DESK_EVERY, _PHONE_EVERY = 2.0, 2.5
+DESK_EVERY, PHONE_EVERY = 2.0, 2.5
 """Seconds between two looks at what is new, at the lecturer's desk and on a phone."""
 
+_INVITING = "class_inviting"
+_LONGEST_CODE = 20
+_ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
-def panel(stop: Stop) -> bool:
-    """Draw what the class needs on the page of a stop, and return whether the class has seen the right answer to it.
 
-    A student sees what the class is asked, whatever stop the page shows, and nothing more: the run of the page ends.
-    """
-    _arrive()
-    if _KEY in st.session_state:
-        desk = _desk_of(st.session_state[_KEY])
-        _desk(stop)
-        return bool(desk and desk.stop == stop.id and desk.solved)
-    if _SEAT in st.session_state:
+def guests() -> None:
+    """Draw the page of a student, or of a lecturer who invites, and end the run; for others do nothing."""
+    arrive()
+    if key_held() and st.session_state.get(_INVITING):
+        _invitation()
+        st.stop()
+    if seat_held():
         _phone()
         st.stop()
-    _door()
-    return False
 
 
-# ---- who is here
-
-
-def _arrive() -> None:
-    """Know a lecturer and a student again by their address, once a session; later the address follows the session."""
-    link = st.query_params
-    if not st.session_state.setdefault(_JUDGED, False):
-        st.session_state[_JUDGED] = True
-        if key := link.get("lecturer"):
-            _try(_sit_at_desk, key)
-        elif code := link.get("class"):
-            _try(_take_seat, code, link.get("voter", ""))
-    if _KEY in st.session_state:
-        _write_address({"class": st.session_state[_KEY].partition("-")[0], "lecturer": st.session_state[_KEY]})
-    elif _SEAT in st.session_state:
-        seat = st.session_state[_SEAT]
-        _write_address({"class": seat.code, "voter": seat.voter})
-
-
-def _write_address(wanted: dict[str, str]) -> None:
-    """Let the address say this of the class, and nothing else."""
-    for name in ("class", *PRIVATE):
-        if st.query_params.get(name) == wanted.get(name):
-            continue
-        if name in wanted:
-            st.query_params[name] = wanted[name]
-        else:
-            del st.query_params[name]
-
-
-def _sit_at_desk(key: str) -> None:
-    shared().code_of(key)
-    st.session_state[_KEY] = key
-
-
-def _open_class() -> None:
-    st.session_state[_KEY] = shared().open_class().key
-
-
-def _take_seat(code: str, voter: str = "") -> None:
-    session = st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
-    st.session_state[_SEAT] = shared().join(code, session, voter)
-
-
-def _leave() -> None:
-    """Belong to no class any more; the next run cleans the address."""
-    st.session_state.pop(_KEY, None)
-    st.session_state.pop(_SEAT, None)
-    _write_address({})
-
-
-def _try(act: Callable, *values: object) -> None:
-    """Do something with the class, or keep the sentence that says why not."""
-    st.session_state.pop(_SAID, None)
-    try:
-        act(*values)
-    except ClassError as error:
-        st.session_state[_SAID] = str(error)
-
-
-def _say() -> None:
-    if sentence := st.session_state.get(_SAID):
-        st.warning(sentence)
-
-
-# ---- who belongs to no class
-
-
-def _door() -> None:
-    """Let a lecturer open a class, and a student join one."""
-    _say()
-    with st.popover(_("Join or open a class"), icon=":material/groups:"):
-        with st.form("class_door", border=False):
-            code = st.text_input(_("Code of the class"), max_chars=20, key="class_code", autocomplete="off")
-            if st.form_submit_button(_("Join")):
-                _try(_take_seat, code)
-                st.rerun()
-        st.caption(
-            _(
-                "Lecturer: open a class of your own. You get a code for your students, and they answer on their phones. "
-                "Nobody gives a name, and everything is deleted after 24 hours."
+def door() -> None:
+    """Let a lecturer open a class, and a student join one; for whoever is in a class there is nothing to draw."""
+    if key_held() or seat_held():
+        return
+    with st.popover(_("Class"), icon=":material/groups:", key="class_door"):
+        with st.form("class_join", border=False):
+            code = st.text_input(
+                _("Students: type the code of your class."),
+                max_chars=_LONGEST_CODE,
+                key="class_code",
+                autocomplete="off",
             )
-        )
-        st.button(_("Open a class"), key="class_open", on_click=_try, args=(_open_class,))
+            if st.form_submit_button(_("Join"), type="primary"):
+                attempt(take_seat, code)
+                st.rerun()
+        st.markdown(_("Lecturer: open a class, and your students answer on their phones."))
+        st.button(_("Open a class"), key="class_open", on_click=_begin)
+        st.caption(_("Nobody gives a name. Everything is deleted after 24 hours."))
+    _warn()
+
+
+def panel(stop: Stop) -> bool | None:
+    """Draw the lecturer's desk: the options, or how the class has voted, and what can be done next.
+
+    Returns
+    -------
+    None for whoever has no class; else whether the class has seen the right answer, so that the page may show it, too
+    """
+    if (key := key_held()) is None:
+        return None
+    try:
+        desk = shared().desk(key)
+    except ClassError:
+        desk = None
+    _desk(stop)
+    return desk is not None and desk.stop == stop.id and desk.solved
+
+
+def _warn() -> None:
+    if sentence := refusal():
+        st.warning(sentence)
 
 
 # ---- the lecturer
 
 
-def _desk_of(key: str) -> Desk | None:
-    try:
-        return shared().desk(key)
-    except ClassError as error:
-        st.session_state[_SAID] = str(error)
-        return None
+def _begin() -> None:
+    attempt(open_class)
+    st.session_state[_INVITING] = key_held() is not None
 
 
-@st.fragment(run_every=_DESK_EVERY)
-def _desk(stop: Stop) -> None:
-    """Draw the lecturer's desk: code, numbers of students, and what can be done now."""
-    if (key := st.session_state.get(_KEY)) is None:
-        return
-    desk = _desk_of(key)
-    code = key.partition("-")[0]
-    with st.container(key="class_desk"):
-        _say()
-        if desk is None:
-            if st.button(_("Leave this class"), key="class_leave", on_click=_leave):
-                st.rerun()
-            return
-        _invitation(code, desk)
-        with st.container(horizontal=True, vertical_alignment="center"):
-            st.markdown(f"**{spaced(code)}**", width="content")
-            st.markdown(_attendance(stop, desk), width="content")
-            _next_moves(key, stop, desk)
-            _end(key)
-        if desk.stop == stop.id and desk.revealed:
-            class_results.show(key, stop, desk.round, desk.solved)
+def _invite(inviting: bool) -> None:
+    st.session_state[_INVITING] = inviting
 
 
-def _attendance(stop: Stop, desk: Desk) -> str:
-    """Return who is there and how many have answered, as a sentence."""
-    if desk.stop is None:
-        return ngettext("{joined} student has joined.", "{joined} students have joined.", desk.joined).format(
-            joined=desk.joined
-        )
-    if desk.stop != stop.id:
-        return _("The class is still at “{heading}”.").format(heading=lesson.stop(desk.stop).heading)
-    words = (
-        ngettext(
-            "{answered} of {joined} student has answered.",
-            "{answered} of {joined} students have answered.",
-            desk.joined,
-        )
-        if desk.round == 1
-        else ngettext(
-            "Second vote: {answered} of {joined} student.", "Second vote: {answered} of {joined} students.", desk.joined
-        )
-    )
-    return words.format(answered=desk.answered, joined=desk.joined)
-
-
-def _next_moves(key: str, stop: Stop, desk: Desk) -> None:
-    """Draw a button for each thing that the lecturer may do next; the usual one stands out."""
-    classes = shared()
-
-    def button(label: str, name: str, act: Callable, *more: object, usual: bool = False) -> bool:
-        kind = "primary" if usual else "secondary"
-        return st.button(label, key=f"class_{name}", type=kind, on_click=_try, args=(act, key, *more))
-
-    if desk.stop != stop.id:
-        button(_("Ask the class"), "ask", classes.present, stop.id, [each.id for each in stop.options], usual=True)
-        return
-    if not desk.revealed:
-        button(_("Show the result"), "reveal", classes.reveal, usual=True)
-    if desk.round == 1 and not desk.solved:
-        button(_("Ask again"), "again", classes.ask_again, usual=desk.revealed)
-    # The page itself may show the answer now, too.
-    if (
-        desk.revealed
-        and not desk.solved
-        and button(_("Show the right answer"), "solve", classes.solve, usual=desk.round > 1)
-    ):
-        st.rerun()
-
-
-def _end(key: str) -> None:
-    def end() -> None:
-        shared().close(key)
-        _leave()
-
-    with st.popover(_("End")):
-        st.markdown(_("The class ends, and all its answers are deleted."))
-        if st.button(_("End the class"), key="class_close", on_click=_try, args=(end,)):
-            st.rerun()
-
-
-def _invitation(code: str, desk: Desk) -> None:
-    """Draw code and address so that the last row can read them; open until the first question is asked."""
-    address = urlsplit(st.context.url or "")
-    shown = f"{address.netloc}{address.path}" or _("this page")
-    with st.expander(_("How to join"), expanded=desk.stop is None), st.container(key="class_invitation"):
-        words, picture = st.columns([3, 1], vertical_alignment="center")
+@st.fragment(run_every=DESK_EVERY)
+def _invitation() -> None:
+    """Draw code and address so that the last row can read them, and how many have joined."""
+    code, address = parts_of(key_held())[0], urlsplit(st.context.url or "")
+    shown = f"{address.netloc}{address.path}"
+    with st.container(key="class_invitation"):
+        words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
         with words:
-            st.markdown(_("Open this page on your phone:"))
+            st.markdown(_("On your phone, open"))
             # As plain text: an address is whatever the browser says it is.
             st.text(shown)
-            st.markdown(_("Choose *Join or open a class* and type the code:"))
+            st.markdown(_("then choose **Class** and type"))
             st.text(spaced(code))
         with picture:
             _qr_code(f"{address.scheme}://{shown}?{urlencode({'class': code})}")
-        if address.hostname in ("localhost", "127.0.0.1", "::1"):
+        if address.hostname in _ONLY_HERE:
             st.warning(
                 _(
-                    "Phones cannot open this address: it means this computer only. Open this page under the "
+                    "Phones cannot open this address, because it means this computer only. Open the app under the "
                     "computer’s address in the network, then open a class there."
                 )
             )
+        with st.container(horizontal=True, vertical_alignment="center", gap="large"):
+            try:
+                st.markdown(_joined(shared().desk(key_held()).joined), width="content")
+            except ClassError as error:
+                st.warning(str(error))
+            if st.button(_("Go to the questions"), key="class_go", type="primary", on_click=_invite, args=(False,)):
+                st.rerun()
 
 
 def _qr_code(address: str) -> None:
@@ -262,37 +145,114 @@ def _qr_code(address: str) -> None:
         import segno
     except ImportError:
         return
-    st.image(segno.make(address, micro=False).svg_inline(scale=8, border=3, light="white"), width="stretch")
+    picture = segno.make(address, micro=False).svg_inline(scale=8, border=3, light="white")
+    st.image(picture, width="stretch")
+
+
+def _joined(people: int) -> str:
+    return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
+
+
+@st.fragment(run_every=DESK_EVERY)
+def _desk(stop: Stop) -> None:
+    if (key := key_held()) is None:
+        return
+    with st.container(key="class_desk"):
+        _warn()
+        try:
+            desk = shared().desk(key)
+        except ClassError as error:
+            st.warning(str(error))
+            if st.button(_("Leave this class"), key="class_leave", on_click=leave):
+                st.rerun()
+            return
+        if desk.stop == stop.id and desk.revealed:
+            class_results.show(key, stop, desk.round, desk.solved)
+        else:
+            st.markdown("\n".join(f"- {option.label}" for option in stop.options))
+        st.markdown(_attendance(stop, desk))
+        with st.container(horizontal=True, vertical_alignment="center"):
+            _next_moves(key, stop, desk)
+        with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
+            st.text(spaced(parts_of(key)[0]), width="content")
+            if st.button(
+                _("Show code and address"), key="class_invite", on_click=_invite, args=(True,), type="tertiary"
+            ):
+                st.rerun()
+            _ending(key)
+
+
+def _attendance(stop: Stop, desk: Desk) -> str:
+    """Return who is there and how many have answered, as a sentence."""
+    if desk.stop is None:
+        return _joined(desk.joined)
+    if desk.stop != stop.id:
+        return _("The class is still at “{heading}”.").format(heading=lesson.stop(desk.stop).heading)
+    numbers = {"answered": desk.answered, "joined": desk.joined}
+    if desk.round > 1:
+        return ngettext(
+            "Second vote: {answered} of {joined} student has answered.",
+            "Second vote: {answered} of {joined} students have answered.",
+            desk.joined,
+        ).format(**numbers)
+    return ngettext(
+        "{answered} of {joined} student has answered.", "{answered} of {joined} students have answered.", desk.joined
+    ).format(**numbers)
+
+
+def _next_moves(key: str, stop: Stop, desk: Desk) -> None:
+    """Draw a button for each thing that the lecturer may do next; the usual one stands out."""
+    classes = shared()
+
+    def button(label: str, name: str, act: Callable, *more: object, usual: bool) -> bool:
+        kind = "primary" if usual else "secondary"
+        return st.button(label, key=f"class_{name}", type=kind, on_click=attempt, args=(act, key, *more))
+
+    if desk.stop != stop.id:
+        button(_("Ask the class"), "ask", classes.present, stop.id, [each.id for each in stop.options], usual=True)
+        return
+    if not desk.revealed:
+        button(_("Show the result"), "reveal", classes.reveal, usual=True)
+    if desk.round == 1 and not desk.solved:
+        button(_("Ask again"), "again", classes.ask_again, usual=desk.revealed)
+    if desk.revealed and not desk.solved:
+        label, usual = _("Show the right answer"), desk.round > 1
+        if button(label, "solve", classes.solve, usual=usual):
+            # The machine beside the desk runs now, too.
+            st.rerun()
+
+
+def _ending(key: str) -> None:
+    def end() -> None:
+        shared().close(key)
+        leave()
+
+    with st.popover(_("End"), key="class_ending", type="tertiary"):
+        st.markdown(_("The class ends, and all its answers are deleted."))
+        if st.button(_("End the class"), key="class_close", on_click=attempt, args=(end,)):
+            st.rerun()
 
 
 # ---- a student
 
 
-@st.fragment(run_every=_PHONE_EVERY)
+@st.fragment(run_every=PHONE_EVERY)
 def _phone() -> None:
     """Draw what a student is asked now, and look every few seconds whether it is still that."""
-    if _SEAT not in st.session_state:
+    if (seat := seat_held()) is None:
         return
     with st.container(key="class_phone"):
         try:
-            question = _question()
+            question = shared().question(seat)
+            if not question.kept:
+                seat = change_seat()
+                question = shared().question(seat)
         except ClassError as error:
             st.warning(str(error))
         else:
-            _asked(st.session_state[_SEAT], question)
-        if st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=_leave):
+            _asked(seat, question)
+        if st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave):
             st.rerun()
-
-
-def _question() -> Question:
-    """Return what the student is asked; whoever has lost the seat to a neighbour with the same address gets another."""
-    seat: Seat = st.session_state[_SEAT]
-    question = shared().question(seat)
-    if question.kept:
-        return question
-    st.session_state[_SEAT] = shared().move(seat)
-    _arrive()
-    return shared().question(st.session_state[_SEAT])
 
 
 def _asked(seat: Seat, question: Question) -> None:
@@ -303,14 +263,15 @@ def _asked(seat: Seat, question: Question) -> None:
     st.subheader(stop.heading, anchor=False)
     st.markdown(stop.question)
     if question.revealed:
-        st.session_state.pop(_SAID, None)
+        _warn()
         class_results.show(seat.code, stop, question.round, question.solved, question.chosen)
         return
     if question.round > 1:
-        st.markdown(_("**Second vote.** Talk to your neighbour, then answer again."))
+        st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
     key = f"class_answer_{stop.id}_{question.round}"
-    # What counts is what the class’s file says, also after a reload and after an answer that came too late.
-    st.session_state[key] = question.chosen
+    # What the file says counts, also after a reload and after an answer that came too late.
+    if st.session_state.get(key) != question.chosen:
+        st.session_state[key] = question.chosen
     st.radio(
         _("Your answer"),
         [option.id for option in stop.options],
@@ -320,11 +281,11 @@ def _asked(seat: Seat, question: Question) -> None:
         on_change=_vote,
         args=(key, stop.id, question.round),
     )
-    _say()
+    _warn()
     if question.chosen:
         st.success(_("Your answer counts. You can change it until the result is shown."))
 
 
 def _vote(key: str, stop: str, round_: int) -> None:
-    seat, option = st.session_state[_SEAT], st.session_state[key]
-    _try(shared().vote, seat.code, seat.voter, stop, option, round_)
+    if seat := seat_held():
+        attempt(shared().vote, seat.code, seat.voter, stop, st.session_state[key], round_)

@@ -107,7 +107,7 @@ def sidebar() -> None:
             f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
         }
         page.feed("boxes_feed", boxes)
-        page.link()
+        page.link(links.PRIVATE)
         given.receipt()
     st.session_state[_SAID] = (complaints, notes)
 

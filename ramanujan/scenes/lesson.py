@@ -10,7 +10,7 @@ import streamlit as st
 
 from ramanujan import lesson, page
 from ramanujan.lesson.notes import INTRODUCTION
-from ramanujan.scenes import controls, links, progress, stops, tasks
+from ramanujan.scenes import classroom, controls, links, progress, stops, tasks
 from ramanujan.words import _, ngettext
 
 PARTS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
@@ -65,8 +65,10 @@ def notes() -> None:
 offered = {"part": PARTS, "stop": [stop.id for stop in lesson.STOPS], "task": [task.id for task in lesson.TASKS]}
 keys = [links.one_of(key, texts) for key, texts in offered.items()]
 controls.complain(links.complaints([*keys, progress.PREDICTIONS, *tasks.LINK]))
+classroom.guests()
 with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
     part = choose_part()
+    classroom.door()
     turner = st.container(key="turner")
 {"stops": walk, "tasks": tasks.draw, "notes": notes}[part]()
 page.give_back("lesson_part_choice")

@@ -20,6 +20,9 @@ PAGES = {
         "part",
         "stop",
         "chosen",
+        "class",
+        "lecturer",
+        "voter",
         "task",
         "task_x0",
         "task_glide",
@@ -33,6 +36,8 @@ PAGES = {
     "speed": ("method", "steps", "periods", "precision", "tolerance", "cost", "sweep"),
 }
 """Page → the keys that it keeps in the URL beside the machine's; no two pages share one."""
+PRIVATE = ("lecturer", "voter")
+"""Keys that say who somebody is in a class; *Copy link* leaves them out."""
 
 _JUDGED = "links_judged"
 

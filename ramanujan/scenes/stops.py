@@ -15,7 +15,7 @@ from ramanujan import page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import controls, progress
+from ramanujan.scenes import classroom, controls, progress
 from ramanujan.words import _, ngettext
 
 _PLACES = ("hoop", "cylinder", "top")
@@ -24,17 +24,23 @@ _PLACES = ("hoop", "cylinder", "top")
 def draw(stop: Stop, number: int) -> None:
     """Draw a stop, the one of that number."""
     chosen = progress.predictions().get(stop.id)
+    predicted = chosen is not None
     st.title(f"{number}. {stop.heading}", anchor=False)
     words, picture = st.columns([1, 1] if stop.size == "small" else [2, 3], gap="medium")
     with words:
         st.markdown(stop.question)
-        if chosen is None:
+        solved = classroom.panel(stop)
+        if solved is not None:
+            # A lecturer's page predicts with the class, and shows nothing before the class has seen it.
+            predicted = solved
+            if solved:
+                why(stop)
+        elif chosen is None:
             ask(stop)
         else:
             explain(stop, chosen)
-        # The class's part of the page belongs here: classroom.panel(stop).
     with picture:
-        observe(stop, chosen is not None)
+        observe(stop, predicted)
 
 
 def ask(stop: Stop) -> None:
@@ -62,17 +68,22 @@ def explain(stop: Stop, chosen: str) -> None:
         said = _("You predicted something else.")
         st.markdown(f":red[:material/cancel: **{said}**]  \n{stop.option(chosen).label}")
         st.markdown(f":green[:material/check_circle: **{_('Right:')}**]  \n{right}")
-    st.markdown(f"**{_('Why')}**  \n{stop.explanation()}")
     # With the option that was clicked the focus has gone: who cannot see the page is told here.
     page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {right}", "urgent": True}})
+    why(stop)
+    st.button(
+        _("Predict again"), key=f"again_{stop.id}", on_click=partial(progress.predict, stop.id, None), type="tertiary"
+    )
+
+
+def why(stop: Stop) -> None:
+    """Say why the right option is right, and where all of it is seen."""
+    st.markdown(f"**{_('Why')}**  \n{stop.explanation()}")
     st.page_link(
         f"ramanujan/scenes/{stop.page}.py",
         label=stop.link_label,
         icon=":material/open_in_full:",
         query_params={**_in_link(stop), **stop.link},
-    )
-    st.button(
-        _("Predict again"), key=f"again_{stop.id}", on_click=partial(progress.predict, stop.id, None), type="tertiary"
     )
 
 

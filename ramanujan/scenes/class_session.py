@@ -1,0 +1,110 @@
+"""Who this session is in a class: a lecturer with a key, a student with a seat, or nobody.
+
+It is known from the session, and after a reload from the address:
+
+    class       the code, in everybody's address; alone it is the link that students get
+    lecturer    the lecturer's key, in the lecturer's own address
+    voter       a student's random name, in the student's own address
+
+*Copy link* leaves out what `links.PRIVATE` names.
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable
+
+import streamlit as st
+
+from ramanujan.lesson.class_codes import parts_of
+from ramanujan.lesson.classes import ClassError, Seat, shared
+from ramanujan.scenes.links import PRIVATE
+
+LINKED = ("class", *PRIVATE)
+"""Keys of the address."""
+
+_KEY, _SEAT = "class_key", "class_seat"
+_SESSION = "class_session"
+_JUDGED = "class_link_judged"
+_SAID = "class_said"
+"""Session state: why the last thing that somebody did here was refused."""
+
+
+def arrive() -> None:
+    """Know a lecturer and a student again by their address, once a session; from then on the address follows."""
+    link = st.query_params
+    if not st.session_state.get(_JUDGED):
+        st.session_state[_JUDGED] = True
+        if key := link.get("lecturer"):
+            attempt(_sit_at_desk, key)
+        elif code := link.get("class"):
+            attempt(take_seat, code, link.get("voter", ""))
+    if mine := key_held():
+        _write_address({"class": parts_of(mine)[0], "lecturer": mine})
+    elif seat := seat_held():
+        _write_address({"class": seat.code, "voter": seat.voter})
+
+
+def key_held() -> str | None:
+    """Return the lecturer's key, if this session is the lecturer's."""
+    return st.session_state.get(_KEY)
+
+
+def seat_held() -> Seat | None:
+    """Return the student's seat, if this session is a student's."""
+    return st.session_state.get(_SEAT)
+
+
+def open_class() -> None:
+    """Become the lecturer of a new class."""
+    st.session_state[_KEY] = shared().open_class().key
+
+
+def take_seat(code: str, voter: str = "") -> None:
+    """Become a student of the class with this code."""
+    session = st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
+    st.session_state[_SEAT] = shared().join(code, session, voter)
+
+
+def change_seat() -> Seat:
+    """Give the seat up to a neighbour who came with the same address, and return another with the same answers."""
+    seat = st.session_state[_SEAT] = shared().move(st.session_state[_SEAT])
+    arrive()
+    return seat
+
+
+def leave() -> None:
+    """Be nobody again."""
+    for name in (_KEY, _SEAT, _SAID):
+        st.session_state.pop(name, None)
+    _write_address({})
+
+
+def attempt(act: Callable, *values: object) -> None:
+    """Do something in the class, or keep the sentence that says why not."""
+    st.session_state.pop(_SAID, None)
+    try:
+        act(*values)
+    except ClassError as error:
+        st.session_state[_SAID] = str(error)
+
+
+def refusal() -> str | None:
+    """Return why the last attempt was refused, if it was."""
+    return st.session_state.get(_SAID)
+
+
+def _sit_at_desk(key: str) -> None:
+    shared().code_of(key)
+    st.session_state[_KEY] = key
+
+
+def _write_address(wanted: dict[str, str]) -> None:
+    """Let the address say this of the class, and nothing else."""
+    for name in LINKED:
+        if st.query_params.get(name) == wanted.get(name):
+            continue
+        if name in wanted:
+            st.query_params[name] = wanted[name]
+        else:
+            del st.query_params[name]
