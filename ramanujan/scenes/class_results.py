@@ -42,10 +42,11 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
     with st.container(key="class_result"):
         for option in stop.options:
             st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
-            for number, votes in enumerate(result.votes):
+            places = st.columns(len(result.votes), gap="small")
+            for number, (place, votes) in enumerate(zip(places, result.votes, strict=True)):
                 total = sum(votes.values())
                 share = votes[option.id] / total if total else 0.0
-                st.progress(share, _share(number, len(result.votes), share, votes[option.id], total))
+                place.progress(share, _share(number, len(result.votes), share, votes[option.id], total))
         if result.changes:
             st.markdown(_changes(result.changes))
 

@@ -45,7 +45,7 @@ _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 def guests() -> None:
     """Draw the page of a student, or of a lecturer who invites, and end the run; for others do nothing."""
     arrive()
-    if key_held() and st.session_state.get(_INVITING):
+    if _invites():
         _invitation()
         st.stop()
     if seat_held():
@@ -84,11 +84,11 @@ def panel(stop: Stop) -> bool | None:
     if (key := key_held()) is None:
         return None
     try:
-        desk = shared().desk(key)
+        solved = _is_solved(stop, shared().desk(key))
     except ClassError:
-        desk = None
-    _desk(stop)
-    return desk is not None and desk.stop == stop.id and desk.solved
+        solved = False
+    _desk(stop, solved)
+    return solved
 
 
 def _warn() -> None:
@@ -108,19 +108,28 @@ def _invite(inviting: bool) -> None:
     st.session_state[_INVITING] = inviting
 
 
+def _invites() -> bool:
+    return bool(key_held() and st.session_state.get(_INVITING))
+
+
 @st.fragment(run_every=DESK_EVERY)
 def _invitation() -> None:
     """Draw code and address so that the last row can read them, and how many have joined."""
+    if not _invites():
+        st.rerun()
     code, address = parts_of(key_held())[0], urlsplit(st.context.url or "")
     shown = f"{address.netloc}{address.path}"
     with st.container(key="class_invitation"):
+        st.title(_("Join the class"), anchor=False)
         words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
         with words:
             st.markdown(_("On your phone, open"))
-            # As plain text: an address is whatever the browser says it is.
-            st.text(shown)
+            with st.container(key="class_address"):
+                # As plain text: an address is whatever the browser says it is.
+                st.text(shown)
             st.markdown(_("then choose **Class** and type"))
-            st.text(spaced(code))
+            with st.container(key="class_letters"):
+                st.text(spaced(code))
         with picture:
             _qr_code(f"{address.scheme}://{shown}?{urlencode({'class': code})}")
         if address.hostname in _ONLY_HERE:
@@ -135,8 +144,7 @@ def _invitation() -> None:
                 st.markdown(_joined(shared().desk(key_held()).joined), width="content")
             except ClassError as error:
                 st.warning(str(error))
-            if st.button(_("Go to the questions"), key="class_go", type="primary", on_click=_invite, args=(False,)):
-                st.rerun()
+            st.button(_("Go to the questions"), key="class_go", type="primary", on_click=_invite, args=(False,))
 
 
 def _qr_code(address: str) -> None:
@@ -153,26 +161,32 @@ def _joined(people: int) -> str:
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
 
 
+def _is_solved(stop: Stop, desk: Desk) -> bool:
+    return desk.stop == stop.id and desk.solved
+
+
 @st.fragment(run_every=DESK_EVERY)
-def _desk(stop: Stop) -> None:
-    if (key := key_held()) is None:
-        return
+def _desk(stop: Stop, solved: bool) -> None:
+    """Draw the desk beside a page that shows the right answer or not; where that has changed, run the whole page."""
+    if (key := key_held()) is None or _invites():
+        st.rerun()
     with st.container(key="class_desk"):
         _warn()
         try:
             desk = shared().desk(key)
         except ClassError as error:
             st.warning(str(error))
-            if st.button(_("Leave this class"), key="class_leave", on_click=leave):
-                st.rerun()
+            st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
+        if _is_solved(stop, desk) != solved:
+            st.rerun()
+        with st.container(key="class_next", horizontal=True, vertical_alignment="center", gap="small"):
+            st.markdown(f"**{_attendance(stop, desk)}**", width="content")
+            _next_moves(key, stop, desk)
         if desk.stop == stop.id and desk.revealed:
             class_results.show(key, stop, desk.round, desk.solved)
         else:
             st.markdown("\n".join(f"- {option.label}" for option in stop.options))
-        st.markdown(_attendance(stop, desk))
-        with st.container(horizontal=True, vertical_alignment="center"):
-            _next_moves(key, stop, desk)
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
             st.text(spaced(parts_of(key)[0]), width="content")
             if st.button(
@@ -204,9 +218,9 @@ def _next_moves(key: str, stop: Stop, desk: Desk) -> None:
     """Draw a button for each thing that the lecturer may do next; the usual one stands out."""
     classes = shared()
 
-    def button(label: str, name: str, act: Callable, *more: object, usual: bool) -> bool:
+    def button(label: str, name: str, act: Callable, *more: object, usual: bool) -> None:
         kind = "primary" if usual else "secondary"
-        return st.button(label, key=f"class_{name}", type=kind, on_click=attempt, args=(act, key, *more))
+        st.button(label, key=f"class_{name}", type=kind, on_click=attempt, args=(act, key, *more))
 
     if desk.stop != stop.id:
         button(_("Ask the class"), "ask", classes.present, stop.id, [each.id for each in stop.options], usual=True)
@@ -216,10 +230,7 @@ def _next_moves(key: str, stop: Stop, desk: Desk) -> None:
     if desk.round == 1 and not desk.solved:
         button(_("Ask again"), "again", classes.ask_again, usual=desk.revealed)
     if desk.revealed and not desk.solved:
-        label, usual = _("Show the right answer"), desk.round > 1
-        if button(label, "solve", classes.solve, usual=usual):
-            # The machine beside the desk runs now, too.
-            st.rerun()
+        button(_("Show the right answer"), "solve", classes.solve, usual=desk.round > 1)
 
 
 def _ending(key: str) -> None:
@@ -229,8 +240,7 @@ def _ending(key: str) -> None:
 
     with st.popover(_("End"), key="class_ending", type="tertiary"):
         st.markdown(_("The class ends, and all its answers are deleted."))
-        if st.button(_("End the class"), key="class_close", on_click=attempt, args=(end,)):
-            st.rerun()
+        st.button(_("End the class"), key="class_close", on_click=attempt, args=(end,))
 
 
 # ---- a student
@@ -240,7 +250,7 @@ def _ending(key: str) -> None:
 def _phone() -> None:
     """Draw what a student is asked now, and look every few seconds whether it is still that."""
     if (seat := seat_held()) is None:
-        return
+        st.rerun()
     with st.container(key="class_phone"):
         try:
             question = shared().question(seat)
@@ -251,16 +261,16 @@ def _phone() -> None:
             st.warning(str(error))
         else:
             _asked(seat, question)
-        if st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave):
-            st.rerun()
+        st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
 def _asked(seat: Seat, question: Question) -> None:
     if question.stop is None:
-        st.info(_("You are in class {code}. The first question will appear here.").format(code=spaced(seat.code)))
+        st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
+        st.info(_("You have joined the class. The first question will appear here."))
         return
     stop = lesson.stop(question.stop)
-    st.subheader(stop.heading, anchor=False)
+    st.title(stop.heading, anchor=False)
     st.markdown(stop.question)
     if question.revealed:
         _warn()
