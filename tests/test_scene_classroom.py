@@ -91,7 +91,7 @@ def test_a_round_with_a_second_vote(lecturer):
     press(lecturer, "reveal")
     for page in (lecturer, students[0].run()):
         assert "2 students changed from a wrong answer to the right one" in words(page)
-        assert "1 changed from the right answer to a wrong one" in words(page)
+        assert "1 student changed from the right answer to a wrong one" in words(page)
         assert "This is right" not in words(page)
 
     # The right answer comes last: on the phones, and with the reason and the running machine at the desk.

@@ -40,6 +40,8 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
         st.warning(str(error))
         return
     with st.container(key="class_result"):
+        if result.changes:
+            st.markdown(_changes(result.changes))
         for option in stop.options:
             st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
             places = st.columns(len(result.votes), gap="small")
@@ -47,8 +49,6 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
                 total = sum(votes.values())
                 share = votes[option.id] / total if total else 0.0
                 place.progress(share, _share(number, len(result.votes), share, votes[option.id], total))
-        if result.changes:
-            st.markdown(_changes(result.changes))
 
 
 def _result(access: str, stop: Stop, round_: int) -> _Result:
@@ -90,18 +90,17 @@ def _share(number: int, votes: int, share: float, people: int, total: int) -> st
 
 
 def _changes(changes: Comparison) -> str:
-    """Return how many have changed their answers, in three sentences."""
+    """Return how many have changed their answers, a sentence for each kind of change."""
     to_right = ngettext(
         "**{n} student changed from a wrong answer to the right one.**",
         "**{n} students changed from a wrong answer to the right one.**",
         changes.to_right,
-    ).format(n=changes.to_right)
-    to_wrong = ngettext(
-        "{n} changed from the right answer to a wrong one.",
-        "{n} changed from the right answer to a wrong one.",
-        changes.to_wrong,
-    ).format(n=changes.to_wrong)
-    stayed = ngettext("{n} was right both times.", "{n} were right both times.", changes.stayed_right).format(
-        n=changes.stayed_right
     )
-    return f"{to_right} {to_wrong} {stayed}"
+    to_wrong = ngettext(
+        "{n} student changed from the right answer to a wrong one.",
+        "{n} students changed from the right answer to a wrong one.",
+        changes.to_wrong,
+    )
+    stayed = ngettext("{n} student was right both times.", "{n} students were right both times.", changes.stayed_right)
+    sentences = ((to_right, changes.to_right), (to_wrong, changes.to_wrong), (stayed, changes.stayed_right))
+    return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)

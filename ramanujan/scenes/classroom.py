@@ -5,8 +5,7 @@
     door()        where a visitor opens a class or joins one
     panel(stop)   on the page of a stop: the lecturer's desk
 
-Every phone asks every few seconds what the class is asked now. That is one read by keys; what has been revealed no
-longer changes and is kept in the session.
+Every phone asks every few seconds what the class is asked now: one read by keys.
 """
 
 from __future__ import annotations
@@ -180,8 +179,8 @@ def _desk(stop: Stop, solved: bool) -> None:
             return
         if _is_solved(stop, desk) != solved:
             st.rerun()
-        with st.container(key="class_next", horizontal=True, vertical_alignment="center", gap="small"):
-            st.markdown(f"**{_attendance(stop, desk)}**", width="content")
+        st.markdown(f"**{_attendance(stop, desk)}**")
+        with st.container(horizontal=True, gap="small"):
             _next_moves(key, stop, desk)
         if desk.stop == stop.id and desk.revealed:
             class_results.show(key, stop, desk.round, desk.solved)
