@@ -100,7 +100,7 @@ def test_a_download_comes_from_the_visitors_process(students: dict[str, object])
 
 
 def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, object]) -> None:
-    """A lecturer on a projector and two phones go through both votes; one phone comes by the copied link, one by code."""
+    """A lecturer and two phones go through both votes; one phone comes by the copied link, the other by the code."""
 
     def visitor(process: str, address: str, width: int, height: int) -> object:
         tab = students[process].context.new_page()
