@@ -13,7 +13,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator
 
 FREQUENCY = ("clocks", "numbers")
@@ -40,7 +39,6 @@ class Run:
     compression : x₀ at release [m]
     label : what stands under its picture, where several machines are shown side by side
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
-    initial : returns the state at release, where it is more than a compressed spring
     samples : returns a computed motion to show instead of the exact one: step [s] and X, phi, Phi
     slipping : the contact that slips is marked
     """
@@ -49,7 +47,6 @@ class Run:
     compression: float = 0.08
     label: str = ""
     bodies: tuple[str, str, str] = ("hoop", "cylinder", "cylinder")
-    initial: Callable[[], InitialState] | None = None
     samples: Callable[[], Mapping[str, object]] | None = None
     slipping: bool = False
 
@@ -71,6 +68,7 @@ class Stop:
     hides : what a prediction must not see, names of `stage.PARTS`
     layers : what the stage shows besides after the prediction
     dials : the stage shows its clocks and its gauge after the prediction
+    then : the machine after the prediction, where it is another one
     size : "large" where the picture matters, "small" where the question needs the room
     page : the page on which it is seen in full, by its file in scenes
     link : what the address of that page says besides the machine
@@ -91,6 +89,7 @@ class Stop:
     hides: tuple[str, ...] = EVERYTHING
     layers: tuple[str, ...] = ()
     dials: bool = False
+    then: Oscillator | None = None
     size: str = "large"
     link: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
@@ -98,6 +97,11 @@ class Stop:
     def machine(self) -> Oscillator:
         """The machine of the question."""
         return self.runs[0].machine
+
+    @property
+    def shown(self) -> Oscillator:
+        """The machine after the prediction."""
+        return self.then or self.machine
 
     @property
     def compression(self) -> float:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import streamlit as st
 
 from ramanujan import lesson, page
+from ramanujan.lesson import Stop
 from ramanujan.lesson.notes import INTRODUCTION
 from ramanujan.scenes import controls, links, progress, stops, tasks
 from ramanujan.words import _, ngettext
@@ -36,13 +37,22 @@ def walk() -> None:
     """Draw the present stop."""
     names = [stop.id for stop in lesson.STOPS]
     now = progress.kept("stop", names, names[0])
-    with turner:
-        page.turn(
-            [stop.heading for stop in lesson.STOPS],
-            names.index(now) + 1,
-            lambda number: progress.keep("stop", names[number - 1]),
-        )
+    with head:
+        page.turn([stop.heading for stop in lesson.STOPS], names.index(now) + 1, lambda to: turn(lesson.STOPS[to - 1]))
     stops.draw(lesson.stop(now), names.index(now) + 1)
+
+
+def turn(stop: Stop) -> None:
+    """Go to a stop."""
+    progress.keep("stop", stop.id)
+    stops.load(stop, stop.id in progress.predictions())
+
+
+def work() -> None:
+    """Draw the present task."""
+    with head:
+        name = tasks.choose()
+    tasks.draw(lesson.task(name))
 
 
 def notes() -> None:
@@ -67,6 +77,6 @@ keys = [links.one_of(key, texts) for key, texts in offered.items()]
 controls.complain(links.complaints([*keys, progress.PREDICTIONS, *tasks.LINK]))
 with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
     part = choose_part()
-    turner = st.container(key="turner")
-{"stops": walk, "tasks": tasks.draw, "notes": notes}[part]()
+    head = st.container(key="turner")
+{"stops": walk, "tasks": work, "notes": notes}[part]()
 page.give_back("lesson_part_choice")

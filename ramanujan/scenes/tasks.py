@@ -39,11 +39,10 @@ LINK = [
 _LONGEST = 200
 
 
-def draw() -> None:
-    """Draw the present task."""
-    task = lesson.task(_choose())
+def draw(task: Task) -> None:
+    """Draw a task."""
     st.title(task.heading, anchor=False)
-    words, picture = st.columns([2, 3], gap="medium") if task.stage else (st.container(), None)
+    words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
     with words:
         st.markdown(task.text)
         typed = {}
@@ -60,7 +59,7 @@ def draw() -> None:
             machine(task, setting)
 
 
-def _choose() -> str:
+def choose() -> str:
     """Draw the choice of the task, and return its id."""
     names = {task.id: task.heading for task in lesson.TASKS}
     now = progress.kept("task", names, lesson.TASKS[0].id)
@@ -70,6 +69,7 @@ def _choose() -> str:
         names,
         format_func=names.get,
         key="task_choice",
+        label_visibility="collapsed",
         on_change=lambda: progress.keep("task", st.session_state["task_choice"]),
     )
     return now
@@ -98,7 +98,6 @@ def machine(task: Task, setting: Setting) -> None:
             limits=fixed if free else controls.limits("compression"),
             watch={key: each for key, each in controls.WATCH.items() if not (free and key == "compression")},
             key=f"stage_task_{task.id}",
-            name="lesson_task",
             layers=(),
             narrow=True,
             hide=task.hides,
