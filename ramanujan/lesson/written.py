@@ -36,7 +36,7 @@ def quantity(value: float, unit: str, digits: int = 3) -> str:
     """Return a number with its unit.
 
     >>> quantity(0.0625, "m")
-    '0.062\\u202fm'
+    '0.0625\\u202fm'
     """
     return f"{number(value, digits)}{THIN}{unit}"
 

@@ -79,10 +79,12 @@ _TOO_LIGHT = "m was changed from {old} to {new}, because m′ must be at least {
 _OUT_OF_REACH = "The mass ratio is now {ratio:.3g}, the nearest that can be had."
 _SAID = "said"
 _RUN_AGAIN = "run_again"
+_FIRST = "first_run"
 
 
 def sidebar() -> None:
     """Draw the sidebar. Called once a run, before the page."""
+    st.session_state[_FIRST] = _FIRST not in st.session_state
     given.hold()
     for key, text in st.session_state.pop(_TYPED, {}).items():
         _take_exact(CONTROLS[key], text)
@@ -196,6 +198,11 @@ def ask_for_machine(machine: Oscillator, metres: float) -> None:
     """Set all sliders to a machine and its x₀ [m] in the run that follows."""
     for key, value in _on_sliders(machine, metres).items():
         enter(key, repr(value))
+
+
+def linked() -> bool:
+    """Tell whether this run is the first of its session and the link says something of the machine."""
+    return st.session_state[_FIRST] and not set(CONTROLS).isdisjoint(st.query_params)
 
 
 def holds(machine: Oscillator, metres: float) -> bool:

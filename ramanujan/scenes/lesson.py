@@ -12,6 +12,7 @@ from ramanujan import lesson, page
 from ramanujan.lesson import Stop
 from ramanujan.lesson.notes import INTRODUCTION
 from ramanujan.scenes import controls, links, progress, stops, tasks
+from ramanujan.scenes.cached import lesson as cached
 from ramanujan.words import _, ngettext
 
 PARTS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
@@ -67,7 +68,7 @@ def notes() -> None:
     st.markdown(INTRODUCTION)
     for number, (stop, note) in enumerate(zip(lesson.STOPS, lesson.NOTES, strict=True), start=1):
         time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
-        right = _("Right: {label}").format(label=stop.option(stop.answer()).label)
+        right = _("Right: {label}").format(label=cached.solution(stop.id).label)
         st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{note.purpose} {note.expect}  \n:small[{right}]")
     st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
 

@@ -16,6 +16,7 @@ from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.scenes import controls, progress
+from ramanujan.scenes.cached import lesson as cached
 from ramanujan.words import _
 
 _LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
@@ -34,10 +35,9 @@ def arrive(stop: Stop, predicted: bool) -> None:
     """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
     if st.session_state.get(_LOADED) == (stop.id, predicted):
         return
-    linked = _LOADED not in st.session_state and not set(controls.CONTROLS).isdisjoint(st.query_params)
     st.session_state[_LOADED] = (stop.id, predicted)
     machine = stop.shown if predicted else stop.machine
-    if not linked and not controls.holds(machine, stop.compression):
+    if not controls.linked() and not controls.holds(machine, stop.compression):
         controls.ask_for_machine(machine, stop.compression)
         controls.run_again()
 
@@ -83,26 +83,25 @@ def ask(stop: Stop) -> None:
 
 def explain(stop: Stop, chosen: str) -> None:
     """Say whether the prediction was right, which option is, and why."""
-    answer = stop.answer()
-    right = stop.option(answer).label
-    if chosen == answer:
+    solved = cached.solution(stop.id)
+    if chosen == solved.option:
         said = _("Your prediction was right.")
-        st.markdown(f":green[:material/check_circle: **{said}**] {right}")
+        st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
     else:
         said = _("Your prediction was different.")
         st.markdown(
             f":red[:material/cancel: **{_('Your prediction:')}**] {stop.option(chosen).label}\n\n"
-            f":green[:material/check_circle: **{_('Right answer:')}**] {right}"
+            f":green[:material/check_circle: **{_('Right answer:')}**] {solved.label}"
         )
     # With the option that was clicked the focus has gone: who cannot see the page is told here.
-    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {right}", "urgent": True}})
+    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
     why(stop)
     st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(predict, stop, None), type="tertiary")
 
 
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
-    st.markdown(stop.explanation())
+    st.markdown(cached.solution(stop.id).explanation)
     st.page_link(
         f"ramanujan/scenes/{stop.page}.py",
         label=stop.link_label,
