@@ -21,7 +21,8 @@ def opened(app):
     """Open the page with an address: opened(stop="block")."""
 
     def visit(**address):
-        app.run()
+        # An address is read when a page is opened: the visitor comes from the first page.
+        app.switch_page("ramanujan/scenes/oscillator.py").run()
         for key, text in address.items():
             app.query_params[key] = text
         return sound(app.switch_page(PAGE).run())
@@ -272,7 +273,7 @@ def test_tasks_are_done_with_the_controls_of_the_page(opened):
 
     app = opened(part="tasks", task="two-cubes", task_left="sphere", task_right="sphere")
     assert not done(app)
-    assert done(app.selectbox(key="task_top_choice").set_value("shell").run())
+    assert done(app.selectbox(key="task_top").set_value("shell").run())
 
 
 def test_the_notes_cover_every_stop_and_name_their_sources(opened):
@@ -287,7 +288,8 @@ def test_the_notes_cover_every_stop_and_name_their_sources(opened):
 def test_the_parts_are_chosen_on_the_page(opened):
     app = opened()
     assert app.title[0].value.startswith("1.")
-    for part in ("tasks", "notes", "stops"):
-        sound(app.segmented_control(key="lesson_part_choice").set_value(part).run())
+    for part in ("tasks", "notes"):
+        sound(app.segmented_control(key="part").set_value(part).run())
         assert app.query_params["part"] in (part, [part])
+    sound(app.segmented_control(key="part").set_value("stops").run())
     assert app.title[0].value.startswith("1.")

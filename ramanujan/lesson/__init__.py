@@ -5,7 +5,6 @@
     task        what a task is: what a student has set, and the verdict on it
     settings, answers                         the tasks
     notes       the lecturer's notes
-    written     numbers as text
 
 >>> from ramanujan import lesson
 >>> lesson.stop("stiffness").answer()

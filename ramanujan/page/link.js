@@ -1,7 +1,7 @@
 // The button that copies the address of the page. Browsers keep the clipboard from pages that are not served securely:
 // there the text itself is offered.
 
-export default ({ parentElement }) => {
+export default ({ data, parentElement }) => {
   const [button, told, input] = parentElement.querySelectorAll("button, .told, input");
   const tell = (sentence) => {
     told.textContent = sentence;
@@ -10,9 +10,9 @@ export default ({ parentElement }) => {
   button.onclick = async () => {
     try {
       await navigator.clipboard.writeText(location.href);
-      tell("Copied.");
+      tell(data.copied);
     } catch {
-      tell("Copy it from here:");
+      tell(data.by_hand);
       input.hidden = false;
       input.value = location.href;
       input.select();

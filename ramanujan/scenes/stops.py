@@ -15,8 +15,11 @@ from ramanujan import Oscillator, page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import controls, progress
+from ramanujan.scenes import complaints, controls, progress
 from ramanujan.scenes.cached import lesson as cached
+from ramanujan.scenes.pages import PAGES
+from ramanujan.scenes.quantities import QUANTITIES, WATCH
+from ramanujan.scenes.stages import LIMITS
 from ramanujan.words import _
 
 _LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
@@ -39,7 +42,7 @@ def arrive(stop: Stop, predicted: bool) -> None:
     machine = stop.shown if predicted else stop.machine
     if not controls.linked() and not controls.holds(machine, stop.compression):
         controls.ask_for_machine(machine, stop.compression)
-        controls.run_again()
+        complaints.run_again()
 
 
 def predict(stop: Stop, option: str | None) -> None:
@@ -103,7 +106,7 @@ def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
     st.markdown(cached.solution(stop.id).explanation)
     st.page_link(
-        f"ramanujan/scenes/{stop.page}.py",
+        PAGES[stop.page].file,
         label=stop.link_label,
         icon=":material/open_in_full:",
         query_params=dict(stop.link),
@@ -130,8 +133,8 @@ def observe(stop: Stop, predicted: bool) -> None:
         compression = run.compression if several else controls.compression()
         stage.mount(
             payload(run, machine, compression, predicted),
-            limits=controls.limits("compression"),
-            watch={} if several else controls.WATCH,
+            limits=LIMITS,
+            watch={} if several else WATCH,
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,
@@ -177,9 +180,7 @@ def _caption(stop: Stop, predicted: bool) -> str:
 
 def _written(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
-    return ", ".join(
-        f"{controls.CONTROLS[key].symbol} = {controls.CONTROLS[key].written(x)}" for key, x in values.items()
-    )
+    return ", ".join(f"{QUANTITIES[key].symbol} = {QUANTITIES[key].written(x)}" for key, x in values.items())
 
 
 def _show_hint(key: str, count: int) -> None:
