@@ -10,9 +10,8 @@ import urllib.request
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import sync_playwright
 
-from tests.browser import CHROMIUM, FLAGS, listen, settle
+from tests.browser import CHROMIUM, listen, settle
 from tests.deployed import HAPROXY, deployed
 
 STORE = "ramanujan"
@@ -30,14 +29,6 @@ def hall() -> Iterator[deployed]:
             pytest.skip(f"no {package} on this system (on Debian: apt-get install {package})")
     with deployed() as running:
         yield running
-
-
-@pytest.fixture(scope="module")
-def chromium(hall: deployed) -> Iterator[object]:
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield browser
-        browser.close()
 
 
 def get(address: str, **headers: str) -> tuple[object, bytes]:

@@ -201,7 +201,7 @@ def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
         assert not linked.run().exception
 
 
-@pytest.mark.parametrize("key", ["x", "BCDFHJ-", "BCDFHJ-" + "x" * 32, "é" * 5000])
+@pytest.mark.parametrize("key", ["x", "BCDFHJ-", "BCDFHJ-" + "x" * 32, "BCDFHJ-é"])
 def test_a_wrong_lecturers_address_gets_a_sentence(key):
     app = visitor(lecturer=key)
     [said] = [warning.value for warning in app.warning]
@@ -224,9 +224,3 @@ def test_without_its_file_the_lesson_goes_on(tmp_path, monkeypatch):
     app = press(visitor(), "open")
     assert "cannot keep answers" in words(app)
     assert STOP.question in words(app)
-
-
-def test_the_link_of_a_class_is_known_on_every_page():
-    app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
-    app.query_params["class"] = "BCDFHJ"
-    assert not app.run().warning

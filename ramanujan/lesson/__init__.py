@@ -5,7 +5,6 @@
     task        what a task is: what a student has set, and the verdict on it
     settings, answers                         the tasks
     notes       the lecturer's notes
-    written     numbers as text
     classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_file)
 
 >>> from ramanujan import lesson

@@ -1,15 +1,17 @@
-"""The page's side: what runs in the browser beside the machine, and all that knows Streamlit's and Plotly's pages.
+"""The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
 
-bus.js carries the news between the components, hosts.js holds every selector into the host pages, page.css every style
-rule for them. The other files belong to one component each. Components v2 takes one script for each component: `script`
-puts the files together, without a build step, and every script begins with bus.js and hosts.js. No physics here.
+bus.js carries messages between the components, hosts.js holds every selector into the host pages, page.css every style
+rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
+component each. No physics here.
+
+Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
+message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
 
 The topics of the bus, where NAME is the name of a stage:
 
     machine/NAME      what `stage.payload` returns; published by the stage's feed, forgotten when the page is left
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
-                      (normalized is left out while the stage hides its numbers)
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
@@ -19,9 +21,11 @@ The topics of the bus, where NAME is the name of a stage:
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -30,23 +34,48 @@ import streamlit as st
 from ramanujan.words import _
 
 _HERE = Path(__file__).parent
-_BASE = ("bus.js", "hosts.js")
+_PARTS = {
+    "cursor": ("marks.js", "cursor.js"),
+    "exact": ("exact.js",),
+    "feed": ("feed.js",),
+    "keys": ("keys.js",),
+    "link": ("link.js",),
+    "moment": ("moment.js",),
+    "pick": ("pick.js",),
+    "receipt": ("receipt.js",),
+    "ring": ("marks.js", "ring.js"),
+    "sheet": ("touch.js", "sheet.js"),
+    "steps": ("steps.js",),
+    "stopwatch": ("stopwatch.js",),
+    "theme": ("theme.js",),
+    "turn": ("turn.js",),
+    "voice": ("voice.js",),
+}
+"""Component → its script's files; its HTML and CSS are the files of its name, or of its look, if there are any."""
+_LOOKS = {"turn": "steps"}
+"""Component → the one that it looks like."""
+
+_TEXTS = {
+    "cursor": {"cursor": _("Time cursor")},
+    "link": {"copy": _("Copy link"), "link": _("Link")},
+    "sheet": {"handle": _("Sliders and presets")},
+    "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
+    "stopwatch": {"stopwatch": _("Stopwatch")},
+    "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},
+}
+"""Component → the texts for the slots of its HTML."""
+
+_ASK = (_HERE / "ask.js").read_text(encoding="utf-8")
 
 
-def script(*paths: Path | str, base: tuple[str, ...] = _BASE) -> str:
-    """Return one script: its base, then the given files (names are of this folder) in this order, without comments.
+def script(*paths: Path | str) -> str:
+    """Return one script: the shared files, then these (names are of this folder), without comments."""
+    return "\n".join(map(_bare, ("bus.js", "hosts.js", "sentences.js", *paths)))
 
-    Comments stay here, since a script travels with every message of its component.
 
-    Parameters
-    ----------
-    paths : the component's own files
-    base : what the component needs of bus.js and hosts.js
-    """
-    whole = "\n".join((_HERE / path).read_text(encoding="utf-8") for path in (*base, *paths))
-    bare = re.sub(r"^\s*/\*\*.*?\*/$", "", whole, flags=re.DOTALL | re.MULTILINE)
-    lines = (line.strip() for line in bare.splitlines())
-    return "\n".join(line for line in lines if line and not line.startswith("//"))
+def bring() -> None:
+    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn."""
+    _library()(key="library")
 
 
 def style() -> str:
@@ -56,18 +85,18 @@ def style() -> str:
 
 
 def feed(key: str, topics: Mapping[str, Any]) -> Any:
-    """Bring values to the bus of the page; only they travel at a change.
+    """Publish values on the bus of the page; after a change only these values are sent.
 
     Parameters
     ----------
     key : of the element
-    topics : topic → value; what has not changed since the last run is not published again
+    topics : topic → value; a value that has not changed since the last run is not published again
     """
-    return _component("feed", "feed.js", base=("bus.js",))(key=key, data=dict(topics))
+    return _component("feed")(key=key, data=dict(topics))
 
 
 def ring(stage: str) -> Any:
-    """Let a ring around the present machine follow a stage on a curve; call it once, beside the figure.
+    """Mark the machine of a stage on a curve by a ring that follows it; call it once, beside the figure.
 
     A figure takes part by its layout's `meta`: ring is the colour. Its axes are the mass ratio ε and Ω²m/k.
 
@@ -75,24 +104,26 @@ def ring(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("ring", "marks.js", "ring.js")(key="ring", data={"stage": stage})
+    label = _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")
+    return _component("ring")(key="ring", data={"stage": stage, "label": label})
 
 
 def cursor(stage: str) -> Any:
-    """Put the time cursor on the page: one instant, marked in every figure, moved without the server.
+    """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
 
     A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
-    time), period [s] and periods, the number of them that it shows. What is marked is the figure's own data.
+    time), period [s] and periods, the number of them that it shows. The marks are computed from the figure's own data.
 
     Parameters
     ----------
     stage : the name of the stage that shares the cursor's clock
     """
-    return _component("cursor", "marks.js", "cursor.js")(key="cursor", data={"stage": stage})
+    place = _("t = {time}, {periods} periods")
+    return _component("cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
 def moment(stage: str) -> Any:
-    """Put a button on the page that takes a stage, and all figures over time, to one instant and holds them there.
+    """Put a button on the page that moves a stage and all figures against time to one moment and stops them there.
 
     The topic moment/NAME says which: {time [s], label}.
 
@@ -100,46 +131,47 @@ def moment(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("moment", "moment.js")(key="moment", data={"stage": stage})
+    return _component("moment")(key="moment", data={"stage": stage})
 
 
 def give_back(*keys: str) -> None:
-    """Let the choices under these widget keys give the keyboard back to the page when they are clicked."""
-    _component("keys", "keys.js")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+    """After a click on one of these widgets, return the keyboard focus to the page."""
+    _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
 def voice() -> Any:
-    """Put the live region on the page, the only one: it says what the topic `say` brings."""
-    return _component("voice", "voice.js")(key="voice")
+    """Put the page's only live region on the page; it announces the sentences of the topic `say`."""
+    return _component("voice")(key="voice")
 
 
 def follow_theme(theme: str) -> Any:
-    """Run the page again when the visitor switches the theme, so that figures follow.
+    """Run the page again when the visitor switches the theme, so that the figures change, too.
 
     Parameters
     ----------
     theme : the one that this run draws with, light or dark
     """
-    return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
+    return _component("theme")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
 
 
 def sheet() -> Any:
-    """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
-    return _component("sheet", "touch.js", "sheet.js")(key="sheet")
+    """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
+    return _component("sheet")(key="sheet")
 
 
 def link(private: Sequence[str] = ()) -> Any:
-    """Put a button on the page that copies its address, in which everything stands that is set.
+    """Put a button on the page that copies its address, which contains every setting.
 
     Parameters
     ----------
     private : keys of the address that are left out of the copy
     """
-    return _component("link", "link.js")(key="link", data={"private": list(private)})
+    told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
+    return _component("link")(key="link", data={**told, "private": list(private)})
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
-    """Put the head of a slider on the page, with a box that shows its value in full and takes any text.
+    """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
 
     Parameters
     ----------
@@ -154,11 +186,11 @@ def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) ->
         if (text := st.session_state[key].typed) is not None:
             on_typed(text)
 
-    return _component("exact", "exact.js")(key=key, data=dict(data), on_typed_change=typed)
+    return _component("exact")(key=key, data=dict(data), on_typed_change=typed)
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
-    """Hear of every click on a point of a figure, also of a second one on the same point.
+    """Call a function at every click on a point of a figure, also at a second click on the same point.
 
     Parameters
     ----------
@@ -171,40 +203,38 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
         if (point := st.session_state[key].picked) is not None:
             on_picked(point)
 
-    return _component("pick", "pick.js")(key=key, data={"figure": figure}, on_picked_change=picked)
+    return _component("pick")(key=key, data={"figure": figure}, on_picked_change=picked)
 
 
 def receipt(key: str, number: int) -> Any:
-    """Let the page tell the highest number that has reached it: it stands in the state of this key as `received`.
+    """Let the page report the highest number that has reached it, as `received` in the state of this key.
 
     Parameters
     ----------
     key : of the element
-    number : what the page is to receive
+    number : the number to be received
     """
-    return _component("receipt", "receipt.js", base=())(
-        key=key, data={"number": number}, on_received_change=lambda: None
-    )
+    return _component("receipt")(key=key, data={"number": number}, on_received_change=lambda: None)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
-    """Turn the steps of a lecture on the page: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+    """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
 
-    The lecture begins at the step that the address names, any further route at its first.
+    The lecture begins at the step that the address names, every further route at its first step.
 
     Parameters
     ----------
-    route : name of what is lectured
+    route : name of the route
     headings : of the steps in their order, for screen readers
-    on_turned : called with the route and the step, some time after the last turn
+    on_turned : called with the route and the step, some time after the last change
     """
 
     def turned() -> None:
         at = st.session_state["steps"].at
         on_turned(at["route"], at["step"])
 
-    data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
-    return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
+    data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
+    return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
 def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
@@ -221,14 +251,8 @@ def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) ->
         if (to := st.session_state["turn"].to) is not None:
             on_turned(to)
 
-    words = {
-        "label": _("Stops of the lesson"),
-        "place": _("Stop {now} of {count}:"),
-        "back": _("Back"),
-        "next": _("Next"),
-    }
-    data = {"headings": list(headings), "now": now, **words}
-    return _component("turn", "turn.js", look="steps")(key="turn", data=data, on_to_change=turned)
+    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
+    return _component("turn")(key="turn", data=data, on_to_change=turned)
 
 
 def stopwatch(key: str) -> float | None:
@@ -238,22 +262,43 @@ def stopwatch(key: str) -> float | None:
     ----------
     key : of the element
     """
-    data = {
-        "label": _("Stopwatch"),
-        "start": _("Start"),
-        "stop": _("Stop"),
-        "seconds": _("{seconds}\u202fs"),
-    }
-    watch = _component("stopwatch", "stopwatch.js")
-    return watch(key=key, data=data, on_seconds_change=lambda: None).seconds
+    data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
+    return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
+def _component(name: str) -> Any:
+    """Return a component of this folder, which asks the page's library for its part."""
+    return _asking(name)
 
 
 @cache
-def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE, look: str | None = None) -> Any:
-    """Return a component of this folder; its HTML and CSS are the files of its name, or of another's look."""
-    files = {
-        kind: (_HERE / f"{look or name}.{kind}").read_text(encoding="utf-8")
-        for kind in ("html", "css")
-        if (_HERE / f"{look or name}.{kind}").exists()
-    }
-    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **files)
+def _asking(name: str) -> Any:
+    return st.components.v2.component(f"ramanujan_{name}", js=_ASK.replace("NAME", json.dumps(name)))
+
+
+@cache
+def _library() -> Any:
+    parts = "\n".join(_part(name, files) for name, files in _PARTS.items())
+    given = f"const STYLE = {json.dumps(style())};\nconst parts = {{}};"
+    return st.components.v2.component("ramanujan_library", js=f"{script()}\n{given}\n{parts}\n{_bare('library.js')}")
+
+
+def _part(name: str, files: tuple[str, ...]) -> str:
+    """Return the text of `parts.NAME`: the component's look, and the function that its script exports."""
+    style, html = (_text(_HERE / f"{_LOOKS.get(name, name)}.{kind}") for kind in ("css", "html"))
+    if name in _TEXTS:
+        html = html.format(**{slot: escape(text) for slot, text in _TEXTS[name].items()})
+    look = (f"<style>{style}</style>" if style else "") + html
+    body = "\n".join(map(_bare, files)).replace("export default", "const begin =")
+    return f"parts.{name} = {{ look: {json.dumps(look)}, begin: (() => {{\n{body}\nreturn begin;\n}})() }};"
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8") if path.exists() else ""
+
+
+def _bare(path: Path | str) -> str:
+    """Return a script without its comments, which stay here."""
+    text = re.sub(r"^\s*/\*\*.*?\*/$", "", (_HERE / path).read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    lines = (line.strip() for line in text.splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))

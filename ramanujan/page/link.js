@@ -17,9 +17,9 @@ export default ({ data, parentElement }) => {
   button.onclick = async () => {
     try {
       await navigator.clipboard.writeText(shared(data.private));
-      tell("Copied.");
+      tell(data.copied);
     } catch {
-      tell("Copy it from here:");
+      tell(data.by_hand);
       input.hidden = false;
       input.value = shared(data.private);
       input.select();

@@ -8,7 +8,8 @@ import streamlit as st
 
 from ramanujan.lesson.classes import ClassError, Comparison, shared
 from ramanujan.lesson.stop import Stop
-from ramanujan.lesson.written import quantity
+from ramanujan.numerals import quantity
+from ramanujan.scenes.cached import lesson as cached
 from ramanujan.words import _, ngettext
 
 _KEPT = "class_result"
@@ -56,7 +57,7 @@ def _result(access: str, stop: Stop, round_: int) -> _Result:
     name = (access, stop.id, round_)
     kept = st.session_state.get(_KEPT)
     if kept is None or kept[0] != name:
-        right = stop.answer()
+        right = cached.solution(stop.id).option
         if round_ == 1:
             result = _Result((shared().distribution(access, stop.id, 1),), None, right)
         else:

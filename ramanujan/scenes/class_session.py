@@ -13,15 +13,45 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import ClassVar
 
 import streamlit as st
 
 from ramanujan.lesson.class_codes import parts_of
 from ramanujan.lesson.classes import ClassError, Seat, shared
+from ramanujan.scenes import links
 from ramanujan.scenes.links import PRIVATE
+from ramanujan.words import _
 
-LINKED = ("class", *PRIVATE)
-"""Keys of the address."""
+_LONGEST = 100
+
+
+@dataclass(frozen=True)
+class Word:
+    """A key of the address that holds any short text; the class itself judges it."""
+
+    bound: ClassVar[bool] = False
+    name: str
+    default: str = ""
+
+    def read(self, text: str) -> str:
+        """Return the text; ValueError if it is too long for a code or a key."""
+        if len(text) > _LONGEST:
+            raise ValueError(self.name)
+        return text
+
+    def write(self, text: str) -> str:
+        """Return the text as the address has it."""
+        return text
+
+    def complaint(self) -> str:
+        """Return the sentence for a text that does not fit."""
+        return _("The value of {name} in the address was ignored: it is too long.").format(name=self.name)
+
+
+CLASS, LECTURER, VOTER = KEYS = tuple(map(Word, ("class", *PRIVATE)))
+"""What the address says of a class."""
 
 _KEY, _SEAT = "class_key", "class_seat"
 _SESSION = "class_session"
@@ -32,17 +62,16 @@ _SAID = "class_said"
 
 def arrive() -> None:
     """Know a lecturer and a student again by their address, once a session; from then on the address follows."""
-    link = st.query_params
     if not st.session_state.get(_JUDGED):
         st.session_state[_JUDGED] = True
-        if key := link.get("lecturer"):
+        if key := links.held(LECTURER):
             attempt(_sit_at_desk, key)
-        elif code := link.get("class"):
-            attempt(take_seat, code, link.get("voter", ""))
+        elif code := links.held(CLASS):
+            attempt(take_seat, code, links.held(VOTER))
     if mine := key_held():
-        _write_address({"class": parts_of(mine)[0], "lecturer": mine})
+        _write_address(parts_of(mine)[0], lecturer=mine)
     elif seat := seat_held():
-        _write_address({"class": seat.code, "voter": seat.voter})
+        _write_address(seat.code, voter=seat.voter)
 
 
 def key_held() -> str | None:
@@ -77,7 +106,7 @@ def leave() -> None:
     """Be nobody again."""
     for name in (_KEY, _SEAT, _SAID):
         st.session_state.pop(name, None)
-    _write_address({})
+    _write_address()
 
 
 def attempt(act: Callable, *values: object) -> None:
@@ -99,12 +128,8 @@ def _sit_at_desk(key: str) -> None:
     st.session_state[_KEY] = key
 
 
-def _write_address(wanted: dict[str, str]) -> None:
-    """Let the address say this of the class, and nothing else."""
-    for name in LINKED:
-        if st.query_params.get(name) == wanted.get(name):
-            continue
-        if name in wanted:
-            st.query_params[name] = wanted[name]
-        else:
-            del st.query_params[name]
+def _write_address(code: str = "", lecturer: str = "", voter: str = "") -> None:
+    """Let the address say this of the class."""
+    for key, value in ((CLASS, code), (LECTURER, lecturer), (VOTER, voter)):
+        st.session_state[key.name] = value
+        links.keep(key)

@@ -6,13 +6,56 @@ import math
 
 import streamlit as st
 
-from ramanujan import page, stage
-from ramanujan.scenes import controls, look
+from ramanujan import Oscillator, page, stage
+from ramanujan.scenes import controls, look, pages, stages
 from ramanujan.scenes.cached import oscillator as cached
+from ramanujan.words import _
+
+KEYS = ()
+
+
+def show() -> None:
+    """Draw the page."""
+    machine = controls.oscillator()
+    st.title(_("Ramanujan’s oscillator"), anchor=False)
+    stages.mount(
+        stage.payload(machine, controls.compression()), name="oscillator", on_released=controls.set_compression
+    )
+    the_curve()
+    six_steps(machine)
+
+
+def the_curve() -> None:
+    """Draw the curve of Ω² with a ring at the present machine."""
+    base = cached.curve()
+    st.header(_("When does it keep time with the plain mass?"), anchor=False)
+    st.markdown(
+        _(
+            "The plain mass $m$ on the spring $k$ has the angular frequency √(k/m), the machine has $\\Omega$. "
+            "They keep time where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
+        )
+    )
+    page.ring("oscillator")
+    st.plotly_chart(
+        cached.figure(look.theme()),
+        key="curve",
+        theme=None,
+        config={"displayModeBar": False},
+        # What changes with the machine is said by the ring: so the figure is sent to a page only once.
+        alt=_(
+            "Ω²m/k over the mass ratio ε, falling from {light} to {heavy}: heavier rollers make the machine slower. It "
+            "is {equal} at equal masses, and exactly 1 at one ratio only."
+        ).format(
+            light=base.light_label, heavy=base.heavy_label.replace("<br>", " "), equal=cached.equal_masses_value()
+        ),
+    )
+    page.pick("curve", take_clicked)
+    st.caption(_("Click on the curve to build the machine with that mass ratio."))
 
 
 def take_clicked(point: dict[str, float]) -> None:
     """Take the mass ratio of the clicked point: exactly that of a mark if one lies there, else with round masses."""
+    base = cached.curve()
     marks = (base.equal.ratio, base.unit.ratio)
     mark = next((mark for mark in marks if math.isclose(point["x"], mark, rel_tol=0.02)), None)
     if mark is None:
@@ -21,37 +64,23 @@ def take_clicked(point: dict[str, float]) -> None:
         controls.take_ratio(mark)
 
 
-machine, base = controls.oscillator(), cached.curve()
-
-st.title("Ramanujan’s oscillator", anchor=False)
-stage.mount(
-    stage.payload(machine, controls.compression()),
-    name="oscillator",
-    limits=controls.limits("compression"),
-    watch=controls.WATCH,
-    on_released=controls.set_compression,
-)
-
-st.subheader("When is it in step with √(k/m)?", anchor=False)
-page.ring("oscillator")
-st.plotly_chart(
-    cached.figure(look.theme()),
-    key="curve",
-    theme=None,
-    config={"displayModeBar": False},
-    # What changes with the machine is said by the ring: so the figure is sent to a page only once.
-    alt=f"Ω²m/k over the mass ratio ε: it falls from {base.light_label} to {base.heavy_label.replace('<br>', ' ')}.",
-)
-page.pick("curve", take_clicked)
-st.caption("Click on the curve to build the machine with that mass ratio.")
-
-st.subheader("In six steps", anchor=False)
-st.caption(f"Each step in symbols, then with numbers. {cached.numbers_stated(machine.m, machine.m_prime, machine.k)}")
-# One text: each element of a page costs the server a message.
-st.container(key="steps").markdown(
-    "\n\n".join(
-        f"##### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
-        for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1)
+def six_steps(machine: Oscillator) -> None:
+    """Draw the derivation in short, in symbols and with the present numbers."""
+    numbers = (machine.m, machine.m_prime, machine.k)
+    st.header(_("The derivation in six steps"), anchor=False)
+    st.caption(_("Each step appears in symbols, then with your numbers."))
+    st.caption(cached.numbers_stated(*numbers))
+    # One text: each element of a page costs the server a message.
+    st.container(key="steps").markdown(
+        "\n\n".join(
+            f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
+            for number, step in enumerate(cached.summary(*numbers), start=1)
+        )
     )
-)
-st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")
+    st.page_link(
+        pages.PAGES["derivation"].file, label=_("The whole derivation, in five ways"), icon=":material/function:"
+    )
+
+
+if __name__ == "__main__":
+    show()

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gc
 import importlib
+import importlib.util
 import pkgutil
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -21,7 +22,6 @@ import ramanujan
 
 __all__ = ["Compressed", "Middleware", "warm_up", "warmed_up"]
 
-_PAGES = ("oscillator", "derivation", "motion", "taxicab", "lesson", "speed")
 _SCRIPTS = "/static/"
 _LEVEL = 6
 _SMALLEST = 1000
@@ -52,7 +52,7 @@ def warm_up() -> None:
 def _is_page(name: str) -> bool:
     """Tell whether a module is a page, which draws when it is imported."""
     package, _, page = name.rpartition(".")
-    return package == "ramanujan.scenes" and page in _PAGES
+    return package == "ramanujan.scenes" and importlib.util.find_spec(f"{package}.cached.{page}") is not None
 
 
 class Compressed:

@@ -15,7 +15,11 @@ from ramanujan import Oscillator, page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import classroom, controls, progress
+from ramanujan.scenes import classroom, complaints, controls, progress
+from ramanujan.scenes.cached import lesson as cached
+from ramanujan.scenes.pages import PAGES
+from ramanujan.scenes.quantities import QUANTITIES, WATCH
+from ramanujan.scenes.stages import LIMITS
 from ramanujan.words import _
 
 _LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
@@ -34,12 +38,11 @@ def arrive(stop: Stop, predicted: bool) -> None:
     """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
     if st.session_state.get(_LOADED) == (stop.id, predicted):
         return
-    linked = _LOADED not in st.session_state and not set(controls.CONTROLS).isdisjoint(st.query_params)
     st.session_state[_LOADED] = (stop.id, predicted)
     machine = stop.shown if predicted else stop.machine
-    if not linked and not controls.holds(machine, stop.compression):
+    if not controls.linked() and not controls.holds(machine, stop.compression):
         controls.ask_for_machine(machine, stop.compression)
-        controls.run_again()
+        complaints.run_again()
 
 
 def predict(stop: Stop, option: str | None) -> None:
@@ -88,28 +91,27 @@ def ask(stop: Stop) -> None:
 
 def explain(stop: Stop, chosen: str) -> None:
     """Say whether the prediction was right, which option is, and why."""
-    answer = stop.answer()
-    right = stop.option(answer).label
-    if chosen == answer:
+    solved = cached.solution(stop.id)
+    if chosen == solved.option:
         said = _("Your prediction was right.")
-        st.markdown(f":green[:material/check_circle: **{said}**] {right}")
+        st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
     else:
         said = _("Your prediction was different.")
         st.markdown(
             f":red[:material/cancel: **{_('Your prediction:')}**] {stop.option(chosen).label}\n\n"
-            f":green[:material/check_circle: **{_('Right answer:')}**] {right}"
+            f":green[:material/check_circle: **{_('Right answer:')}**] {solved.label}"
         )
     # With the option that was clicked the focus has gone: who cannot see the page is told here.
-    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {right}", "urgent": True}})
+    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
     why(stop)
     st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(predict, stop, None), type="tertiary")
 
 
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
-    st.markdown(stop.explanation())
+    st.markdown(cached.solution(stop.id).explanation)
     st.page_link(
-        f"ramanujan/scenes/{stop.page}.py",
+        PAGES[stop.page].file,
         label=stop.link_label,
         icon=":material/open_in_full:",
         query_params=dict(stop.link),
@@ -136,8 +138,8 @@ def observe(stop: Stop, predicted: bool) -> None:
         compression = run.compression if several else controls.compression()
         stage.mount(
             payload(run, machine, compression, predicted),
-            limits=controls.limits("compression"),
-            watch={} if several else controls.WATCH,
+            limits=LIMITS,
+            watch={} if several else WATCH,
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,
@@ -183,9 +185,7 @@ def _caption(stop: Stop, predicted: bool) -> str:
 
 def _written(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
-    return ", ".join(
-        f"{controls.CONTROLS[key].symbol} = {controls.CONTROLS[key].written(x)}" for key, x in values.items()
-    )
+    return ", ".join(f"{QUANTITIES[key].symbol} = {QUANTITIES[key].written(x)}" for key, x in values.items())
 
 
 def _show_hint(key: str, count: int) -> None:

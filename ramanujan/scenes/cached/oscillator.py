@@ -17,9 +17,14 @@ from ramanujan.figures import Drawn, kept
 from ramanujan.figures.oscillator import Mark, frequency_curve
 from ramanujan.scenes import look
 from ramanujan.scenes.cached import route
+from ramanujan.words import _
 
 CURVE_RANGE = (0.01, 30.0)
 """The mass ratios that the Ω² curve shows; the sliders stay inside."""
+
+_POINTS = 2001
+"""Of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They also make the
+figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +45,7 @@ class Curve:
 def curve() -> Curve:
     """Return the Ω² curve with its limits and the two marked ratios."""
     normalized, condition = unit_frequency_condition().normalized_frequency_squared, unit_frequency_condition()
-    ratios = np.geomspace(*CURVE_RANGE, 101)
+    ratios = np.geomspace(*CURVE_RANGE, _POINTS)
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
@@ -51,12 +56,17 @@ def curve() -> Curve:
         ratios,
         normalized_frequency_squared(ratios),
         float(light),
-        np.array([float(heavy.subs(epsilon, ratio)) for ratio in ratios]),
-        Mark(1.0, float(at_equal), f"equal masses<br>{at_equal}"),
+        sp.lambdify(epsilon, heavy, "numpy")(ratios),
+        Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
         Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
-        f"{light} for ε → 0",
-        f"{sp.sstr(heavy).replace('varepsilon', 'ε').replace('*', '')}<br>for ε → ∞",
+        _("{value} for ε → 0").format(value=light),
+        _("{value}<br>for ε → ∞").format(value=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", "")),
     )
+
+
+def equal_masses_value() -> str:
+    """Return Ω²m/k at equal masses as an exact fraction."""
+    return str(unit_frequency_condition().normalized_frequency_squared.subs(epsilon, 1))
 
 
 @st.cache_resource(show_spinner=False, max_entries=4)

@@ -1,0 +1,17 @@
+"""The stages of the pages: each follows the sliders of the sidebar."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ramanujan import stage
+from ramanujan.scenes.quantities import QUANTITIES, WATCH
+
+LIMITS = QUANTITIES["compression"].limits
+"""The least and the largest x₀ [m]."""
+
+
+def mount(payload: Mapping[str, Any], **more: Any) -> Any:
+    """Put a stage on the page as `stage.mount` does, with the sliders that it follows and the range of x₀."""
+    return stage.mount(payload, limits=LIMITS, watch=WATCH, **more)
