@@ -9,6 +9,7 @@ import pytest
 from google.protobuf.json_format import MessageToDict
 
 from ramanujan import UNIT_MASS_RATIO, lesson
+from ramanujan.scenes.pages import PAGES
 
 PAGE = "ramanujan/scenes/lesson.py"
 IDS = [stop.id for stop in lesson.STOPS]
@@ -293,3 +294,11 @@ def test_the_parts_are_chosen_on_the_page(opened):
         assert app.query_params["part"] in (part, [part])
     sound(app.segmented_control(key="part").set_value("stops").run())
     assert app.title[0].value.startswith("1.")
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_full_page_understands_the_link_of_the_stop(name):
+    stop = lesson.stop(name)
+    keys = {key.name: key for key in PAGES[stop.page].keys}
+    for key, text in stop.link.items():
+        assert keys[key].write(keys[key].read(text)) == text

@@ -26,14 +26,23 @@ def show() -> None:
         head = st.container(key="turner")
         classroom.door()
     {"stops": walk, "tasks": work, "notes": notes}[part](head)
+    keep_address()
     page.give_back("part")
+
+
+def keep_address() -> None:
+    """Keep in the address also what the present part of the page does not draw, and drop what it cannot use."""
+    for key in KEYS:
+        if not key.bound:
+            links.keep(key)
+        elif not links.fits(key):
+            st.query_params.pop(key.name, None)
 
 
 def walk(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the present stop, and in the head what turns to another one."""
     now = lesson.stop(links.held(progress.STOP))
     number = lesson.STOPS.index(now) + 1
-    progress.keep()
     with head:
         page.turn([stop.heading for stop in lesson.STOPS], number, lambda to: turn(lesson.STOPS[to - 1]))
     stops.draw(now, number)

@@ -166,6 +166,15 @@ def keep(key: Choice | Count) -> None:
         st.query_params[key.name] = text
 
 
+def fits(key: Key) -> bool:
+    """Tell whether the address says nothing of a key, or says it once and readably."""
+    texts = st.query_params.get_all(key.name)
+    try:
+        return not texts or (len(texts) == 1 and key.read(texts[0]) is not None)
+    except ValueError:
+        return False
+
+
 def _take(key: Key, back: bool) -> str | None:
     """Put what the address says of a key into the session, or drop it and return a sentence."""
     texts = st.query_params.get_all(key.name)

@@ -60,9 +60,3 @@ def predict(stop: str, option: str | None) -> None:
     """Make a prediction, or take it back."""
     made = {name: chosen for name, chosen in predictions().items() if name != stop}
     st.session_state[CHOSEN.name] = made | ({stop: option} if option else {})
-
-
-def keep() -> None:
-    """Write into the address where the reader is."""
-    for key in (STOP, CHOSEN):
-        links.keep(key)

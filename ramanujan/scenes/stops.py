@@ -97,10 +97,8 @@ def explain(stop: Stop, chosen: str) -> None:
         st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
     else:
         said = _("Your prediction was different.")
-        st.markdown(
-            f":red[:material/cancel: **{_('Your prediction:')}**] {stop.option(chosen).label}\n\n"
-            f":green[:material/check_circle: **{_('Right answer:')}**] {solved.label}"
-        )
+        st.markdown(_(":red[:material/cancel: **Your prediction:**] {option}").format(option=stop.option(chosen).label))
+        st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
     # With the option that was clicked the focus has gone: who cannot see the page is told here.
     page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
     why(stop)

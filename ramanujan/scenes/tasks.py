@@ -52,7 +52,7 @@ def draw(task: Task) -> None:
             typed |= FIELDS[field]()
         setting = Setting(machine=controls.oscillator(), compression=controls.compression(), **typed)
         if not task.fields:
-            st.markdown(f":small[{_('Set the machine with the sliders in the sidebar.')}]")
+            st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
         with st.container(key="task_verdict"):
             verdict(task, setting)
         stops.hints(f"task_{task.id}", task.hints)
