@@ -85,7 +85,7 @@ class Classes:
         """Ask the class a question; a stop that was presented before is as it was left."""
         code = self.code_of(key)
         if not all(_ID.fullmatch(each) for each in (stop, *options)):
-            raise ValueError(f"an id has small letters, digits, - and _: {stop}, {options}")
+            raise ValueError(_("The ids of {stop} must have small letters, digits, - and _ only.").format(stop=stop))
         with self._file.writing() as file:
             query = "SELECT MAX(round) FROM question WHERE code = ? AND stop = ?"
             [(last,)] = file.execute(query, (code, stop))

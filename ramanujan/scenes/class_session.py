@@ -11,6 +11,7 @@ It is known from the session, and after a reload from the address:
 
 from __future__ import annotations
 
+import re
 import secrets
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,26 +19,26 @@ from typing import ClassVar
 
 import streamlit as st
 
-from ramanujan.lesson.class_codes import parts_of
+from ramanujan.lesson.class_codes import ALPHABET, LETTERS, parts_of
 from ramanujan.lesson.classes import ClassError, Seat, shared
 from ramanujan.scenes import links
-from ramanujan.scenes.links import PRIVATE
 from ramanujan.words import _
 
-_LONGEST = 100
+_NAME = r"[A-Za-z0-9_-]"
 
 
 @dataclass(frozen=True)
 class Word:
-    """A key of the address that holds any short text; the class itself judges it."""
+    """A key of the address that holds a code, or what nobody else can guess; the class itself knows what it opens."""
 
     bound: ClassVar[bool] = False
     name: str
+    form: str
     default: str = ""
 
     def read(self, text: str) -> str:
-        """Return the text; ValueError if it is too long for a code or a key."""
-        if len(text) > _LONGEST:
+        """Return the text; ValueError if it cannot belong to any class."""
+        if not re.fullmatch(self.form, text, re.ASCII):
             raise ValueError(self.name)
         return text
 
@@ -47,10 +48,13 @@ class Word:
 
     def complaint(self) -> str:
         """Return the sentence for a text that does not fit."""
-        return _("The value of {name} in the address was ignored: it is too long.").format(name=self.name)
+        return _("The value of {name} in the address was ignored: it belongs to no class.").format(name=self.name)
 
 
-CLASS, LECTURER, VOTER = KEYS = tuple(map(Word, ("class", *PRIVATE)))
+CLASS = Word("class", f"[A-Za-z]{{{LETTERS}}}")
+LECTURER = Word("lecturer", f"[{ALPHABET}]{{{LETTERS}}}-{_NAME}{{20,60}}")
+VOTER = Word("voter", f"{_NAME}{{8,40}}")
+KEYS = (CLASS, LECTURER, VOTER)
 """What the address says of a class."""
 
 _KEY, _SEAT = "class_key", "class_seat"
