@@ -47,16 +47,22 @@ _PARTS = {
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
     "steps": ("steps.js",),
+    "stopwatch": ("stopwatch.js",),
     "theme": ("theme.js",),
+    "turn": ("turn.js",),
     "voice": ("voice.js",),
 }
-"""Component → its script's files; its HTML and CSS are the files of its name, if there are any."""
+"""Component → its script's files; its HTML and CSS are the files of its name, or of its look, if there are any."""
+_LOOKS = {"turn": "steps"}
+"""Component → the one that it looks like."""
 
 _TEXTS = {
     "cursor": {"cursor": _("Time cursor")},
     "link": {"copy": _("Copy link"), "link": _("Link")},
     "sheet": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
+    "stopwatch": {"stopwatch": _("Stopwatch")},
+    "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},
 }
 """Component → the texts for the slots of its HTML."""
 
@@ -148,10 +154,15 @@ def sheet() -> Any:
     return _component("sheet")(key="sheet")
 
 
-def link() -> Any:
-    """Put a button on the page that copies its address, which contains every setting."""
+def link(private: Sequence[str] = ()) -> Any:
+    """Put a button on the page that copies its address, which contains every setting.
+
+    Parameters
+    ----------
+    private : keys of the address that are left out of the copy
+    """
     told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    return _component("link")(key="link", data=told)
+    return _component("link")(key="link", data={**told, "private": list(private)})
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
@@ -221,6 +232,35 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
+def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
+    """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
+
+    Parameters
+    ----------
+    headings : of the stops in their order, for screen readers
+    now : the number of the stop that is drawn, from 1 on
+    on_turned : called with the number of the stop that is asked for
+    """
+
+    def turned() -> None:
+        if (to := st.session_state["turn"].to) is not None:
+            on_turned(to)
+
+    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
+    return _component("turn")(key="turn", data=data, on_to_change=turned)
+
+
+def stopwatch(key: str) -> float | None:
+    """Put a stopwatch on the page and return the time that it showed when it was last stopped [s].
+
+    Parameters
+    ----------
+    key : of the element
+    """
+    data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
+    return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
 def _component(name: str) -> Any:
     """Return a component of this folder, which asks the page's library for its part."""
     return _asking(name)
@@ -240,7 +280,7 @@ def _library() -> Any:
 
 def _part(name: str, files: tuple[str, ...]) -> str:
     """Return the text of `parts.NAME`: the component's look, and the function that its script exports."""
-    style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
+    style, html = (_text(_HERE / f"{_LOOKS.get(name, name)}.{kind}") for kind in ("css", "html"))
     if name in _TEXTS:
         html = html.format(**{slot: escape(text) for slot, text in _TEXTS[name].items()})
     look = (f"<style>{style}</style>" if style else "") + html
