@@ -84,7 +84,7 @@ def machine(task: Task, setting: Setting) -> None:
         initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)
         stage.mount(
             stage.payload(setting.machine, setting.release, initial=initial),
-            limits=(setting.release, setting.release),
+            limits=(RELEASE.limits[1],) * 2,
             watch={key: each for key, each in WATCH.items() if key != "compression"},
             **shown,
         )
