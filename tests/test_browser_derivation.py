@@ -136,7 +136,7 @@ def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
     for text, told in (
         ("m X'^2", "leave out the ½"),
         ("½ m X'²", "Right!"),
-        ("<img src=x onerror=alert(1)>", "Type only"),
+        ("<img src=x onerror=alert(1)>", "Type only the right side of the equation"),
         (":red[x]", "colon"),
     ):
         box.fill(text)

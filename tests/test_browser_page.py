@@ -12,7 +12,7 @@ ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "2"))
 """How often theme and page are changed when leaks are looked for; fifty in a long run."""
 
 BUS = "globalThis.ramanujan"
-REGION = ".st-key-voice [role=status]"
+REGION = ".st-key-library [role=status]"
 
 
 @pytest.fixture
@@ -321,7 +321,7 @@ def test_what_happens_is_said_once(visit):
     region = page.locator(REGION)
     page.evaluate(
         """() => {
-          const region = document.querySelector(".st-key-voice [data-testid=stBidiComponentIsolated]").shadowRoot
+          const region = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot
             .querySelector("[role=status]");
           window.said = [];
           new MutationObserver(() => region.textContent && window.said.push(region.textContent))
@@ -358,7 +358,7 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
         f"""() => {{
           {hosts}
           const graphs = hosts.graphs(), panel = hosts.panels(graphs[0])[0], slider = hosts.slider("m");
-          const theme = document.querySelector(".st-key-voice [data-testid=stBidiComponentIsolated]").shadowRoot;
+          const theme = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
           const holds = {{
             "slider: a range input with bounds, step and value": slider?.type === "range" && slider.min === "0.5"
               && slider.max === "5" && Number(slider.step) === 0.01 && slider.value === "1",

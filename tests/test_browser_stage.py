@@ -295,7 +295,7 @@ def test_reduced_motion_starts_with_a_still(visit):
 
 def test_the_scene_is_described_in_words(visit):
     page = visit()
-    live = page.locator(".st-key-voice [role=status]")
+    live = page.locator(".st-key-library [role=status]")
     expect(live).not_to_be_empty()
     spoken = live.text_content()
     period = f"{Oscillator(1, 1, 10).period:.2f}"

@@ -47,16 +47,22 @@ _PARTS = {
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
     "steps": ("steps.js",),
+    "stopwatch": ("stopwatch.js",),
     "theme": ("theme.js",),
+    "turn": ("turn.js",),
     "voice": ("voice.js",),
 }
-"""Component → its script's files; its HTML and CSS are the files of its name, if there are any."""
+"""Component → its script's files; its HTML and CSS are the files of its name, or of its look, if there are any."""
+_LOOKS = {"turn": "steps"}
+"""Component → the one that it looks like."""
 
 _TEXTS = {
     "cursor": {"cursor": _("Time cursor")},
     "link": {"copy": _("Copy link"), "link": _("Link")},
     "sheet": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
+    "stopwatch": {"stopwatch": _("Stopwatch")},
+    "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},
 }
 """Component → the texts for the slots of its HTML."""
 
@@ -68,9 +74,18 @@ def script(*paths: Path | str) -> str:
     return "\n".join(map(_bare, ("bus.js", "hosts.js", "sentences.js", *paths)))
 
 
-def bring() -> None:
-    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn."""
-    _library()(key="library")
+def bring(theme: str) -> None:
+    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn.
+
+    With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
+    that scroll sideways; and a new run of the page when the visitor switches the theme, so that figures follow.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    """
+    data = {"theme": theme, "label": _("Wide content, the arrow keys scroll it")}
+    _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
 def style() -> str:
@@ -134,35 +149,20 @@ def give_back(*keys: str) -> None:
     _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
-def voice() -> Any:
-    """Put the page's only live region on the page; it announces the sentences of the topic `say`."""
-    return _component("voice")(key="voice")
-
-
-def follow_theme(theme: str) -> Any:
-    """Run the page again when the visitor switches the theme, so that the figures change, too.
-
-    Parameters
-    ----------
-    theme : the one that this run draws with, light or dark
-    """
-    return _component("theme")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
-
-
-def reach() -> Any:
-    """Let every box that scrolls sideways by itself take the focus, so that the arrow keys move it."""
-    return _component("reach")(key="reach", data={"label": _("Wide content, the arrow keys scroll it")})
-
-
 def sheet() -> Any:
     """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
     return _component("sheet")(key="sheet")
 
 
-def link() -> Any:
-    """Put a button on the page that copies its address, which contains every setting."""
+def link(private: Sequence[str] = ()) -> Any:
+    """Put a button on the page that copies its address, which contains every setting.
+
+    Parameters
+    ----------
+    private : keys of the address that are left out of the copy
+    """
     told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    return _component("link")(key="link", data=told)
+    return _component("link")(key="link", data={**told, "private": list(private)})
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
@@ -232,6 +232,35 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
+def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
+    """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
+
+    Parameters
+    ----------
+    headings : of the stops in their order, for screen readers
+    now : the number of the stop that is drawn, from 1 on
+    on_turned : called with the number of the stop that is asked for
+    """
+
+    def turned() -> None:
+        if (to := st.session_state["turn"].to) is not None:
+            on_turned(to)
+
+    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
+    return _component("turn")(key="turn", data=data, on_to_change=turned)
+
+
+def stopwatch(key: str) -> float | None:
+    """Put a stopwatch on the page and return the time that it showed when it was last stopped [s].
+
+    Parameters
+    ----------
+    key : of the element
+    """
+    data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
+    return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
 def _component(name: str) -> Any:
     """Return a component of this folder, which asks the page's library for its part."""
     return _asking(name)
@@ -251,7 +280,7 @@ def _library() -> Any:
 
 def _part(name: str, files: tuple[str, ...]) -> str:
     """Return the text of `parts.NAME`: the component's look, and the function that its script exports."""
-    style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
+    style, html = (_text(_HERE / f"{_LOOKS.get(name, name)}.{kind}") for kind in ("css", "html"))
     if name in _TEXTS:
         html = html.format(**{slot: escape(text) for slot, text in _TEXTS[name].items()})
     look = (f"<style>{style}</style>" if style else "") + html

@@ -12,7 +12,7 @@ import math
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, page
-from ramanujan.scenes import cached, complaints, given, widgets
+from ramanujan.scenes import cached, complaints, given, links, widgets
 from ramanujan.scenes.quantities import QUANTITIES, Quantity, read_number
 from ramanujan.words import _
 
@@ -31,6 +31,7 @@ _PRESET = "preset"
 _TYPED = "typed"
 """Session state: key of a quantity → the text typed into its box, until the run that follows has judged it."""
 _JUDGED = "judged"
+_FIRST = "first_run"
 
 
 def sidebar() -> None:
@@ -49,19 +50,22 @@ def sidebar() -> None:
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. It changes no frequency."))
             values["radius"] = _slider(QUANTITIES["radius"])
-        with st.expander(_("Symbols")):
-            st.markdown(cached.symbols())
+        # The list is sent to those who open it: on the first page it would be a twentieth of every change.
+        with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
+            if symbols.open:
+                st.markdown(cached.symbols())
         judged = st.session_state.get(_JUDGED, 0)
         boxes = {
             f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
         }
         page.feed("boxes_feed", boxes)
-        page.link()
+        page.link(links.PRIVATE)
         given.receipt()
 
 
 def take_typed() -> None:
     """Judge what was typed into the boxes. Called once a run, before anything is drawn."""
+    st.session_state[_FIRST] = _FIRST not in st.session_state
     given.hold()
     for key, text in st.session_state.pop(_TYPED, {}).items():
         _take_exact(QUANTITIES[key], text)
@@ -120,6 +124,39 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
             _("The mass ratio is now {ratio}, the nearest possible value.").format(ratio=f"{bound / new_m:.3g}")
         )
     complaints.note("m", " ".join(sentences))
+
+
+def take_machine(machine: Oscillator, metres: float) -> None:
+    """Set all sliders to a machine and its x₀ [m]. Call it in a callback, before the sliders are drawn."""
+    given.hold()
+    for key, value in _on_sliders(machine, metres).items():
+        given.give(key, value)
+
+
+def ask_for_machine(machine: Oscillator, metres: float) -> None:
+    """Set all sliders to a machine and its x₀ [m] in the run that follows."""
+    for key, value in _on_sliders(machine, metres).items():
+        enter(key, repr(value))
+
+
+def linked() -> bool:
+    """Tell whether this run is the first of its session and the link says something of the machine."""
+    return st.session_state[_FIRST] and not set(QUANTITIES).isdisjoint(st.query_params)
+
+
+def holds(machine: Oscillator, metres: float) -> bool:
+    """Tell whether the sliders hold this machine and this x₀ [m]."""
+    return all(math.isclose(QUANTITIES[key].present, x) for key, x in _on_sliders(machine, metres).items())
+
+
+def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
+    """Return what each slider says of a machine, in its own unit."""
+    values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k, "radius": machine.radius}
+    # Ten digits keep 8 cm from turning into 8.000000000000002 cm; what is in SI units keeps all of its digits.
+    return {
+        key: value if QUANTITIES[key].scale == 1 else round(value / QUANTITIES[key].scale, 10)
+        for key, value in {**values, "compression": metres}.items()
+    }
 
 
 def reset() -> None:

@@ -52,7 +52,7 @@ def costs_controls(setting: Setting, measured: bool) -> tuple[str, float]:
     with st.container(horizontal=True, vertical_alignment="bottom"):
         more = {"icon": ":material/timer:", "type": "primary", "disabled": busy}
         st.button(label, key="measure", on_click=measure, args=(setting.machine, setting.periods), **more)
-        st.button(_("Stop"), key="stop", on_click=experiments.drop, args=("diagram",), disabled=not busy)
+        st.button(_("Stop"), key="stop_measuring", on_click=experiments.drop, args=("diagram",), disabled=not busy)
         by = widgets.chips(COST, _("Cost"), {"evaluations": _("evaluations"), "seconds": _("seconds")})
         errors = {digits: number(10.0**-digits, 1) for digits in TOLERANCE.options}
         digits = widgets.ladder(TOLERANCE, _("Error that you allow"), errors, width=320)

@@ -20,6 +20,9 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from ramanujan.words import _
 
+PRIVATE = ("lecturer", "voter")
+"""Keys that say who somebody is in a class; *Copy link* leaves them out."""
+
 _PLACE = "links_place"
 """Session state: the page whose address was read last."""
 _MET = "links_met"
@@ -161,6 +164,15 @@ def keep(key: Choice | Count) -> None:
         del st.query_params[key.name]
     else:
         st.query_params[key.name] = text
+
+
+def fits(key: Key) -> bool:
+    """Tell whether the address says nothing of a key, or says it once and readably."""
+    texts = st.query_params.get_all(key.name)
+    try:
+        return not texts or (len(texts) == 1 and key.read(texts[0]) is not None)
+    except ValueError:
+        return False
 
 
 def _take(key: Key, back: bool) -> str | None:

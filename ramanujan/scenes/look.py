@@ -62,7 +62,4 @@ def dress() -> None:
     st.session_state[_DRESSED] = True
     # As Markdown, they come with the headings; st.html loads a script first.
     st.markdown(f"<style>{own}{first}</style>", unsafe_allow_html=True)
-    page.bring()
-    page.follow_theme(shown)
-    page.voice()
-    page.reach()
+    page.bring(shown)

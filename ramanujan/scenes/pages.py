@@ -58,6 +58,7 @@ PAGES = {
         Page("motion", _("Motion"), "timeline", "motion"),
         Page("taxicab", _("1729"), "local_taxi", "1729"),
         Page("speed", _("Speed and accuracy"), "speed", "speed", "periods=1"),
+        Page("lesson", _("Lesson"), "school", "lesson"),
     )
 }
 

@@ -46,7 +46,7 @@ def pills(key: Choice, label: str, words: Words, **more: Any) -> Any:
     return links.held(key)
 
 
-def menu(key: Choice, label: str, words: Words) -> Any:
+def menu(key: Choice, label: str, words: Words, **more: Any) -> Any:
     """Draw the options as a menu."""
     st.selectbox(
         label,
@@ -55,6 +55,7 @@ def menu(key: Choice, label: str, words: Words) -> Any:
         format_func=_said(words),
         key=key.name,
         persist_state="session",
+        **more,
     )
     links.keep(key)
     return links.held(key)
