@@ -48,7 +48,7 @@ def _why_contact() -> str:
     needed = required_friction(EQUAL, COMPRESSION, spacing=drawn_spacing(EQUAL.radius))
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     return _(
-        "To roll without slipping, {first} needs μ = {most}. The next is {second} with μ = {next}. The hoop has "
+        "To roll without slipping, {first} needs μ = {most}. The next is {second} with μ = {next}. The hoop has "
         "the largest moment of inertia, so it needs the largest force to spin it up. Only about half of the slab’s "
         "weight presses on it."
     ).format(

@@ -15,11 +15,10 @@ from ramanujan import Oscillator, page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import classroom, complaints, controls, progress
+from ramanujan.scenes import classroom, complaints, controls, progress, stages
 from ramanujan.scenes.cached import lesson as cached
 from ramanujan.scenes.pages import PAGES
-from ramanujan.scenes.quantities import QUANTITIES, WATCH
-from ramanujan.scenes.stages import LIMITS
+from ramanujan.scenes.quantities import QUANTITIES
 from ramanujan.words import _
 
 _LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
@@ -70,9 +69,10 @@ def draw(stop: Stop, number: int) -> None:
         else:
             explain(stop, chosen)
     arrive(stop, predicted)
+    with words:
+        st.markdown(f":small[{_caption(stop, predicted)}]")
     with picture, st.container(key="observed"):
         observe(stop, predicted)
-        st.markdown(f":small[{_caption(stop, predicted)}]")
 
 
 def ask(stop: Stop) -> None:
@@ -131,13 +131,13 @@ def observe(stop: Stop, predicted: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
     hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
+    # Machines side by side belong to the stop; a single one follows the sliders.
+    mount = partial(stage.mount, limits=stages.LIMITS, watch={}) if several else stages.mount
     for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
         machine = run.machine if several else controls.oscillator()
         compression = run.compression if several else controls.compression()
-        stage.mount(
+        mount(
             payload(run, machine, compression, predicted),
-            limits=LIMITS,
-            watch={} if several else WATCH,
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,

@@ -10,9 +10,8 @@ from ramanujan.lesson import Setting, Task
 from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
 from ramanujan.motion import pushed
 from ramanujan.number_theory import BODIES
-from ramanujan.scenes import controls, links, stops, widgets
+from ramanujan.scenes import controls, links, stages, stops, widgets
 from ramanujan.scenes.quantities import WATCH, Quantity, read_number
-from ramanujan.scenes.stages import LIMITS
 from ramanujan.words import _
 
 RELEASE = Quantity("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", "", 0.01)
@@ -44,9 +43,9 @@ _WIDTH = 160
 def draw(task: Task) -> None:
     """Draw a task."""
     st.title(task.heading, anchor=False)
+    st.markdown(task.text)
     words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
     with words:
-        st.markdown(task.text)
         typed = {}
         for field in task.fields:
             typed |= FIELDS[field]()
@@ -75,19 +74,19 @@ def verdict(task: Task, setting: Setting) -> None:
 
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
-    free = "release" in task.fields
-    initial = pushed(setting.machine, setting.release, setting.glide, setting.spin) if free else None
-    fixed = (setting.release, setting.release)
+    shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": True, "hide": task.hides}
     with st.container(key="observed"):
+        if "release" not in task.fields:
+            payload = stage.payload(setting.machine, setting.compression)
+            stages.mount(payload, on_released=controls.set_compression, **shown)
+            return
+        # How this machine starts is set beside it, and not with the slab.
+        initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)
         stage.mount(
-            stage.payload(setting.machine, setting.release if free else setting.compression, initial=initial),
-            limits=fixed if free else LIMITS,
-            watch={key: each for key, each in WATCH.items() if not (free and key == "compression")},
-            key=f"stage_task_{task.id}",
-            layers=(),
-            narrow=True,
-            hide=task.hides,
-            on_released=None if free else controls.set_compression,
+            stage.payload(setting.machine, setting.release, initial=initial),
+            limits=(setting.release, setting.release),
+            watch={key: each for key, each in WATCH.items() if key != "compression"},
+            **shown,
         )
 
 
