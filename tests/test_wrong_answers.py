@@ -180,6 +180,18 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
     return False
 
 
+def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) -> bool:
+    """Whether a fraction, written with the right numerator or denominator, differs in the one term that is named."""
+    for place, yours, right in (("numerator", given * below, above), ("denominator", above / given, below)):
+        other = {"numerator": "denominator", "denominator": "numerator"}[place]
+        if f"Written with the right {other}, your answer differs in one term." not in message:
+            continue
+        yours, right = sp.cancel(yours).expand().as_coefficients_dict(), right.expand().as_coefficients_dict()
+        (term,) = (each for each in {*yours, *right} if yours[each] != right[each])
+        return true_difference(message, f"{shown(term)} in the {place}", yours[term] / right[term], right[term])
+    return False
+
+
 def true_multiple(message: str, ratio: sp.Expr) -> bool:
     """Whether a verdict says rightly how many times the right answer the given one is."""
     if found := re.search(r"Your answer is (.+?) the right one\.", message):
@@ -280,6 +292,8 @@ def test_a_spoiled_fraction_is_told_where(name: str) -> None:
         spoiled[place] = part + (ratio - 1) * term
         given = spoiled[0] / spoiled[1]
         if true_multiple(verdict.message, sp.cancel(given * below / above)) or true_hint(name, verdict.message, given):
+            continue
+        if true_one_term(verdict.message, given, above, below):
             continue
         # The spoiled fraction cancels to a simpler one, and is right for special masses only, or for none.
         assert sp.fraction(sp.cancel(given))[1].as_poly(m, mp).total_degree() < below.as_poly(m, mp).total_degree() or (

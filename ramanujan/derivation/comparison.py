@@ -170,11 +170,16 @@ def as_fraction(given: NormalForm, right: NormalForm) -> list[str]:
     """
     (above, below), yours = fraction(right), fraction(given)
     numerator = term_by_term(times(given, below), above, VARIABLES, _("{term} in the numerator"))
-    if numerator and (len(numerator) == 1 or not over(yours[1], below).names):
+    if numerator and not over(yours[1], below).names:
         return [_("Written as one fraction, your answer has the right denominator."), *in_short(numerator)]
     denominator = term_by_term(over(above, given), below, VARIABLES, _("{term} in the denominator"))
-    if denominator and (len(denominator) == 1 or not over(yours[0], above).names):
+    if denominator and not over(yours[0], above).names:
         return [_("Written as one fraction, your answer has the right numerator."), *in_short(denominator)]
+    # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
+    if len(numerator) == 1:
+        return [_("Written with the right denominator, your answer differs in one term."), *in_short(numerator)]
+    if len(denominator) == 1:
+        return [_("Written with the right numerator, your answer differs in one term."), *in_short(denominator)]
     return _special_masses(given, right)
 
 
