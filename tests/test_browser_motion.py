@@ -223,6 +223,6 @@ def test_what_a_hover_tells_leaves_the_figure_in_sight(visit):
     told.wait_for(state="attached")
     covered = told.bounding_box()
     area = sum(each["width"] * each["height"] for each in map(lambda panel: panel.bounding_box(), panels.all()))
-    assert 0 < covered["width"] * covered["height"] < area / 3
+    assert 0 < covered["width"] * covered["height"] < 0.4 * area
     # It stands beside the instant that it tells of, which is that of the nearest point drawn.
     assert covered["x"] > box["x"] + 0.4 * box["width"]

@@ -60,6 +60,6 @@ def dress() -> None:
     # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
     first = "" if st.session_state.get(_DRESSED) else page.style()
     st.session_state[_DRESSED] = True
-    # As Markdown, they come with the headings; st.html loads a script first.
-    st.markdown(f"<style>{own}{first}</style>", unsafe_allow_html=True)
+    # Markdown with HTML in it loads a script first, and comes later than the headings.
+    st.html(f"<style>{own}{first}</style>")
     page.bring(shown)
