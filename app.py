@@ -8,9 +8,11 @@ if __name__ != "__main__":
 
     app = st.App(__file__, middleware=[Middleware(Compressed)], lifespan=warmed_up)
 else:
-    from ramanujan.scenes import cached, controls, look
+    from ramanujan.scenes import cached, controls, look, view
 
-    st.set_page_config("Ramanujan’s oscillator", "🚕", layout="wide", initial_sidebar_state=340)
+    view.begin()
+    sidebar = "collapsed" if view.is_projector() else 340
+    st.set_page_config("Ramanujan’s oscillator", "🚕", layout="wide", initial_sidebar_state=sidebar)
     page = st.navigation(
         [
             st.Page("ramanujan/scenes/oscillator.py", title="Oscillator", icon=":material/waves:", default=True),

@@ -17,7 +17,8 @@ from functools import partial
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, page
-from ramanujan.scenes import given, links
+from ramanujan.scenes import given, links, view
+from ramanujan.words import _
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,8 @@ _TOO_LIGHT = "m was changed from {old} to {new}, because m′ must be at least {
 _OUT_OF_REACH = "The mass ratio is now {ratio:.3g}, the nearest that can be had."
 _SAID = "said"
 _RUN_AGAIN = "run_again"
+_LINKED = "linked"
+"""Session state: key of a control → its value when the session began."""
 
 
 def sidebar() -> None:
@@ -91,7 +94,12 @@ def sidebar() -> None:
     said, notes = st.session_state.get(_SAID, ([], {})) if again else ([], {})
     notes = notes | st.session_state.pop(_NOTES, {})
     # What is wrong with the link is said on the page itself: on a phone the sidebar is closed at first.
-    complaints = [*said, *links.complaints(control.in_links for control in CONTROLS.values()), *links.unknown(CONTROLS)]
+    complaints = [
+        *said,
+        *links.complaints(control.in_links for control in CONTROLS.values()),
+        *links.unknown(CONTROLS),
+        *view.complaints(),
+    ]
     if complaints:
         st.warning(" ".join(complaints))
     with st.sidebar:
@@ -108,8 +116,11 @@ def sidebar() -> None:
         }
         page.feed("boxes_feed", boxes)
         page.link()
+        view.switch()
         given.receipt()
     st.session_state[_SAID] = (complaints, notes)
+    # What the sliders show in the first run is what the link has set, without what it got wrong.
+    st.session_state.setdefault(_LINKED, {control.key: st.session_state[control.key] for control in CONTROLS.values()})
 
 
 def complain(sentences: list[str]) -> None:
@@ -186,10 +197,19 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
 
 
 def reset() -> None:
-    """Put every quantity back to its default."""
+    """Put every quantity back to what the link has set, or from there to its default; say so where the two differ."""
     given.hold()
-    for control in CONTROLS.values():
-        given.give(control.key, control.default)
+    defaults = {control.key: control.default for control in CONTROLS.values()}
+    linked = st.session_state.get(_LINKED, defaults)
+    there = all(st.session_state[key] == value for key, value in linked.items())
+    for key, value in (defaults if there else linked).items():
+        given.give(key, value)
+    if linked == defaults:
+        return
+    if there:
+        _note("m", _("All values are the app’s own now. Reset again, and the values of your link return."))
+    else:
+        _note("m", _("All values are those of your link again. Reset once more for the app’s own values."))
 
 
 PRESETS: dict[str, Callable[[], None]] = {

@@ -11,7 +11,7 @@ from ramanujan import page, stage
 from ramanujan.derivation.parser import MAX_LENGTH
 from ramanujan.derivation.shares import PARTS
 from ramanujan.motion import InitialState
-from ramanujan.scenes import controls, links, look
+from ramanujan.scenes import controls, links, look, view
 from ramanujan.scenes.cached import derivation as cached
 
 VIEWS = ("Lecture", "Reading")
@@ -44,7 +44,8 @@ def choose_route() -> None:
             wrap=True,
             on_change=start_over,
         )
-        for key, label, options in (("view", "How to show it", VIEWS), ("values", "Symbols or numbers", VALUES)):
+        shown = (("show", "How to show it", VIEWS), ("values", "Symbols or numbers", VALUES))
+        for key, label, options in shown[:1] if view.hides("numbers") else shown:
             st.segmented_control(
                 label,
                 options,
@@ -104,6 +105,7 @@ def beside() -> None:
     """Draw the machine in motion, with the chosen body lit."""
     stage.mount(
         stage.payload(machine, compression, lit=st.session_state["body"]),
+        hide=view.on_stage(),
         limits=controls.limits("compression"),
         watch=controls.WATCH,
         key="beside",
@@ -157,12 +159,13 @@ def compare() -> None:
     """Draw the table in which all routes meet."""
     st.subheader("Five routes, one frequency", anchor=False)
     rows = [
-        f"| {result.title} | {result.steps} steps | $\\displaystyle {result.symbols}$ | $\\Omega^2 {result.numbers}$ |"
+        [result.title, f"{result.steps} steps", f"$\\displaystyle {result.symbols}$", f"$\\Omega^2 {result.numbers}$"]
         for result in cached.results(present)
     ]
-    head = ["| Route | Length | $\\Omega^2$ | with your numbers |", "|---|---|---|---|"]
+    table = [["Route", "Length", "$\\Omega^2$", "with your numbers"], ["---"] * 4, *rows]
+    columns = 3 if view.hides("numbers") else 4
     with st.container(key="results"):
-        st.markdown("\n".join([*head, *rows]))
+        st.markdown("\n".join(f"| {' | '.join(row[:columns])} |" for row in table))
     if cached.all_agree():
         st.markdown(":material/check: Worked out by SymPy: the difference between any two of them is exactly 0.")
 
@@ -205,6 +208,7 @@ def modes() -> None:
         with column:
             stage.mount(
                 stage.payload(machine, compression, initial=initial),
+                hide=view.on_stage(),
                 limits=controls.limits("compression"),
                 watch=controls.WATCH,
                 key=f"mode_{key}",
@@ -275,10 +279,10 @@ titles, colors = cached.titles(), look.colors()
 
 dress()
 st.title("Five ways to one frequency", anchor=False)
-choices = {"route": titles.values(), "view": VIEWS, "values": VALUES, "body": PARTS.values()}
+choices = {"route": titles.values(), "show": VIEWS, "values": VALUES, "body": PARTS.values()}
 controls.complain(links.complaints(links.one_of(key, offered) for key, offered in choices.items()))
 choose_route()
-name, is_lecture = st.session_state["route"], st.session_state["view"] == VIEWS[0]
+name, is_lecture = st.session_state["route"], st.session_state["show"] == VIEWS[0]
 count = len(cached.route(name).steps)
 controls.complain(links.complaints([links.count("step", count)]))
 # One who reads keeps the machine and the choice of a body in view; in a lecture they take no room from the step.
@@ -292,7 +296,7 @@ with picture_column:
     beside()
 part = st.session_state["body"]
 present = (machine.m, machine.m_prime, machine.k)
-masses = present if st.session_state["values"] == VALUES[1] else None
+masses = present if not view.hides("numbers") and st.session_state["values"] == VALUES[1] else None
 ink = colors[f"{part}_ink"] if part else None
 if is_lecture:
     lecture(count)
@@ -307,4 +311,4 @@ compare()
 modes()
 margin()
 try_it()
-page.give_back("route", "view", "values", "body")
+page.give_back("route", "show", "values", "body")

@@ -13,12 +13,14 @@ from dataclasses import dataclass
 import streamlit as st
 
 PAGES = {
-    "derivation": ("route", "view", "values", "step", "body", "question"),
+    "derivation": ("route", "show", "values", "step", "body", "question"),
     "motion": ("glide", "spin", "mu", "figure"),
     "1729": ("left", "right", "top", "p", "q", "digits"),
     "speed": ("method", "steps", "periods", "precision", "tolerance", "cost", "sweep"),
 }
 """Page → the keys that it keeps in the URL beside the machine's; no two pages share one."""
+EVERYWHERE = ("view", "hide", "picture")
+"""Keys of the URL that mean the same on every page; `view` reads them."""
 
 _JUDGED = "links_judged"
 
@@ -62,7 +64,7 @@ def unknown(machine: Iterable[str]) -> list[str]:
     if "" in judged:
         return []
     judged.add("")
-    if set(machine).union(*PAGES.values()).issuperset(st.query_params):
+    if set(machine).union(EVERYWHERE, *PAGES.values()).issuperset(st.query_params):
         return []
     return ["The link names a quantity that this machine does not have; it is ignored."]
 

@@ -11,7 +11,7 @@ from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.record import Record, table
-from ramanujan.scenes import controls, links, look
+from ramanujan.scenes import controls, links, look, view
 from ramanujan.scenes.cached import motion as cached
 from ramanujan.scenes.controls import Control
 
@@ -177,6 +177,7 @@ with scene:
         name="motion",
         layers=("forces",),
         dials=False,
+        hide=view.on_stage(),
         periods=cached.PERIODS,
         on_released=controls.set_compression,
     )
@@ -208,10 +209,10 @@ download.download_button(
     width="stretch",
 )
 shows = (show_displacements, show_energy, show_momentum, show_forces)
-for tab, view, show in zip(
+for tab, name, show in zip(
     st.tabs(list(cached.VIEWS), key="figure", bind="query-params"), cached.VIEWS, shows, strict=True
 ):
     if tab.open:
         with tab:
             more = (mu, largest) if show is show_forces else ()
-            show(motion, cached.figures(view, look.theme(), *setting), *more)
+            show(motion, cached.figures(name, look.theme(), *setting), *more)

@@ -7,8 +7,9 @@ import math
 import streamlit as st
 
 from ramanujan import page, stage
-from ramanujan.scenes import controls, look
+from ramanujan.scenes import controls, look, view
 from ramanujan.scenes.cached import oscillator as cached
+from ramanujan.words import _
 
 
 def take_clicked(point: dict[str, float]) -> None:
@@ -21,37 +22,72 @@ def take_clicked(point: dict[str, float]) -> None:
         controls.take_ratio(mark)
 
 
-machine, base = controls.oscillator(), cached.curve()
+def opening() -> None:
+    """Say what this is, what it asks and what to do first; beside it, the way into the lesson."""
+    words, lesson = st.columns([4, 1], vertical_alignment="bottom")
+    with words:
+        st.title("Ramanujan’s oscillator", anchor=False)
+        first = _("Drag the slab and let go.")
+        if not view.hides("clocks"):
+            first = _("Drag the slab and let go. Then move m′ until both clock hands turn together.")
+        question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
+        st.markdown(f"**{question}** {first}")
+    with lesson:
+        view.way("ramanujan/scenes/lesson.py", _("Take the lesson"), ":material/school:")
 
-st.title("Ramanujan’s oscillator", anchor=False)
-stage.mount(
-    stage.payload(machine, controls.compression()),
-    name="oscillator",
-    limits=controls.limits("compression"),
-    watch=controls.WATCH,
-    on_released=controls.set_compression,
-)
 
-st.subheader("When is it in step with √(k/m)?", anchor=False)
-page.ring("oscillator")
-st.plotly_chart(
-    cached.figure(look.theme()),
-    key="curve",
-    theme=None,
-    config={"displayModeBar": False},
-    # What changes with the machine is said by the ring: so the figure is sent to a page only once.
-    alt=f"Ω²m/k over the mass ratio ε: it falls from {base.light_label} to {base.heavy_label.replace('<br>', ' ')}.",
-)
-page.pick("curve", take_clicked)
-st.caption("Click on the curve to build the machine with that mass ratio.")
-
-st.subheader("In six steps", anchor=False)
-st.caption(f"Each step in symbols, then with numbers. {cached.numbers_stated(machine.m, machine.m_prime, machine.k)}")
-# One text: each element of a page costs the server a message.
-st.container(key="steps").markdown(
-    "\n\n".join(
-        f"##### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
-        for number, step in enumerate(cached.summary(machine.m, machine.m_prime, machine.k), start=1)
+def scene() -> None:
+    """Draw the machine in motion."""
+    stage.mount(
+        stage.payload(machine, controls.compression()),
+        name="oscillator",
+        limits=controls.limits("compression"),
+        watch=controls.WATCH,
+        hide=view.on_stage(),
+        on_released=controls.set_compression,
     )
-)
-st.page_link("ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:")
+
+
+def curve() -> None:
+    """Draw Ω²m/k over the mass ratio, where a click builds a machine."""
+    st.subheader("When is it in step with √(k/m)?", anchor=False)
+    page.ring("oscillator")
+    st.plotly_chart(
+        cached.figure(look.theme()),
+        key="curve",
+        theme=None,
+        config={"displayModeBar": False},
+        # What changes with the machine is said by the ring: so the figure is sent to a page only once.
+        alt=_("Ω²m/k over the mass ratio ε: it falls from {light} to {heavy}.").format(
+            light=base.light_label, heavy=base.heavy_label.replace("<br>", " ")
+        ),
+    )
+    page.pick("curve", take_clicked)
+    st.caption("Click on the curve to build the machine with that mass ratio.")
+
+
+def six_steps() -> None:
+    """Draw the derivation in short, with the present numbers unless these are hidden."""
+    st.subheader("In six steps", anchor=False)
+    present = None if view.hides("numbers") else (machine.m, machine.m_prime, machine.k)
+    if present:
+        st.caption(f"Each step in symbols, then with numbers. {cached.numbers_stated(*present)}")
+    # One text: each element of a page costs the server a message.
+    st.container(key="steps").markdown(
+        "\n\n".join(
+            f"##### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
+            for number, step in enumerate(cached.summary(present), start=1)
+        )
+    )
+    st.page_link(
+        "ramanujan/scenes/derivation.py", label="The whole derivation, by five routes", icon=":material/function:"
+    )
+
+
+machine, base = controls.oscillator(), cached.curve()
+opening()
+scene()
+if not view.hides("curve"):
+    curve()
+if not view.hides("steps"):
+    six_steps()

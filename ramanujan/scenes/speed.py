@@ -16,7 +16,7 @@ from ramanujan.accuracy.progress import REFERENCE
 from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.scenes import controls, experiments, links, look, thinned, verdicts
+from ramanujan.scenes import controls, experiments, links, look, thinned, verdicts, view
 from ramanujan.scenes.cached import speed as cached
 from ramanujan.scenes.verdicts import number
 
@@ -105,7 +105,7 @@ run: thinned.Run | None = st.session_state.get("speed_run")
 
 left, right = st.columns(2, gap="small")
 least, most = controls.limits("compression")
-shared = {"limits": (least, most), "watch": controls.WATCH, "clock": "speed", "compact": True}
+shared = {"limits": (least, most), "watch": controls.WATCH, "clock": "speed", "compact": True, "hide": view.on_stage()}
 with left:
     stage.mount(stage.payload(machine, compression), key="exact", label="Exact: the closed form", **shared)
 with right:

@@ -10,7 +10,7 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, number_theory, stage
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import controls, emblems, links, look
+from ramanujan.scenes import controls, emblems, links, look, view
 from ramanujan.scenes.cached import taxicab as cached
 
 PLACES = {"left": "Left roller", "right": "Right roller", "top": "Body on top"}
@@ -51,6 +51,8 @@ def name(machine: BodyChoice) -> str:
 
 
 facts, colors, oscillator = cached.condition(), look.colors(), controls.oscillator()
+# On the curves stands the present machine, with its numbers.
+shows_curves = not (view.hides("curve") or view.hides("numbers"))
 
 
 def exactly_in_step() -> None:
@@ -64,6 +66,8 @@ def exactly_in_step() -> None:
         )
         for line in facts.equations:
             st.latex(line)
+    if not shows_curves:
+        return
     with picture:
         ratios, values = cached.curve(0.01, 30.0)
         st.plotly_chart(
@@ -175,6 +179,7 @@ def other_bodies() -> None:
         watch=controls.WATCH,
         key="stage_bodies",
         layers=(),
+        hide=view.on_stage(),
         on_released=controls.set_compression,
     )
     table, words = st.columns([1, 1], gap="medium")
@@ -207,12 +212,13 @@ def told(story: cached.Story) -> None:
             else ", what is left of it whatever scale you measure $\\varepsilon$ in."
         )
     )
-    present = number_theory.normalized_frequency_squared_exact(
-        *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)
-    )
-    st.markdown(
-        f"With your masses, $\\varepsilon={oscillator.mass_ratio:.5g}$, it has $\\Omega^2m/k={float(present):.6g}$."
-    )
+    if not view.hides("numbers"):
+        present = number_theory.normalized_frequency_squared_exact(
+            *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)
+        )
+        st.markdown(
+            f"With your masses, $\\varepsilon={oscillator.mass_ratio:.5g}$, it has $\\Omega^2m/k={float(present):.6g}$."
+        )
     with st.container(horizontal=True):
         st.button("Give it its own ratio", key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
         st.button("The paper’s bodies", key="paper_bodies", on_click=take_paper)
@@ -281,6 +287,8 @@ def another_frequency() -> None:
             + ("; a square, so this $\\varepsilon$ is a fraction." if square else ".")
         )
         st.latex(cached.as_norm(target.numerator, target.denominator))
+    if not shows_curves:
+        return
     with picture:
         ratios, values = cached.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio))
         st.plotly_chart(

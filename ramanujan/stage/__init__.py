@@ -2,9 +2,9 @@
 
 This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is
 stage.html (what there is), stage.css (how it looks), and one JavaScript module for each concern, put together in the
-order of `_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
-what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript: its
-formulas are printed by SymPy from the derivation.
+order of `_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time,
+words is what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in
+JavaScript: its formulas are printed by SymPy from the derivation.
 
 What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
 Streamlit sends it once a session, and a feed of the page (`page.feed`) carries the numbers.
@@ -64,7 +64,7 @@ from ramanujan.words import _
 VERSION = 1
 PARTS = {
     "clocks": "the two clock hands, and every sign of how near the two frequencies are",
-    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and what follows from them",
+    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, what follows from them",
     "plain": "the plain mass",
     "motion": "the motion itself and what shows it: the machine stands still as it was released",
     "energy": "the energy bar, with its button",
