@@ -5,10 +5,10 @@
     _("The old value, {value}, was kept.").format(value=...)
     ngettext("{n} period", "{n} periods", n).format(n=n)
 
-Every sentence is one template with named slots; xgettext or Babel collects them into a catalogue. English is the only language so
-far. Started with the environment variable RAMANUJAN_LANGUAGE=pseudo the app speaks a pseudo-language instead: the same sentences
-with an accent on every letter, 40 % longer, between ⟦ and ⟧. A sentence that shows up there without an accent was never
-handed to gettext, and a box that is too narrow for it is too narrow for German.
+Every sentence is one template with named slots; xgettext or Babel collects them into a catalogue. English is the only
+language so far. Started with the environment variable RAMANUJAN_LANGUAGE=pseudo, the app speaks a pseudo-language: the
+same sentences with accents, 40 % longer, between ⟦ and ⟧. Words without them were never handed to gettext,
+and a box that is too narrow for it is too narrow for German.
 """
 
 import gettext
@@ -16,8 +16,10 @@ import os
 import re
 
 _ACCENTS = str.maketrans("aeiouyAEIOUYcnsz", "áéíóúýÁÉÍÓÚÝćńśź")
-# What is no word and must survive: formulas, slots, code, HTML, the address of a Markdown link, emphasis and list marks.
-_KEPT = re.compile(r"(\$\$.*?\$\$|\$.*?\$|\{[^{}]*\}|`[^`]*`|</?[a-z][^>]*>|&\w+;|\]\([^)]*\)|:[a-z-]+\[|:material/\w+:)", re.DOTALL)
+# What is no word and must survive: formulas, slots, code, HTML, the address of a Markdown link, colours, icons.
+_KEPT = re.compile(
+    r"(\$\$.*?\$\$|\$.*?\$|\{[^{}]*\}|`[^`]*`|</?[a-z][^>]*>|&\w+;|\]\([^)]*\)|:[a-z-]+\[|:material/\w+:)", re.DOTALL
+)
 _LONGER = 0.4
 
 

@@ -63,16 +63,8 @@ def frequency_curve(
         hoverinfo="skip",
         name="limit",
     )
-    # Only markers can be clicked; these are there for the pointer, not for the eye, and small beside the marks.
     figure.add_scatter(
-        x=ratios,
-        y=values,
-        mode="lines+markers",
-        line={"color": colors["primary"], "width": 3},
-        marker={"size": 6, "opacity": 0},
-        selected={"marker": {"opacity": 0}},
-        unselected={"marker": {"opacity": 0}},
-        name="any machine",
+        x=ratios, y=values, mode="lines", line={"color": colors["primary"], "width": 3}, name="any machine"
     )
     figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")
     shown = (

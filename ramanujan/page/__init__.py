@@ -1,8 +1,10 @@
 """The page's side: what runs in the browser beside the machine, and all that knows Streamlit's and Plotly's pages.
 
 bus.js carries the news between the components, hosts.js holds every selector into the host pages, page.css every style
-rule for them. The other files belong to one component each. Components v2 takes one script for each component: `script`
-puts the files together, without a build step, and every script begins with bus.js and hosts.js. No physics here.
+rule for them. The other files belong to one component each. No physics here.
+
+Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
+message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
 
 The topics of the bus, where NAME is the name of a stage:
 
@@ -19,6 +21,7 @@ The topics of the bus, where NAME is the name of a stage:
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
@@ -28,23 +31,34 @@ from typing import Any
 import streamlit as st
 
 _HERE = Path(__file__).parent
-_BASE = ("bus.js", "hosts.js")
+_PARTS = {
+    "cursor": ("marks.js", "cursor.js"),
+    "exact": ("exact.js",),
+    "feed": ("feed.js",),
+    "keys": ("keys.js",),
+    "link": ("link.js",),
+    "moment": ("moment.js",),
+    "pick": ("pick.js",),
+    "receipt": ("receipt.js",),
+    "ring": ("marks.js", "ring.js"),
+    "sheet": ("touch.js", "sheet.js"),
+    "steps": ("steps.js",),
+    "theme": ("theme.js",),
+    "voice": ("voice.js",),
+}
+"""Component → its script's files; its HTML and CSS are the files of its name, if there are any."""
+
+_ASK = (_HERE / "ask.js").read_text(encoding="utf-8")
 
 
-def script(*paths: Path | str, base: tuple[str, ...] = _BASE) -> str:
-    """Return one script: its base, then the given files (names are of this folder) in this order, without comments.
+def script(*paths: Path | str) -> str:
+    """Return one script: bus.js, hosts.js, then these files (names are of this folder), without comments."""
+    return "\n".join(map(_bare, ("bus.js", "hosts.js", *paths)))
 
-    Comments stay here, since a script travels with every message of its component.
 
-    Parameters
-    ----------
-    paths : the component's own files
-    base : what the component needs of bus.js and hosts.js
-    """
-    whole = "\n".join((_HERE / path).read_text(encoding="utf-8") for path in (*base, *paths))
-    bare = re.sub(r"^\s*/\*\*.*?\*/$", "", whole, flags=re.DOTALL | re.MULTILINE)
-    lines = (line.strip() for line in bare.splitlines())
-    return "\n".join(line for line in lines if line and not line.startswith("//"))
+def bring() -> None:
+    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn."""
+    _library()(key="library")
 
 
 def style() -> str:
@@ -61,7 +75,7 @@ def feed(key: str, topics: Mapping[str, Any]) -> Any:
     key : of the element
     topics : topic → value; what has not changed since the last run is not published again
     """
-    return _component("feed", "feed.js", base=("bus.js",))(key=key, data=dict(topics))
+    return _component("feed")(key=key, data=dict(topics))
 
 
 def ring(stage: str) -> Any:
@@ -73,7 +87,7 @@ def ring(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("ring", "marks.js", "ring.js")(key="ring", data={"stage": stage})
+    return _component("ring")(key="ring", data={"stage": stage})
 
 
 def cursor(stage: str) -> Any:
@@ -86,7 +100,7 @@ def cursor(stage: str) -> Any:
     ----------
     stage : the name of the stage that shares the cursor's clock
     """
-    return _component("cursor", "marks.js", "cursor.js")(key="cursor", data={"stage": stage})
+    return _component("cursor")(key="cursor", data={"stage": stage})
 
 
 def moment(stage: str) -> Any:
@@ -98,17 +112,17 @@ def moment(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("moment", "moment.js")(key="moment", data={"stage": stage})
+    return _component("moment")(key="moment", data={"stage": stage})
 
 
 def give_back(*keys: str) -> None:
     """Let the choices under these widget keys give the keyboard back to the page when they are clicked."""
-    _component("keys", "keys.js")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+    _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
 def voice() -> Any:
     """Put the live region on the page, the only one: it says what the topic `say` brings."""
-    return _component("voice", "voice.js")(key="voice")
+    return _component("voice")(key="voice")
 
 
 def follow_theme(theme: str) -> Any:
@@ -118,17 +132,17 @@ def follow_theme(theme: str) -> Any:
     ----------
     theme : the one that this run draws with, light or dark
     """
-    return _component("theme", "theme.js")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
+    return _component("theme")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
 
 
 def sheet() -> Any:
     """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
-    return _component("sheet", "touch.js", "sheet.js")(key="sheet")
+    return _component("sheet")(key="sheet")
 
 
 def link() -> Any:
     """Put a button on the page that copies its address, in which everything stands that is set."""
-    return _component("link", "link.js")(key="link")
+    return _component("link")(key="link")
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
@@ -147,7 +161,7 @@ def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) ->
         if (text := st.session_state[key].typed) is not None:
             on_typed(text)
 
-    return _component("exact", "exact.js")(key=key, data=dict(data), on_typed_change=typed)
+    return _component("exact")(key=key, data=dict(data), on_typed_change=typed)
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -164,7 +178,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
         if (point := st.session_state[key].picked) is not None:
             on_picked(point)
 
-    return _component("pick", "pick.js")(key=key, data={"figure": figure}, on_picked_change=picked)
+    return _component("pick")(key=key, data={"figure": figure}, on_picked_change=picked)
 
 
 def receipt(key: str, number: int) -> Any:
@@ -175,9 +189,7 @@ def receipt(key: str, number: int) -> Any:
     key : of the element
     number : what the page is to receive
     """
-    return _component("receipt", "receipt.js", base=())(
-        key=key, data={"number": number}, on_received_change=lambda: None
-    )
+    return _component("receipt")(key=key, data={"number": number}, on_received_change=lambda: None)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
@@ -197,15 +209,43 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
         on_turned(at["route"], at["step"])
 
     data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
-    return _component("steps", "steps.js")(key="steps", data=data, on_at_change=turned)
+    return _component("steps")(key="steps", data=data, on_at_change=turned)
+
+
+def _component(name: str) -> Any:
+    """Return a component of this folder, which asks the page's library for its part."""
+    return _asking(name)
 
 
 @cache
-def _component(name: str, *scripts: str, base: tuple[str, ...] = _BASE) -> Any:
-    """Return a component of this folder; its HTML and CSS are the files of its name, if there are any."""
-    look = {
-        kind: (_HERE / f"{name}.{kind}").read_text(encoding="utf-8")
-        for kind in ("html", "css")
-        if (_HERE / f"{name}.{kind}").exists()
-    }
-    return st.components.v2.component(f"ramanujan_{name}", js=script(*scripts, base=base), **look)
+def _asking(name: str) -> Any:
+    return st.components.v2.component(f"ramanujan_{name}", js=_ASK.replace("NAME", json.dumps(name)))
+
+
+@cache
+def _library() -> Any:
+    parts = "\n".join(_part(name, files) for name, files in _PARTS.items())
+    given = f"const STYLE = {json.dumps(style())};\nconst parts = {{}};"
+    return st.components.v2.component("ramanujan_library", js=f"{script()}\n{given}\n{parts}\n{_bare('library.js')}")
+
+
+def _part(name: str, files: tuple[str, ...]) -> str:
+    """Return the text of `parts.NAME`: the component's look, and the function that its script exports."""
+    look = "".join(
+        text if kind == "html" else f"<style>{text}</style>"
+        for kind in ("css", "html")
+        if (text := _text(_HERE / f"{name}.{kind}"))
+    )
+    body = "\n".join(map(_bare, files)).replace("export default", "const begin =")
+    return f"parts.{name} = {{ look: {json.dumps(look)}, begin: (() => {{\n{body}\nreturn begin;\n}})() }};"
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8") if path.exists() else ""
+
+
+def _bare(path: Path | str) -> str:
+    """Return a script without its comments, which stay here."""
+    text = re.sub(r"^\s*/\*\*.*?\*/$", "", (_HERE / path).read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    lines = (line.strip() for line in text.splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//"))

@@ -1,7 +1,8 @@
 // The page's bus, the one global of the app: whoever knows something publishes it under a topic, whoever needs it
-// subscribes. Every script of the app begins with this text; the first one makes the bus, the others find it.
+// subscribes. The library of components and the stage begin with this text; the first one makes the bus, the other finds it.
 
-const bus = (globalThis.ramanujan ??= (() => {
+const bus = (globalThis.ramanujan ??= {});
+if (!bus.publish) Object.assign(bus, (() => {
   const values = new Map(); // topic → last value
   const listeners = new Map(); // topic → Set of listeners
   return {

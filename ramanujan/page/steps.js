@@ -30,7 +30,7 @@ function lecture(root, signal) {
     root.querySelector("output").textContent = `${now}/${data.headings.length}`;
     back.setAttribute("aria-disabled", String(now === 1));
     next.setAttribute("aria-disabled", String(now === data.headings.length));
-    if (speak) root.querySelector("[role=status]").textContent = `${place} ${data.headings[now - 1]}`;
+    if (speak) bus.publish("say", { sentence: `${place} ${data.headings[now - 1]}`, urgent: true });
   };
 
   /** Go to a step, and return whether there was one to go to. */

@@ -94,7 +94,8 @@ def lecture(count: int) -> None:
     step = st.query_params.get("step", "1")
     now = step if links.count("step", count).fits(step) else "1"
     # Until the page decides which step is seen, it is the one of the address.
-    st.html(f"<style>.st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now}){{display:none}}</style>")
+    others = f".st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now})"
+    st.markdown(f"<style>{others}{{display:none}}</style>", unsafe_allow_html=True)
     with st.container(border=True, key="lecture"):
         for number in range(1, count + 1):
             with st.container(key=f"step_{number}"):
@@ -130,12 +131,13 @@ def dress() -> None:
         f".st-key-body button:nth-of-type({place}){{box-shadow:inset 0 -4px {colors[body]}}}"
         for place, body in enumerate(PARTS, start=1)
     )
-    st.html(
+    st.markdown(
         f"<style>{bodies}"
         ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
         f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
-        "</style>"
+        "</style>",
+        unsafe_allow_html=True,
     )
 
 

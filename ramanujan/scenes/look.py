@@ -28,6 +28,9 @@ _OPTIONS = {
 }
 
 
+_DRESSED = "dressed"
+
+
 def theme() -> str:
     """Return the theme that the visitor sees: light or dark."""
     return st.context.theme.type or "light"
@@ -53,7 +56,11 @@ def dress() -> None:
     shown = theme()
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
     own = f":root{{--paper:{colors()['paper']};--faint:{colors()['faint']};--under:{under}}}"
-    # As Markdown, the style comes with the first headings; st.html loads a script first, and the page would jump.
-    st.markdown(f"<style>{own}{page.style()}</style>", unsafe_allow_html=True)
+    # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
+    first = "" if st.session_state.get(_DRESSED) else page.style()
+    st.session_state[_DRESSED] = True
+    # As Markdown, they come with the headings; st.html loads a script first.
+    st.markdown(f"<style>{own}{first}</style>", unsafe_allow_html=True)
+    page.bring()
     page.follow_theme(shown)
     page.voice()

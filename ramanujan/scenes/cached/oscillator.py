@@ -21,6 +21,10 @@ from ramanujan.scenes.cached import route
 CURVE_RANGE = (0.01, 30.0)
 """The mass ratios that the Ω² curve shows; the sliders stay inside."""
 
+_POINTS = 2001
+"""Of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They also make the
+figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
+
 
 @dataclass(frozen=True)
 class Curve:
@@ -40,7 +44,7 @@ class Curve:
 def curve() -> Curve:
     """Return the Ω² curve with its limits and the two marked ratios."""
     normalized, condition = unit_frequency_condition().normalized_frequency_squared, unit_frequency_condition()
-    ratios = np.geomspace(*CURVE_RANGE, 101)
+    ratios = np.geomspace(*CURVE_RANGE, _POINTS)
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
@@ -51,7 +55,7 @@ def curve() -> Curve:
         ratios,
         normalized_frequency_squared(ratios),
         float(light),
-        np.array([float(heavy.subs(epsilon, ratio)) for ratio in ratios]),
+        sp.lambdify(epsilon, heavy, "numpy")(ratios),
         Mark(1.0, float(at_equal), f"equal masses<br>{at_equal}"),
         Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
         f"{light} for ε → 0",

@@ -1,0 +1,21 @@
+// Begins the components of the app, which ask for it by their names (ask.js); those that asked too early have waited.
+
+const sheet = document.getElementById("ramanujan") ?? document.head.appendChild(document.createElement("style"));
+sheet.id = "ramanujan";
+sheet.textContent = STYLE;
+
+const dressed = new WeakSet();
+
+bus.begin ??= (name, component) => {
+  const { parentElement } = component;
+  if (!dressed.has(parentElement)) {
+    dressed.add(parentElement);
+    const look = document.createElement("template");
+    look.innerHTML = parts[name].look;
+    parentElement.append(look.content);
+  }
+  return parts[name].begin(component);
+};
+for (const begin of bus.waiting?.splice(0) ?? []) begin();
+
+export default function () {}
