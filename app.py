@@ -19,6 +19,7 @@ else:
             st.Page("ramanujan/scenes/derivation.py", title="Derivation", icon=":material/function:"),
             st.Page("ramanujan/scenes/motion.py", title="Motion", icon=":material/timeline:", url_path="motion"),
             st.Page("ramanujan/scenes/taxicab.py", title="1729", icon=":material/local_taxi:", url_path="1729"),
+            st.Page("ramanujan/scenes/lesson.py", title="Lesson", icon=":material/school:", url_path="lesson"),
             st.Page("ramanujan/scenes/speed.py", title="Speed and accuracy", icon=":material/speed:"),
         ],
         position="top",

@@ -30,6 +30,10 @@ ROOMS = {
     "accuracy": (CORE | {"quantities", "frequency", "integrators"}, {"numpy", "mpmath"}),
     "derivation": (set(), {"sympy"}),
     "figures": (set(), {"numpy", "plotly"}),
+    "lesson": (
+        CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "number_theory"},
+        {"numpy", "sympy"},
+    ),
     "page": (set(), {"streamlit"}),
     "stage": (CORE | {"derivation", "page"}, {"streamlit", "sympy"}),
 }
@@ -43,6 +47,7 @@ OTHER_PAGES = (
     "record",
     "table",
     "number_theory",
+    "lesson",
     "derivation.answers",
     "derivation.export",
 )

@@ -30,6 +30,8 @@ from typing import Any
 
 import streamlit as st
 
+from ramanujan.words import _
+
 _HERE = Path(__file__).parent
 _PARTS = {
     "cursor": ("marks.js", "cursor.js"),
@@ -43,10 +45,13 @@ _PARTS = {
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
     "steps": ("steps.js",),
+    "stopwatch": ("stopwatch.js",),
     "theme": ("theme.js",),
+    "turn": ("turn.js",),
     "voice": ("voice.js",),
 }
-"""Component → its script's files; its HTML and CSS are the files of its name, if there are any."""
+"""Component → its script's files; its HTML and CSS are the files of its name, or of another's look, if there are any."""
+_LOOKS = {"turn": "steps"}
 
 _ASK = (_HERE / "ask.js").read_text(encoding="utf-8")
 
@@ -212,6 +217,47 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
+def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
+    """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
+
+    Parameters
+    ----------
+    headings : of the stops in their order, for screen readers
+    now : the number of the stop that is drawn, from 1 on
+    on_turned : called with the number of the stop that is asked for
+    """
+
+    def turned() -> None:
+        if (to := st.session_state["turn"].to) is not None:
+            on_turned(to)
+
+    words = {
+        "label": _("Stops of the lesson"),
+        "place": _("Stop {now} of {count}:"),
+        "back": _("Back"),
+        "next": _("Next"),
+    }
+    data = {"headings": list(headings), "now": now, **words}
+    return _component("turn")(key="turn", data=data, on_to_change=turned)
+
+
+def stopwatch(key: str) -> float | None:
+    """Put a stopwatch on the page and return the time that it showed when it was last stopped [s].
+
+    Parameters
+    ----------
+    key : of the element
+    """
+    data = {
+        "label": _("Stopwatch"),
+        "start": _("Start"),
+        "stop": _("Stop"),
+        "seconds": _("{seconds}\u202fs"),
+    }
+    watch = _component("stopwatch")
+    return watch(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
 def _component(name: str) -> Any:
     """Return a component of this folder, which asks the page's library for its part."""
     return _asking(name)
@@ -234,7 +280,7 @@ def _part(name: str, files: tuple[str, ...]) -> str:
     look = "".join(
         text if kind == "html" else f"<style>{text}</style>"
         for kind in ("css", "html")
-        if (text := _text(_HERE / f"{name}.{kind}"))
+        if (text := _text(_HERE / f"{_LOOKS.get(name, name)}.{kind}"))
     )
     body = "\n".join(map(_bare, files)).replace("export default", "const begin =")
     return f"parts.{name} = {{ look: {json.dumps(look)}, begin: (() => {{\n{body}\nreturn begin;\n}})() }};"

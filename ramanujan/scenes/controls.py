@@ -196,6 +196,35 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
     _note("m", " ".join(sentences).format(**written, ratio=bound / new_m))
 
 
+def take_machine(machine: Oscillator, metres: float) -> None:
+    """Set all sliders to a machine and its x₀ [m]. Call it in a callback, before the sliders are drawn."""
+    given.hold()
+    for key, value in _on_sliders(machine, metres).items():
+        given.give(key, value)
+
+
+def ask_for_machine(machine: Oscillator, metres: float) -> None:
+    """Set all sliders to a machine and its x₀ [m] in the run that follows."""
+    for key, value in _on_sliders(machine, metres).items():
+        enter(key, repr(value))
+
+
+def holds(machine: Oscillator, metres: float) -> bool:
+    """Tell whether the sliders hold this machine and this x₀ [m]."""
+    held = {key: st.session_state.get(key, CONTROLS[key].default) for key in CONTROLS}
+    return all(math.isclose(held[key], value) for key, value in _on_sliders(machine, metres).items())
+
+
+def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
+    """Return what each slider says of a machine, in its own unit."""
+    values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k, "radius": machine.radius}
+    # Ten digits keep 8 cm from turning into 8.000000000000002 cm; what is in SI units keeps all of its digits.
+    return {
+        key: value if CONTROLS[key].scale == 1 else round(value / CONTROLS[key].scale, 10)
+        for key, value in {**values, "compression": metres}.items()
+    }
+
+
 def reset() -> None:
     """Put every quantity back to what the link has set, or from there to its default; say so where the two differ."""
     given.hold()

@@ -16,6 +16,20 @@ PAGES = {
     "derivation": ("route", "show", "values", "step", "body", "question"),
     "motion": ("glide", "spin", "mu", "figure"),
     "1729": ("left", "right", "top", "p", "q", "digits"),
+    "lesson": (
+        "part",
+        "stop",
+        "chosen",
+        "task",
+        "task_x0",
+        "task_glide",
+        "task_spin",
+        "task_method",
+        "task_steps",
+        "task_left",
+        "task_right",
+        "task_top",
+    ),
     "speed": ("method", "steps", "periods", "precision", "tolerance", "cost", "sweep"),
 }
 """Page → the keys that it keeps in the URL beside the machine's; no two pages share one."""

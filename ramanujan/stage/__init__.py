@@ -12,12 +12,14 @@ Streamlit sends it once a session, and a feed of the page (`page.feed`) carries 
 The contract, version 1. To the page, once:
 
     stage        the name under which the feed speaks to it
-    limits       compression: the least and the greatest that the slab can be dragged to [m]
+    limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the same it
+                 cannot be dragged
     watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
     layers       which of energy, arrows, traces, forces, coordinates are shown at first
     compact      only the picture and its label, without controls
     dials        the two clock hands, the gauge and the readouts are shown
+    narrow       they are shown below the picture
     periods      after so many periods the motion begins again; left out: never
     label        what stands under the picture
 
@@ -207,6 +209,7 @@ def mount(
     layers: tuple[str, ...] = ("energy",),
     compact: bool = False,
     dials: bool = True,
+    narrow: bool = False,
     periods: float | None = None,
     label: str | None = None,
     hide: Iterable[str] = (),
@@ -225,6 +228,7 @@ def mount(
     layers : shown at first, of energy, arrows, traces, forces, coordinates
     compact : only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
+    narrow : show them below the picture
     periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
     hide : the parts that are hidden, of `PARTS`; another run may hide others
@@ -242,6 +246,7 @@ def mount(
         "layers": layers,
         "compact": compact,
         "dials": dials,
+        "narrow": narrow,
         "periods": periods,
         "label": label,
     }

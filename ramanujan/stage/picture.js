@@ -24,7 +24,7 @@ const element = (name, attributes = {}, parent) => {
  * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
  * dispose()
  */
-function makePicture(root, { compact, dials, limits, label }) {
+function makePicture(root, { compact, dials, narrow, limits, label }) {
   const find = finder(root);
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
   const parts = movingParts(moving), layers = makeLayers(root), dial = makeDial(root);
@@ -33,6 +33,7 @@ function makePicture(root, { compact, dials, limits, label }) {
 
   host.classList.toggle("compact", compact);
   host.classList.toggle("no-dials", !dials);
+  host.classList.toggle("narrow", Boolean(narrow));
   find(".label").textContent = label ?? "";
   if (label) set(host, { "aria-label": label });
   sizes.observe(svg);

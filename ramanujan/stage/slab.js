@@ -97,10 +97,13 @@ function listenToSlab(node, { picture, limits, stage, signal }) {
 /** What a hand on the slab does to its stage, and how the last x₀ is had back. */
 class Slab {
   constructor(node, stage, signal) {
-    Object.assign(this, { node, stage, button: stage.root.querySelector(".undo") });
-    if (!stage.compact) listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
+    // Where x₀ has no room, there is nothing to drag.
+    const fixed = stage.compact || stage.limits[0] === stage.limits[1];
+    Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
+    stage.host.classList.toggle("fixed", fixed);
+    if (!fixed) listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
     else for (const name of ["tabindex", "role", "aria-label", "aria-orientation"]) node.removeAttribute(name);
-    if (stage.compact) node.setAttribute("aria-hidden", "true");
+    if (fixed) node.setAttribute("aria-hidden", "true");
   }
 
   deformation() {
@@ -174,7 +177,7 @@ class Slab {
 
   /** Show x₀ to those who cannot see it, and the way back as long as nobody else has set another. */
   show(compression) {
-    if (this.stage.compact) return;
+    if (this.fixed) return;
     const [least, most] = this.stage.limits, value = this.compression();
     set(this.node, {
       "aria-valuemin": least * CM,

@@ -57,6 +57,8 @@ class Stage {
     this.parts.hide(names);
     this.mendControls();
     this.host.classList.add("told");
+    // Controls that were hidden have not heard of what was set since.
+    this.showClock();
     if (stood && !this.parts.hides("motion")) this.playback.reset();
   }
 

@@ -1,0 +1,59 @@
+"""The lesson: one path through the machine in 45 minutes, and tasks that the physics itself judges. No Streamlit here.
+
+    stop        what a stop is: a machine, a question, options, an answer that is worked out, an explanation
+    clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson
+    task        what a task is: what a student has set, and the verdict on it
+    settings, answers                         the tasks
+    notes       the lecturer's notes
+    written     numbers as text
+
+>>> from ramanujan import lesson
+>>> lesson.stop("stiffness").answer()
+'same'
+"""
+
+from __future__ import annotations
+
+from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, settings
+from ramanujan.lesson.notes import NOTES, SOURCES, Note
+from ramanujan.lesson.stop import Option, Run, Stop
+from ramanujan.lesson.task import Setting, Task, Verdict
+
+STOPS: tuple[Stop, ...] = (*clocks.STOPS, *bodies.STOPS, *modes.STOPS, *ratio.STOPS, *computing.STOPS)
+"""The stops in their order: two clocks, who is faster, what can move, where the energy is, the ratio, computers."""
+
+TASKS: tuple[Task, ...] = (*settings.TASKS, *answers.TASKS)
+"""The tasks, the easier ones first."""
+
+__all__ = [
+    "NOTES",
+    "SOURCES",
+    "STOPS",
+    "TASKS",
+    "Note",
+    "Option",
+    "Run",
+    "Setting",
+    "Stop",
+    "Task",
+    "Verdict",
+    "stop",
+    "task",
+]
+
+
+def stop(name: str) -> Stop:
+    """Return the stop with this id; ValueError if there is none."""
+    return _with_id("stop", name, STOPS)
+
+
+def task(name: str) -> Task:
+    """Return the task with this id; ValueError if there is none."""
+    return _with_id("task", name, TASKS)
+
+
+def _with_id(kind: str, name: str, entries: tuple) -> Stop | Task:
+    for entry in entries:
+        if entry.id == name:
+            return entry
+    raise ValueError(f"there is no {kind} {name!r}")

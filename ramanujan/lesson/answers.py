@@ -1,0 +1,229 @@
+"""Tasks with an answer of their own: a time, a measurement, a formula, a method, a choice of bodies."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from itertools import count
+
+import numpy as np
+
+from ramanujan.derivation.answers import judge as judge_formula
+from ramanujan.energy import energies
+from ramanujan.integrators import METHODS, trajectory
+from ramanujan.lesson.stop import FREQUENCY
+from ramanujan.lesson.task import Setting, Task, Verdict
+from ramanujan.lesson.written import number, percent
+from ramanujan.motion import motion, released
+from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
+from ramanujan.words import _
+
+TOLERANCE, PERIODS = 1e-3, 10
+"""Of the integrators' race: the largest error of the state over the amplitude, and the length of the run."""
+FEWEST_STEPS, MOST_STEPS = 4, 1000
+HALF = 0.005
+STOPWATCH = 0.01
+TOO_FAST = 0.7
+"""Seconds: a shorter period is shown in slow motion, so that a stopwatch beside the stage measures nothing."""
+
+
+def half_energy(setting: Setting) -> Verdict:
+    """Judge the spring's share of the energy after a part of a period."""
+    if setting.part is None or not 0 <= setting.part <= 1:
+        return Verdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."))
+    machine = setting.machine
+    state = motion(machine, released(machine, setting.compression), setting.part * machine.period)
+    stored = energies(machine, *state)
+    share = float(stored["spring"]) / sum(map(float, stored.values()))
+    words = {"share": percent(share, 3), "off": percent(abs(share - 0.5))}
+    if abs(share - 0.5) <= HALF:
+        return Verdict(True, _("At that moment the spring holds {share} of the energy.").format(**words))
+    sentence = (
+        _("At that moment the spring holds {share} of the energy. That is {off} of the total too much.")
+        if share > 0.5
+        else _("At that moment the spring holds {share} of the energy. That is {off} of the total too little.")
+    )
+    return Verdict(False, sentence.format(**words))
+
+
+def measured_period(setting: Setting) -> Verdict:
+    """Judge a period that was measured with a stopwatch."""
+    period = setting.machine.period
+    if period < TOO_FAST:
+        return Verdict(False, _("This machine is so fast that it is shown in slow motion. Make the spring softer."))
+    if setting.seconds is None or setting.seconds <= 0:
+        return Verdict(
+            False, _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
+        )
+    off = setting.seconds / setting.periods / period - 1
+    words = {"measured": number(setting.seconds / setting.periods, 4), "off": percent(abs(off))}
+    if abs(off) <= STOPWATCH:
+        return Verdict(True, _("You measured {measured} s for one period. Your error is {off}.").format(**words))
+    sentence = (
+        _("You measured {measured} s for one period. That is {off} too long.")
+        if off > 0
+        else _("You measured {measured} s for one period. That is {off} too short.")
+    )
+    return Verdict(False, sentence.format(**words))
+
+
+def exact_ratio(setting: Setting) -> Verdict:
+    """Judge a formula for the mass ratio, by the judge of the page Derivation."""
+    if not setting.formula.strip():
+        return Verdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."))
+    verdict = judge_formula("unit_mass_ratio", setting.formula)
+    return Verdict(verdict.kind in ("right", "unsimplified"), verdict.message)
+
+
+def state_error(method: str, steps: int) -> float:
+    """Return the error of (φ, φ̇/Ω) over the amplitude after the run, from the powers of the method's step."""
+    columns = []
+    for start in ((1.0, 0.0), (0.0, 1.0)):
+        run = trajectory(METHODS[method], lambda q: -q, *start, 2 * math.pi / steps)
+        columns.append(next(run))
+    step = np.array(columns).T
+    with np.errstate(over="ignore", invalid="ignore"):
+        end = np.linalg.matrix_power(step, PERIODS * steps) @ (1.0, 0.0)
+    error = float(np.hypot(*(end - (1.0, 0.0))))
+    return error if math.isfinite(error) else math.inf
+
+
+def evaluations(method: str, steps: int) -> int:
+    """Return how often the run evaluates the acceleration."""
+    return METHODS[method].evaluations * steps * PERIODS
+
+
+@cache
+def fewest_evaluations() -> int:
+    """Return the fewest evaluations with which any method stays within the tolerance."""
+    cheapest = math.inf
+    for method in METHODS:
+        for steps in range(FEWEST_STEPS, MOST_STEPS + 1):
+            if evaluations(method, steps) >= cheapest:
+                break
+            if state_error(method, steps) <= TOLERANCE:
+                cheapest = evaluations(method, steps)
+    return int(cheapest)
+
+
+def cheapest(setting: Setting) -> Verdict:
+    """Judge a method and its steps: first the error, then the cost."""
+    error, cost = state_error(setting.method, setting.steps), evaluations(setting.method, setting.steps)
+    words = {"error": number(error, 2) if math.isfinite(error) else "∞", "goal": number(TOLERANCE, 1), "cost": cost}
+    if error > TOLERANCE:
+        return Verdict(False, _("The error is {error} of the amplitude. It must be at most {goal}.").format(**words))
+    if cost > fewest_evaluations():
+        words["times"] = number(cost / fewest_evaluations(), 2)
+        return Verdict(
+            False,
+            _(
+                "The error is {error}, small enough. But {cost} evaluations are {times} times as many as the "
+                "cheapest way needs."
+            ).format(**words),
+        )
+    return Verdict(
+        True, _("The error is {error}, and no method does it with fewer than {cost} evaluations.").format(**words)
+    )
+
+
+def two_cubes(setting: Setting) -> Verdict:
+    """Judge the number of a machine with other bodies: a sum of two positive cubes, but not the paper's."""
+    choice = BodyChoice(*setting.bodies)
+    value = choice.discriminant
+    if value == BodyChoice().discriminant:
+        return Verdict(
+            False, _("This is the paper’s machine with its {number}. Can you find another one?").format(number=value)
+        )
+    if choice.cubes:
+        x, y = choice.cubes[0]
+        return Verdict(True, _("The number of this machine is {number} = {x}³ + {y}³.").format(number=value, x=x, y=y))
+    off = next(d for d in count(1) if sums_of_two_cubes(value + d) or (value > d and sums_of_two_cubes(value - d)))
+    return Verdict(
+        False,
+        _("The number of this machine is {number}. The nearest sum of two positive cubes is {off} away.").format(
+            number=value, off=off
+        ),
+    )
+
+
+TASKS = (
+    Task(
+        "half-energy",
+        _("Half of the energy"),
+        _("After which part of a period does the spring hold half of the energy? Type it as a number or a fraction."),
+        (
+            _("At release the spring holds everything, after a quarter of a period nothing."),
+            _(
+                "The spring’s energy is proportional to the square of its compression, and the compression follows "
+                "a cosine."
+            ),
+            _("Where is cos² equal to ½?"),
+        ),
+        half_energy,
+        fields=("part",),
+        hides=("energy", *FREQUENCY),
+    ),
+    Task(
+        "period",
+        _("The period, by hand"),
+        _("Can you measure the period of the machine to one percent with the stopwatch?"),
+        (
+            _("The slab is at rest for an instant at its turning points. They are easy to see."),
+            _("Your reaction time spoils a single period. Measure ten of them."),
+            _("Say “zero” when you start the stopwatch, then count. Stop it at “ten”."),
+        ),
+        measured_period,
+        fields=("stopwatch",),
+        hides=FREQUENCY,
+    ),
+    Task(
+        "exact-ratio",
+        _("The exact ratio"),
+        _("For which mass ratio ε = m′/m is Ω² = k/m? Type the exact number, with a root."),
+        (
+            _("Set Ω²m/k equal to 1 and multiply by the denominator."),
+            _("Solve the quadratic equation for ε. Only one of its roots is positive."),
+        ),
+        exact_ratio,
+        fields=("formula",),
+        hides=FREQUENCY,
+        stage=False,
+    ),
+    Task(
+        "cheapest",
+        _("The cheapest integrator"),
+        _(
+            "An integrator has to compute {periods} periods with an error of at most {tolerance} of the amplitude. "
+            "Can you do it with as few evaluations of the acceleration as possible?"
+        ).format(periods=PERIODS, tolerance=number(TOLERANCE, 1)),
+        (
+            _("A method of higher order costs more per step but needs fewer steps."),
+            _(
+                "For each method, find the smallest number of steps that is accurate enough. Then compare the "
+                "evaluations."
+            ),
+            _("The work–precision diagram on the page Speed and accuracy shows which method wins."),
+        ),
+        cheapest,
+        fields=("method", "steps"),
+        stage=False,
+    ),
+    Task(
+        "two-cubes",
+        _("Another sum of two cubes"),
+        _(
+            "Every choice of bodies has its own number under the root. Can you find a machine other than the "
+            "paper’s whose number is a sum of two positive cubes?"
+        ),
+        (
+            _("Of all {machines} choices, {cubes} have this property, the paper’s included.").format(
+                machines=len(machines()), cubes=sum(bool(machine.cubes) for machine in machines())
+            ),
+            _("Try a machine with a spherical shell in it."),
+            _("One of them has two solid spheres below."),
+        ),
+        two_cubes,
+        fields=("bodies",),
+        stage=False,
+    ),
+)

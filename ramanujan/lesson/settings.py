@@ -1,0 +1,266 @@
+"""Tasks that are done with the machine alone: its masses, its spring, how it is released."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+
+from ramanujan.contact import drawn_spacing, first_to_slip, largest_compression
+from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
+from ramanujan.lesson.stop import FREQUENCY
+from ramanujan.lesson.task import Setting, Task, Verdict
+from ramanujan.lesson.written import number, percent, quantity
+from ramanujan.motion import ground_positions, ground_velocities, motion, pushed, released
+from ramanujan.words import _
+
+IN_STEP = 1e-3
+NINE_EIGHTHS = 9 / 8
+EXACTLY = 1e-9
+HALF_WAY = 0.01
+PARTING, PARTING_TOLERANCE = 10, 0.01
+PERIOD, PERIOD_TOLERANCE = 2.0, 1e-3
+FRICTION, CLOSE = 0.15, 1e-3
+MOVING, RESTING = 0.01, 1e-6
+"""A block at 1 cm/s counts as moving; what stays within a micrometre in the judged time counts as resting."""
+_CM = 100.0
+_JUDGED_PERIODS = 20
+_CONTACTS = {
+    "hoop_slab": _("With this x₀ the hoop slips on the slab."),
+    "top_block": _("With this x₀ the top cylinder slips on the block."),
+}
+
+
+def in_step(setting: Setting) -> Verdict:
+    """Judge |Ω²m/k − 1|."""
+    value = setting.machine.normalized_frequency_squared
+    off = value - 1
+    if abs(off) <= IN_STEP:
+        return Verdict(
+            True, _("Ω²m/k = {value}. The machine is in step to a thousandth.").format(value=number(value, 6))
+        )
+    sentence = (
+        _("Ω²m/k = {value}. The machine is too fast by {off}; the goal is {goal}.")
+        if off > 0
+        else _("Ω²m/k = {value}. The machine is too slow by {off}; the goal is {goal}.")
+    )
+    return Verdict(False, sentence.format(value=number(value, 5), off=number(abs(off), 2), goal=number(IN_STEP, 1)))
+
+
+def nine_eighths(setting: Setting) -> Verdict:
+    """Judge |Ω²m/k − 9/8|, so closely that only a fraction typed exactly will do."""
+    value = setting.machine.normalized_frequency_squared
+    off = abs(value - NINE_EIGHTHS)
+    if off <= EXACTLY:
+        return Verdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
+    if off <= IN_STEP:
+        sentence = _(
+            "Ω²m/k = {value}, only {off} away from 9/8. Which fraction is that mass ratio? Type it into the box of m′."
+        )
+    else:
+        sentence = _("Ω²m/k = {value}. That is {off} away from 9/8.")
+    return Verdict(False, sentence.format(value=number(value, 7), off=number(off, 2)))
+
+
+def half_way(setting: Setting) -> Verdict:
+    """Judge how far the slab travels relative to the ground until the spring is relaxed, as a share of x₀."""
+    machine = setting.machine
+    states = motion(machine, released(machine, setting.compression), [0.0, machine.period / 4])[0]
+    travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
+    share = travel["slab"] / (travel["slab"] + travel["block"])
+    off = abs(share - 0.5) / 0.5
+    words = {"slab": percent(share, 4), "block": percent(1 - share, 4), "off": percent(off)}
+    if off <= HALF_WAY:
+        return Verdict(
+            True,
+            _("Slab and block meet half way: the slab covers {slab} of x₀, the block {block}.").format(**words),
+        )
+    return Verdict(
+        False,
+        _("The slab covers {slab} of x₀ and the block {block}. The slab’s way is {off} longer than half.").format(
+            **words
+        ),
+    )
+
+
+def parting(setting: Setting) -> Verdict:
+    """Judge after how many periods of the plain mass the hands are one full turn apart."""
+    gained = abs(math.sqrt(setting.machine.normalized_frequency_squared) - 1)
+    periods = 1 / gained if gained else math.inf
+    if abs(periods / PARTING - 1) <= PARTING_TOLERANCE:
+        return Verdict(
+            True, _("The hands are one full turn apart after {periods} periods.").format(periods=number(periods, 4))
+        )
+    if periods > 1e6:
+        return Verdict(
+            False, _("The hands stay together: the machine is in step. The goal is one full turn in ten periods.")
+        )
+    sentence = (
+        _("The hands are one full turn apart after {periods} periods. That is {off} periods too late.")
+        if periods > PARTING
+        else _("The hands are one full turn apart after {periods} periods. That is {off} periods too early.")
+    )
+    return Verdict(False, sentence.format(periods=number(periods), off=number(abs(periods - PARTING), 2)))
+
+
+def two_seconds(setting: Setting) -> Verdict:
+    """Judge the period."""
+    period = setting.machine.period
+    if abs(period / PERIOD - 1) <= PERIOD_TOLERANCE:
+        return Verdict(True, _("The period is {period}.").format(period=quantity(period, "s", 5)))
+    sentence = (
+        _("The period is {period}, too long by {off}.")
+        if period > PERIOD
+        else _("The period is {period}, too short by {off}.")
+    )
+    return Verdict(False, sentence.format(period=quantity(period, "s", 4), off=quantity(abs(period - PERIOD), "s", 2)))
+
+
+def no_slip(setting: Setting) -> Verdict:
+    """Judge whether x₀ is just below the largest one without slip, for the friction of the task."""
+    machine, spacing = setting.machine, drawn_spacing(setting.machine.radius)
+    largest = largest_compression(machine, FRICTION, spacing=spacing)
+    room = largest - setting.compression
+    off = quantity(abs(_CM * room), "cm", 2)
+    if room < 0:
+        contact = _CONTACTS[first_to_slip(machine, setting.compression, spacing)]
+        return Verdict(False, contact + " " + _("x₀ is too large by {off}.").format(off=off))
+    if room <= CLOSE:
+        return Verdict(True, _("Every contact rolls, and with {off} more the first one would slip.").format(off=off))
+    return Verdict(False, _("Every contact rolls, but x₀ could be larger by {off}.").format(off=off))
+
+
+def top_at_rest(setting: Setting) -> Verdict:
+    """Judge how far the top cylinder moves relative to the ground while the block moves."""
+    machine = setting.machine
+    initial = pushed(machine, setting.release, setting.glide, setting.spin)
+    times = np.linspace(0.0, _JUDGED_PERIODS * machine.period, 64 * _JUDGED_PERIODS + 1)
+    states, rates = motion(machine, initial, times)
+    path = ground_positions(machine, states)["top"]
+    away = float(np.abs(path - path[0]).max())
+    if float(np.abs(ground_velocities(machine, rates)["block"]).max()) < MOVING:
+        return Verdict(
+            False,
+            _("Everything is at rest. The block has to move at {least} at least.").format(
+                least=quantity(1.0, "cm/s", 1)
+            ),
+        )
+    if away <= RESTING:
+        return Verdict(
+            True, _("The top cylinder stays where it is relative to the ground, while the block moves below it.")
+        )
+    return Verdict(
+        False,
+        _("Within {periods} periods the top cylinder moves up to {away} away from its place.").format(
+            periods=_JUDGED_PERIODS, away=quantity(_CM * away, "cm", 2)
+        ),
+    )
+
+
+TASKS = (
+    Task(
+        "in-step",
+        _("In step to a thousandth"),
+        _("Can you set the masses so that Ω²m/k differs from 1 by at most a thousandth?"),
+        (
+            _("Heavier lower rollers make the machine slower."),
+            _("At ε = 1 it is too fast. Increase m′ a little and watch Ω²m/k."),
+            _("The goal lies between ε = {low} and ε = {high}.").format(
+                low=number(math.floor(100 * UNIT_MASS_RATIO) / 100), high=number(math.ceil(100 * UNIT_MASS_RATIO) / 100)
+            ),
+        ),
+        in_step,
+    ),
+    Task(
+        "nine-eighths",
+        _("Nine eighths"),
+        _("Can you make Ω²m/k exactly 9/8? The boxes of the sliders take fractions such as 9/7."),
+        (
+            _("9/8 is larger than the value at equal masses, so the rollers must be lighter."),
+            _(
+                "The page Derivation shows Ω² as a fraction of polynomials in m and m′. Set m = 1 and solve Ω²/k = "
+                "9/8 for m′."
+            ),
+            _("m′/m is a fraction with the denominator {denominator}.").format(
+                denominator=Fraction(float(mass_ratio_for(NINE_EIGHTHS))).limit_denominator(1000).denominator
+            ),
+        ),
+        nine_eighths,
+    ),
+    Task(
+        "two-seconds",
+        _("A period of two seconds"),
+        _("Can you give the machine a period of two seconds, to a thousandth?"),
+        (
+            _("A softer spring makes the period longer."),
+            _("The period is proportional to 1/√k. By which factor must it change?"),
+            _(
+                "Keep the masses, read the period T, and multiply k by (T/2)², with T in seconds. Type the result "
+                "into the box of k."
+            ),
+        ),
+        two_seconds,
+    ),
+    Task(
+        "parting",
+        _("One full turn in ten periods"),
+        _("Can you make the hands part by one full turn in ten periods of the plain mass, to one percent?"),
+        (
+            _("There are two solutions: the machine may be faster or slower."),
+            _("In one period the hands must part by a tenth of a turn. By which factor must Ω differ from √(k/m)?"),
+            _("Look for Ω²m/k = {fast} or {slow} on the curve of the page Oscillator.").format(
+                fast=number((1 + 1 / PARTING) ** 2), slow=number((1 - 1 / PARTING) ** 2, 2)
+            ),
+        ),
+        parting,
+    ),
+    Task(
+        "half-way",
+        _("Meet half way"),
+        _(
+            "Slab and block move towards each other until the spring is relaxed. Can you make them cover the same "
+            "distance relative to the ground, to one percent?"
+        ),
+        (
+            _("The momentum of the machine is zero. Which other bodies carry momentum?"),
+            _("The centres of the lower rollers move with the slab. Make them stand still."),
+            _("The heavier the lower rollers, the less they move. How large can ε become with these sliders?"),
+        ),
+        half_way,
+        hides=("numbers",),
+    ),
+    Task(
+        "no-slip",
+        _("As far as friction allows"),
+        _(
+            "Every contact has the coefficient of static friction μ = {mu}. Can you set the largest x₀, to a "
+            "millimetre, from which every contact rolls?"
+        ).format(mu=number(FRICTION, 2)),
+        (
+            _("The friction that a contact needs is proportional to x₀."),
+            _("If even the largest x₀ does not slip, take a stiffer spring."),
+            _("The page Motion shows the friction that each contact needs, and compares it with μ."),
+        ),
+        no_slip,
+    ),
+    Task(
+        "top-at-rest",
+        _("A cylinder that stays behind"),
+        _(
+            "Can you let the block move for ever while the top cylinder’s centre rests relative to the ground? "
+            "Choose how the machine starts."
+        ),
+        (
+            _("As long as the spring oscillates, the block shakes the top cylinder. Can the spring be relaxed?"),
+            _("Give the whole machine an initial velocity. Which spin of the top cylinder makes up for it?"),
+            _(
+                "A rolling cylinder moves relative to the block at R times its angular velocity. The sum of both "
+                "velocities must be zero."
+            ),
+        ),
+        top_at_rest,
+        fields=("release", "glide", "spin"),
+        hides=(*FREQUENCY, "energy"),
+    ),
+)

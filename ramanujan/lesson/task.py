@@ -1,0 +1,71 @@
+"""What a task is: something to bring about with the machine, and a judge that works out how close one has come."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from ramanujan.oscillator import Oscillator
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a student has set; each task looks at what it needs.
+
+    Parameters
+    ----------
+    machine, compression : from the sidebar; x₀ [m]
+    release : x₀ of a task that allows a relaxed spring [m]
+    glide, spin : initial velocity of the machine to the right [m/s], and of the top cylinder, clockwise [rad/s]
+    method, steps : an integrator, name in METHODS, and its steps per period
+    bodies : left roller, right roller and top body, names in `number_theory.BODIES`
+    formula : a formula as it was typed; empty if there is none yet
+    part : a part of a period; None if nothing, or nothing that is a number, was typed
+    seconds, periods : what a stopwatch showed, None if nothing was measured, and for how many periods
+    """
+
+    machine: Oscillator = field(default_factory=lambda: Oscillator(k=10.0))
+    compression: float = 0.08
+    release: float = 0.08
+    glide: float = 0.0
+    spin: float = 0.0
+    method: str = "explicit_euler"
+    steps: int = 100
+    bodies: tuple[str, str, str] = ("hoop", "cylinder", "cylinder")
+    formula: str = ""
+    part: float | None = None
+    seconds: float | None = None
+    periods: int = 10
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether the task is done, and a sentence or two that say how far from the goal the student is."""
+
+    done: bool
+    sentence: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """One task.
+
+    Parameters
+    ----------
+    id : short and ASCII, as it stands in an address
+    heading, text : what is to be done, plain text
+    hints : from a nudge to nearly the way, to be shown one by one
+    judge : returns the verdict on a setting, by physics
+    fields : what of a `Setting` has to be set beside the machine in the sidebar
+    hides : parts of the stage that would do the task for the student, names of `stage.PARTS`
+    stage : whether the machine is to be seen
+    """
+
+    id: str
+    heading: str
+    text: str
+    hints: tuple[str, ...]
+    judge: Callable[[Setting], Verdict]
+    fields: tuple[str, ...] = ()
+    hides: tuple[str, ...] = ()
+    stage: bool = True

@@ -1,0 +1,64 @@
+// Back and forward through the stops of a lesson, by two buttons, a slider and the keys. The server draws one stop at a time,
+// so that nothing of the others is on the page. Until it has answered, the stop that was asked for counts.
+
+const PATIENCE = 5000; // ms after which an answer that did not come is no longer waited for
+
+export default function ({ data, parentElement, setTriggerValue }) {
+  const { begun, end } = live(parentElement, (signal) => turner(parentElement, signal));
+  begun.receive(data, (to) => setTriggerValue("to", to));
+  return end;
+}
+
+function turner(root, signal) {
+  const [back, next] = root.querySelectorAll("button");
+  const slider = root.querySelector("input");
+  let data, send, now, asked = null;
+
+  const show = (speak) => {
+    const place = data.place.replace("{now}", now).replace("{count}", data.headings.length);
+    const said = `${place} ${data.headings[now - 1]}`;
+    slider.value = now;
+    slider.setAttribute("aria-valuetext", said);
+    root.querySelector("output").textContent = `${now}/${data.headings.length}`;
+    back.setAttribute("aria-disabled", String(now === 1));
+    next.setAttribute("aria-disabled", String(now === data.headings.length));
+    if (speak) root.querySelector("[role=status]").textContent = said;
+  };
+
+  /** Go to a stop, and return whether there was one to go to. */
+  const go = (stop) => {
+    const to = Math.min(Math.max(stop, 1), data.headings.length);
+    if (to === now) return false;
+    asked = { stop: to, at: performance.now() };
+    now = to;
+    show(true);
+    send(to);
+    return true;
+  };
+
+  const on = (node, type, handler) => node.addEventListener(type, handler, { signal });
+  for (const button of [back, next]) on(button, "click", () => go(now + Number(button.dataset.by)));
+  on(slider, "change", () => go(Number(slider.value)));
+  on(document, "keydown", (event) => {
+    const by = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }[event.key];
+    if (!by || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.composedPath()[0].matches?.(hosts.TAKES_KEYS)) return;
+    if (go(now + by)) event.preventDefault();
+  });
+
+  const receive = (given, sender) => {
+    const first = !data;
+    [data, send] = [given, sender];
+    back.textContent = data.back;
+    next.textContent = data.next;
+    slider.max = data.headings.length;
+    slider.setAttribute("aria-label", data.label);
+    // An older answer cannot take back what was asked for since.
+    if (asked && data.now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
+    asked = null;
+    now = data.now;
+    show(false);
+    if (first) root.querySelector("[role=group]").setAttribute("aria-label", data.label);
+  };
+  return { receive };
+}

@@ -1,0 +1,187 @@
+"""One stop of the lesson on the page: predict, observe, explain.
+
+The sliders hold the stop’s machine, so that a reader may change it afterwards and watch. Before the prediction the stage
+gets neither what `stop.hides` names nor the samples of a computed motion, and the explanation is not worked out.
+"""
+
+from __future__ import annotations
+
+import string
+from functools import partial
+
+import streamlit as st
+
+from ramanujan import Oscillator, page, stage
+from ramanujan.contact import drawn_spacing, first_to_slip
+from ramanujan.lesson import Run, Stop
+from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.scenes import controls, progress
+from ramanujan.words import _
+
+_LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
+_PLACES = ("hoop", "cylinder", "top")
+_LOADED = "lesson_loaded"
+"""Session state: the id of the stop whose machine the sliders have been given, and whether it is the one to be observed."""
+
+
+def load(stop: Stop, predicted: bool) -> None:
+    """Give the sliders the machine of a stop, in a callback."""
+    st.session_state[_LOADED] = (stop.id, predicted)
+    controls.take_machine(stop.shown if predicted else stop.machine, stop.compression)
+
+
+def arrive(stop: Stop, predicted: bool) -> None:
+    """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
+    if st.session_state.get(_LOADED) == (stop.id, predicted):
+        return
+    linked = _LOADED not in st.session_state and not set(controls.CONTROLS).isdisjoint(st.query_params)
+    st.session_state[_LOADED] = (stop.id, predicted)
+    machine = stop.shown if predicted else stop.machine
+    if not linked and not controls.holds(machine, stop.compression):
+        controls.ask_for_machine(machine, stop.compression)
+        controls.run_again()
+
+
+def predict(stop: Stop, option: str | None) -> None:
+    """Take a prediction, or take it back, in a callback."""
+    progress.predict(stop.id, option)
+    load(stop, option is not None)
+
+
+def draw(stop: Stop, number: int) -> None:
+    """Draw a stop, the one of that number."""
+    chosen = progress.predictions().get(stop.id)
+    predicted = chosen is not None
+    st.title(f"{number}. {stop.heading}", anchor=False)
+    st.markdown(stop.question)
+    words, picture = st.columns([3, 2] if stop.size == "small" else [1, 1], gap="medium")
+    with words:
+        # The class's part of the page belongs here: classroom.panel(stop).
+        if chosen is None:
+            ask(stop)
+        else:
+            explain(stop, chosen)
+    arrive(stop, predicted)
+    with picture, st.container(key="observed"):
+        observe(stop, predicted)
+        st.markdown(f":small[{_caption(stop, predicted)}]")
+
+
+def ask(stop: Stop) -> None:
+    """Draw the options and the hints."""
+    st.markdown(_("**Predict** before you see it:"))
+    with st.container(key="options", gap="xsmall"):
+        for option in stop.options:
+            st.button(
+                option.label,
+                key=f"option_{stop.id}_{option.id}",
+                on_click=partial(predict, stop, option.id),
+                width="stretch",
+            )
+    hints(stop.id, stop.hints)
+
+
+def explain(stop: Stop, chosen: str) -> None:
+    """Say whether the prediction was right, which option is, and why."""
+    answer = stop.answer()
+    right = stop.option(answer).label
+    if chosen == answer:
+        said = _("Your prediction was right.")
+        st.markdown(f":green[:material/check_circle: **{said}**] {right}")
+    else:
+        said = _("Your prediction was different.")
+        st.markdown(
+            f":red[:material/cancel: **{_('Your prediction:')}**] {stop.option(chosen).label}\n\n"
+            f":green[:material/check_circle: **{_('Right answer:')}**] {right}"
+        )
+    # With the option that was clicked the focus has gone: who cannot see the page is told here.
+    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {right}", "urgent": True}})
+    why(stop)
+    st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(predict, stop, None), type="tertiary")
+
+
+def why(stop: Stop) -> None:
+    """Say why the right option is right, and where all of it is seen."""
+    st.markdown(stop.explanation())
+    st.page_link(
+        f"ramanujan/scenes/{stop.page}.py",
+        label=stop.link_label,
+        icon=":material/open_in_full:",
+        query_params=dict(stop.link),
+    )
+
+
+def hints(name: str, sentences: tuple[str, ...]) -> None:
+    """Draw the hints that have been asked for, and a button for the next one."""
+    key = f"hints_shown_{name}"
+    shown = st.session_state.get(key, 0)
+    for sentence in sentences[:shown]:
+        st.markdown(f":material/lightbulb: {plain(sentence)}")
+    if left := len(sentences) - shown:
+        label = _("Hint ({n} left)").format(n=left)
+        st.button(label, key=f"hint_{name}", on_click=partial(_show_hint, key, shown + 1), type="tertiary")
+
+
+def observe(stop: Stop, predicted: bool) -> None:
+    """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
+    several = len(stop.runs) > 1
+    hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
+    for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
+        machine = run.machine if several else controls.oscillator()
+        compression = run.compression if several else controls.compression()
+        stage.mount(
+            payload(run, machine, compression, predicted),
+            limits=controls.limits("compression"),
+            watch={} if several else controls.WATCH,
+            key=f"stage_{stop.id}_{number}",
+            clock=f"stop_{stop.id}",
+            layers=stop.layers,
+            compact=several,
+            dials=stop.dials,
+            narrow=True,
+            label=run.label if several else None,
+            hide=hidden,
+            on_released=None if several else controls.set_compression,
+        )
+
+
+def payload(run: Run, machine: Oscillator, compression: float, predicted: bool) -> dict[str, object]:
+    """Return what the stage is sent of a run; before the prediction, the released machine alone."""
+    choice = BodyChoice(*run.bodies)
+    slips = run.slipping and predicted
+    return stage.payload(
+        machine,
+        compression,
+        shape_factors={place: float(BODIES[body]) for place, body in zip(_PLACES, run.bodies, strict=True)},
+        samples=run.samples() if run.samples and predicted else None,
+        slipping=first_to_slip(machine, compression, drawn_spacing(machine.radius)) if slips else None,
+        unity=f"1 ↔ √{choice.discriminant}" if predicted and choice != BodyChoice() else None,
+    )
+
+
+def plain(text: str) -> str:
+    """Return text such that Markdown shows it as it is."""
+    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
+
+
+def _caption(stop: Stop, predicted: bool) -> str:
+    """Return what the sliders have to do with the picture."""
+    if len(stop.runs) > 1:
+        return _("Here the sliders change nothing: these machines belong to the stop.")
+    machine = stop.shown if predicted else stop.machine
+    if not controls.holds(machine, stop.compression):
+        return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
+    if predicted:
+        return _("The sliders hold this machine: {machine}. Change it and watch.").format(machine=_written(machine))
+    return _("The machine: {machine}.").format(machine=_written(machine))
+
+
+def _written(machine: Oscillator) -> str:
+    values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
+    return ", ".join(
+        f"{controls.CONTROLS[key].symbol} = {controls.CONTROLS[key].written(x)}" for key, x in values.items()
+    )
+
+
+def _show_hint(key: str, count: int) -> None:
+    st.session_state[key] = count

@@ -1,0 +1,367 @@
+"""The lesson: every answer by a way of its own, every task solved and not solved, and that nothing is typed in."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson
+from ramanujan.lesson import Setting, bodies, clocks, computing, modes
+
+M, K, R = 1.0, 10.0, 0.1
+
+
+def matrices(m=M, m_prime=1.0, k=K, radius=R, top=0.5):
+    """M and K of the Lagrangian, with a top body of shape factor `top`; settled in physics.md."""
+    mass = [
+        [3 * m + 2 * m_prime, -2 * (m + m_prime) * radius, -m * radius],
+        [-2 * (m + m_prime) * radius, (4 * m + 3.5 * m_prime) * radius**2, 0],
+        [-m * radius, 0, (1 + top) * m * radius**2],
+    ]
+    return mass, [[0, 0, 0], [0, 4 * k * radius**2, 0], [0, 0, 0]]
+
+
+def eigenvalues(**machine) -> np.ndarray:
+    mass, stiffness = map(np.array, matrices(**machine))
+    return np.sort(np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real)
+
+
+def normalized(**machine) -> float:
+    return eigenvalues(**machine)[-1] * machine.get("m", M) / machine.get("k", K)
+
+
+@cache
+def history(x0=0.08):
+    """The motion of the released machine with equal masses, integrated; with the time of its turning point."""
+    mass, stiffness = map(np.array, matrices())
+    inverse = np.linalg.inv(mass) @ stiffness
+
+    def rate(_t, y):
+        return np.concatenate([y[3:], -inverse @ y[:3]])
+
+    def turns(_t, y):
+        return y[4]
+
+    turns.direction = 1.0  # φ̇ passes from left to right: the other turning point
+    start = [0, x0 / (2 * R), 0, 0, 0, 0]
+    run = solve_ivp(rate, (0, 3), start, events=turns, dense_output=True, rtol=1e-10, atol=1e-12)
+    times = [t for t in run.t_events[0] if t > 0.1]
+    return run.sol, times[0]
+
+
+def kinetic(y) -> dict[str, float]:
+    """The kinetic energy of each body, from velocities relative to the ground."""
+    X, phi, Phi = y[3:]
+    v = {"block": -X, "hoop": R * phi - X, "slab": 2 * R * phi - X, "top": R * Phi - X}
+    spin = {"hoop": 0.5 * (R * phi) ** 2, "top": 0.25 * (R * Phi) ** 2}
+    return {body: 0.5 * x**2 + spin.get(body, 0.0) for body, x in v.items()}
+
+
+def lead(**machine) -> float:
+    return 10 * (math.sqrt(normalized(**machine)) - 1)
+
+
+def root(**machine) -> mpmath.mpf:
+    """ε for Ω² = k/m, from det(K − M) = 0 with m = k = R = 1, in 40 digits."""
+
+    def condition(ratio):
+        mass, stiffness = matrices(1, ratio, 1, 1, **machine)
+        return mpmath.det(mpmath.matrix(stiffness) - mpmath.matrix(mass))
+
+    with mpmath.workdps(40):
+        return mpmath.findroot(condition, (mpmath.mpf("1.1"), mpmath.mpf("1.2")))
+
+
+def brackets(label: str) -> tuple[float, float]:
+    low, high = re.findall(r"[\d.]+", label)
+    return float(low), float(high)
+
+
+def value(label: str) -> mpmath.mpf:
+    with mpmath.workdps(40):
+        return eval(re.sub("√(\\d+)", r"mpmath.sqrt(\1)", label.partition("= ")[2].replace("−", "-")))
+
+
+def friction() -> dict[str, float]:
+    """Static friction needed with ε = 1 and a slab midway between axes 29 cm apart; settled in physics.md."""
+    D, u, tilt = 18 + 49 + 32, K * 0.04 / 9.81, 0.08 / 0.29
+    return {
+        "hoop_slab": 16 * 7 / D * u / (1 - tilt),
+        "cylinder_slab": 12 * 5 / D * u / (1 - tilt),
+        "hoop_block": 24 * 2 / D * u / (1.5 - tilt / 2),
+        "cylinder_block": 2 * 11 / D * u / (1.5 - tilt / 2),
+        "top_block": 16 * 2 / D * u,
+    }
+
+
+def run_energies(periods=20) -> tuple[float, float]:
+    """Energy over initial energy after explicit Euler with 1000 and velocity Verlet with 10 steps a period."""
+    h = 2 * math.pi / 1000
+    q, v = 1.0, 0.0
+    for _step in range(1000 * periods):
+        q, v = q + h * v, v - h * q
+    euler = q * q + v * v
+    h = 2 * math.pi / 10
+    q, v = 1.0, 0.0
+    for _step in range(10 * periods):
+        half = v - h / 2 * q
+        q = q + h * half
+        v = half - h / 2 * q
+    return euler, q * q + v * v
+
+
+def paper_formula(m, m_prime, k):
+    with np.errstate(all="ignore"):
+        m, m_prime, k = map(np.float64, (m, m_prime, k))
+        return 8 * k / (7 * m_prime + 8 * m - 8 * (m_prime + m) ** 2 / (7 * m / 3 + 2 * m_prime))
+
+
+def expected() -> dict[str, str]:
+    """The right option of every stop, worked out without the package."""
+    motion, turn = history()
+    later = motion(1.5 * turn)  # the slab moves right, through the middle
+    assert later[4] > 0
+    moved = abs((R * motion(turn)[1] - motion(turn)[0]) - R * motion(0)[1])
+    spring = 2 * K * (R * motion(turn)[1]) ** 2
+    middle = kinetic(motion(turn / 2))
+    needed = friction()
+    exact = root()
+    by_hand = next(o for o in lesson.stop("by-hand").options if brackets(o.label)[0] < exact < brackets(o.label)[1])
+    exactly = next(o for o in lesson.stop("exactly").options if abs(value(o.label) - exact) < 1e-30)
+    cubes = [(x, y) for x in range(1, 13) for y in range(x, 13) if x**3 + y**3 == 1729]
+    sphere = root(top=0.4)
+    euler, verlet = run_energies()
+    huge = paper_formula(1.0, 1e200, 1.0)
+    return {
+        "two-clocks": "ahead" if 0 < lead() < 1 else "?",
+        "light-rollers": "rises" if normalized(m_prime=0.1) > normalized() else "?",
+        "heavy-rollers": "plain" if lead(m_prime=5.0) < 0 else "?",
+        "stiffness": "same" if math.isclose(normalized(k=40.0), normalized(), rel_tol=1e-9) else "?",
+        "radius": "same" if math.isclose(eigenvalues(radius=0.2)[-1], eigenvalues()[-1], rel_tol=1e-9) else "?",
+        "block": "opposite" if later[3] > 0 else "?",  # X counts to the left
+        "rollers": "tenth" if moved < 0.1 * 0.08 else "?",
+        "turning-point": "spring" if math.isclose(spring, K * 0.08**2 / 2, rel_tol=1e-6) else "?",
+        "middle": max(middle, key=middle.get),
+        "zero-modes": {2: "two"}.get(int((abs(eigenvalues()) < 1e-9).sum()), "?"),
+        "contact": max(needed, key=needed.get),
+        "by-hand": by_hand.id,
+        "exactly": exactly.id,
+        "1729": "first" if cubes[0] == (1, 12) and (1**2, 4 * 18 * 24) == (1**3, 12**3) and 1 not in cubes[1] else "?",
+        "other-body": "another"
+        if abs(sphere - exact) > 1e-3 and min(abs(sphere * n - round(sphere * n)) for n in range(1, 500)) > 1e-9
+        else "?",
+        "steps": "euler" if abs(euler - 1) > 2 * abs(verlet - 1) else "?",
+        "huge-ratio": "zero" if huge == 0 else "?",
+    }
+
+
+# Stops
+
+
+@pytest.mark.parametrize("name", [stop.id for stop in lesson.STOPS])
+def test_the_answer_is_the_one_of_an_independent_way(name):
+    assert lesson.stop(name).answer() == expected()[name]
+
+
+def test_a_stop_is_complete_and_its_right_option_has_no_fixed_place():
+    places = []
+    for stop in lesson.STOPS:
+        names = [option.id for option in stop.options]
+        assert re.fullmatch(r"[a-z0-9-]+", stop.id)
+        assert all(re.fullmatch(r"[a-z_]+", name) for name in names)
+        assert len(set(names)) == len(names) >= 3
+        places.append(names.index(stop.answer()) + 1)
+        assert re.search(r"\d", stop.explanation())
+        assert stop.hints
+        assert stop.question.rstrip("?.") != stop.question
+    assert {1, 2, 3, 4} == set(places)
+    assert max(map(places.count, places)) <= len(places) / 2
+    assert len({stop.id for stop in lesson.STOPS}) == len(lesson.STOPS) >= 12
+    assert 40 <= sum(stop.minutes for stop in lesson.STOPS) <= 50
+
+
+@pytest.mark.parametrize("entry", [*lesson.STOPS, *lesson.TASKS], ids=lambda entry: entry.id)
+def test_no_question_and_no_hint_says_the_explanation(entry):
+    said = " ".join([entry.heading, *entry.hints, getattr(entry, "question", ""), getattr(entry, "text", "")])
+    if isinstance(entry, lesson.Stop):
+        assert not set(re.split(r"(?<=[.?!]) ", entry.explanation())) & set(re.split(r"(?<=[.?!]) ", said))
+    longest = max(len(sentence.split()) for sentence in re.split(r"(?<=[.?!:]) ", said))
+    assert longest <= 26
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "machine", "stop", "answer"),
+    [
+        (clocks, "EQUAL", Oscillator(m=1.0, m_prime=1.5), "two-clocks", "behind"),
+        (clocks, "EQUAL", Oscillator(m=1.0, m_prime=9.0), "two-clocks", "far_behind"),
+        (clocks, "LIGHT", Oscillator(m=1.0, m_prime=2.0), "light-rollers", "falls"),
+        (clocks, "HEAVY", Oscillator(m=1.0, m_prime=0.5), "heavy-rollers", "machine"),
+        (clocks, "STIFF", Oscillator(m=1.0, m_prime=2.0, k=40.0), "stiffness", "less"),
+        (clocks, "LARGE", Oscillator(m=1.0, m_prime=1.0, k=5.0), "radius", "longer"),
+        (modes, "EQUAL", Oscillator(m=1.0, m_prime=0.1, k=10.0), "contact", "top_block"),
+        (bodies, "EQUAL", Oscillator(m=1.0, m_prime=0.1, k=10.0), "middle", "slab"),
+        (bodies, "EQUAL", Oscillator(m=1.0, m_prime=10.0, k=10.0), "middle", "hoop"),
+    ],
+)
+def test_another_machine_gives_another_answer(monkeypatch, module, name, machine, stop, answer):
+    monkeypatch.setattr(module, name, machine)
+    assert lesson.stop(stop).answer() == answer
+
+
+def test_the_explanations_quote_the_right_numbers():
+    def said(name):
+        return lesson.stop(name).explanation()
+
+    assert f"{lead():.2f} of a full turn" in said("two-clocks")
+    assert f"{1 / normalized():.3f}" in said("two-clocks")
+    assert f"{normalized(m_prime=0.1):.3f}" in said("light-rollers")
+    assert f"{-lead(m_prime=5.0):.2f} full turns" in said("heavy-rollers")
+    assert f"{mpmath.nstr(root(), 7)}" in said("exactly")
+    assert f"{float(root(top=0.4)):.3f}" in said("other-body")
+    assert "48" in said("other-body")
+    middle = kinetic(history()[0](history()[1] / 2))
+    assert f"{100 * middle['slab'] / (K * 0.08**2 / 2):.0f}\u202f%" in said("middle")
+    needed = sorted(friction().values())
+    assert f"{needed[-1]:.4f}" in said("contact")
+    assert f"{needed[-2]:.4f}" in said("contact")
+    assert f"{run_energies()[0]:.1f}" in said("steps")
+    with mpmath.workdps(30):
+        huge = mpmath.mpf(8) * 6 * mpmath.mpf(10) ** 200 / (18 * mpmath.mpf(10) ** 400)
+    assert mpmath.nstr(huge * mpmath.mpf(10) ** 200, 3) in said("huge-ratio")
+
+
+def test_the_samples_of_a_wrong_motion_are_those_of_its_run():
+    for method, steps in computing.STEPS.items():
+        shown = computing.samples(method)
+        q, _v = computing.computed(method)
+        stride = round(shown["step"] / (Oscillator(k=K).period / steps))
+        assert np.allclose(shown["phi"], q[::stride] * 0.2, rtol=1e-5, atol=1e-9)
+        assert len(shown["X"]) == len(shown["phi"]) == len(shown["Phi"]) <= 1100
+
+
+def test_what_is_not_there_has_no_id():
+    for ask in (lesson.stop, lesson.task, lesson.stop("block").option):
+        with pytest.raises(ValueError, match="nowhere"):
+            ask("nowhere")
+
+
+def test_every_stop_has_its_note():
+    assert [note.stop for note in lesson.NOTES] == [stop.id for stop in lesson.STOPS]
+
+
+# Tasks
+
+
+def setting(ratio=1.0, m=1.0, k=K, **others) -> Setting:
+    return Setting(machine=Oscillator(m=m, m_prime=ratio * m, k=k), **others)
+
+
+two = setting(k=K * (math.sqrt(1 / eigenvalues()[-1]) * math.pi) ** 2)
+SOLVED = {
+    "in-step": setting(1.1275),
+    "nine-eighths": setting(5 / 6),
+    "two-seconds": two,
+    "parting": setting(0.6685),
+    "half-way": setting(20.0, m=0.5),
+    "no-slip": setting(k=100.0, compression=0.0235),
+    "top-at-rest": setting(release=0.0, glide=-0.1, spin=1.0),
+    "half-energy": setting(part=3 / 8),
+    "period": setting(seconds=10 * 2 * math.pi / math.sqrt(eigenvalues()[-1]) * 1.008),
+    "exact-ratio": setting(formula="48/(1+√1729)"),
+    "cheapest": setting(method="yoshida6", steps=16),
+    "two-cubes": setting(bodies=("sphere", "sphere", "shell")),
+}
+MISSED = {
+    "in-step": [setting(1.13), setting(1.12)],
+    "nine-eighths": [setting(0.83), setting(0.8333333)],
+    "two-seconds": [setting(), replace(two, machine=replace(two.machine, k=two.machine.k * 1.01))],
+    "parting": [setting(1.0), setting(UNIT_MASS_RATIO), setting(0.6)],
+    "half-way": [setting(1.0), setting(10.0)],
+    "no-slip": [setting(k=100.0, compression=0.022), setting(k=100.0, compression=0.025)],
+    "top-at-rest": [
+        setting(release=0.0),
+        setting(release=0.01, glide=-0.1, spin=1.0),
+        setting(release=0.0, glide=-0.1, spin=0.9),
+        setting(release=0.0, glide=-0.1, spin=-1.0),
+    ],
+    "half-energy": [setting(), setting(part=0.25), setting(part=0.11), setting(part=-1.0), setting(part=math.inf)],
+    "period": [setting(), setting(seconds=19.0), setting(seconds=-1.0), setting(k=200.0, seconds=4.3)],
+    "exact-ratio": [setting(), setting(formula="1.127"), setting(formula="(√1729+1)/36"), setting(formula="import os")],
+    "cheapest": [
+        setting(method="yoshida6", steps=15),
+        setting(method="rk4", steps=60),
+        setting(method="explicit_euler", steps=4),
+    ],
+    "two-cubes": [
+        setting(),
+        setting(bodies=("cylinder", "hoop", "cylinder")),
+        setting(bodies=("hoop", "hoop", "hoop")),
+    ],
+}
+
+
+@pytest.mark.parametrize("name", [task.id for task in lesson.TASKS])
+def test_every_task_can_be_done_and_missed(name):
+    judge = lesson.task(name).judge
+    verdict = judge(SOLVED[name])
+    assert verdict.done, verdict.sentence
+    for missed in MISSED[name]:
+        verdict = judge(missed)
+        assert not verdict.done
+        assert verdict.sentence.endswith((".", "?"))
+
+
+def test_there_are_enough_tasks_and_each_has_hints_in_steps():
+    assert len(lesson.TASKS) >= 10
+    assert all(len(task.hints) >= 2 for task in lesson.TASKS)
+
+
+def test_a_verdict_says_how_far_away_the_goal_is():
+    def sentence(name, **values):
+        return lesson.task(name).judge(setting(**values)).sentence
+
+    off = normalized(m_prime=1.2) - 1
+    assert off < 0
+    assert f"too slow by {-off:.3f}" in sentence("in-step", ratio=1.2)
+    gained = math.sqrt(normalized(m_prime=0.5)) - 1
+    assert f"{1 / gained:.2f}" in sentence("parting", ratio=0.5)
+    assert "0.5" in sentence("half-energy", part=0.12) or "%" in sentence("half-energy", part=0.12)
+    # Half way: 54 % of the way against 50 %.
+    assert "7.7\u202f% longer" in sentence("half-way")
+
+
+def test_no_method_is_cheaper_than_the_cheapest():
+    """All methods and steps, with their orders' own step matrices: a brute force over a coarser way to compute."""
+    from ramanujan.integrators import METHODS
+    from ramanujan.lesson import answers
+
+    def error(method, steps):
+        q, v, h = 1.0, 0.0, 2 * math.pi / steps
+        for _step in range(10 * steps):
+            q, v = METHODS[method].step(lambda x: -x, q, v, h)
+        return math.hypot(q - 1, v)
+
+    assert error("yoshida6", 16) <= 1e-3 < error("yoshida6", 15)
+    assert answers.fewest_evaluations() == 7 * 16 * 10
+    for method in METHODS:
+        # With one evaluation fewer than the cheapest run, no other method is accurate enough.
+        steps = (answers.fewest_evaluations() - 1) // (METHODS[method].evaluations * 10)
+        assert error(method, steps) > 1e-3
+
+
+def test_the_hints_on_other_bodies_are_true():
+    from ramanujan.number_theory import machines
+
+    others = [m for m in machines() if m.cubes and m.discriminant != 1729]
+    assert all("shell" in m.bodies for m in others)
+    assert any(m.bodies[:2] == ("sphere", "sphere") for m in others)
+    assert Fraction(5, 6).denominator == 6
+    assert "denominator 6" in lesson.task("nine-eighths").hints[-1]
