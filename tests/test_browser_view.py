@@ -78,3 +78,70 @@ def test_a_machine_whose_motion_is_hidden_stands_still(visit, hide):
     assert slab.evaluate(where) == before
     assert page.get_by_role("button", name="Pause", exact=True).count() == 0
     assert re.fullmatch(r"translate\(8 -?0\)|translate\(8,? ?-?0\)", before)
+
+
+# ---- on a projector
+
+SIZES = """(small) => {
+  const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...(node.shadowRoot ? all(node.shadowRoot) : [])]);
+  const seen = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && !node.closest('.controls, .katex-mathml, .note, [data-away], label, button');
+  const size = (node) => {
+    const svg = node.ownerSVGElement, scale = svg && node.getScreenCTM ? node.getScreenCTM().d : 1;
+    return parseFloat(getComputedStyle(node).fontSize) * (scale || 1);
+  };
+  const words = (node) => [...node.childNodes].some((each) => each.nodeType === 3 && each.data.trim());
+  return all(document.querySelector('.stMainBlockContainer')).filter((node) => words(node) && seen(node) && !node.closest('style, .mtight'))
+    .filter((node) => size(node) < small).map((node) => `${size(node).toFixed(1)} px: ${node.textContent.trim().slice(0, 30)}`);
+}"""
+"""The words of the present picture that are smaller than this; an index or an exponent is smaller by nature."""
+TOO_HIGH = """() => {
+  const main = document.querySelector('[data-testid=stMain]');
+  return [main.scrollHeight - main.clientHeight, main.scrollWidth - main.clientWidth];
+}"""
+PLACE = ".st-key-pager .place"
+
+
+@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "lesson"])
+def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
+    page = visit(f"{path}?view=projector")
+    page.wait_for_selector(f"{PLACE}:not(:empty)")
+    next_frame(page)
+    assert page.locator("section[data-testid=stSidebar]").get_attribute("aria-expanded") == "false"
+    now, count = map(int, page.locator(PLACE).inner_text().split("/"))
+    assert (now, count > 2) == (1, True)
+    for sheet in range(1, count + 1):
+        assert page.evaluate(SIZES, 23.9) == [], sheet
+        assert max(page.evaluate(TOO_HIGH)) <= 2, sheet
+        pictures = ".js-plotly-plot, .st-key-stage, [class*=st-key-stage_], [class*=st-key-mode_]"
+        shown = page.locator(f":is({pictures})").evaluate_all(
+            "all => all.filter((each) => each.checkVisibility({visibilityProperty: true})).length"
+        )
+        assert shown <= 1, sheet
+        if sheet < count:
+            page.locator(".st-key-pager .next").click()
+            next_frame(page)
+
+
+def test_without_a_projector_the_words_are_smaller_and_the_page_is_one(visit):
+    """Negative control."""
+    page = visit("motion")
+    assert page.evaluate(SIZES, 23.9)
+    assert page.evaluate(TOO_HIGH)[0] > 300
+    assert page.locator(PLACE).count() == 0
+
+
+def test_the_switch_puts_the_view_into_the_address_and_takes_it_out(visit):
+    page = visit("motion")
+    page.locator(".st-key-projector label").click()
+    page.wait_for_url("**view=projector*")
+    page.wait_for_selector(f"{PLACE}:not(:empty)")
+    settle(page)
+    page.keyboard.press("PageDown")
+    page.wait_for_function(
+        f"document.querySelector('.st-key-pager [data-testid=stBidiComponentIsolated]').shadowRoot.querySelector('.place').textContent.startsWith('2 ')"
+    )
+    if page.locator("section[data-testid=stSidebar]").get_attribute("aria-expanded") == "false":
+        page.locator("[data-testid=stExpandSidebarButton]").click()
+    page.locator(".st-key-projector label").click()
+    page.wait_for_function("!location.search.includes('projector')")
+    assert page.locator("[data-away]").count() == 0

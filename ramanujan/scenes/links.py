@@ -33,7 +33,7 @@ PAGES = {
     "speed": ("method", "steps", "periods", "precision", "tolerance", "cost", "sweep"),
 }
 """Page → the keys that it keeps in the URL beside the machine's; no two pages share one."""
-EVERYWHERE = ("view", "hide", "picture")
+EVERYWHERE = ("view", "hide")
 """Keys of the URL that mean the same on every page; `view` reads them."""
 
 _JUDGED = "links_judged"

@@ -7,6 +7,7 @@ from functools import cache
 import streamlit as st
 
 from ramanujan import page
+from ramanujan.scenes import view
 
 BODY_COLORS = {
     "block": "gray",
@@ -59,8 +60,12 @@ def dress() -> None:
     # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
     first = "" if st.session_state.get(_DRESSED) else page.style()
     st.session_state[_DRESSED] = True
+    if view.is_projector():
+        first += page.style("projector.css")
     # As Markdown, they come with the headings; st.html loads a script first.
     st.markdown(f"<style>{own}{first}</style>", unsafe_allow_html=True)
     page.bring()
+    if view.is_projector():
+        page.pager()
     page.follow_theme(shown)
     page.voice()

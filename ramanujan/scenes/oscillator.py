@@ -24,7 +24,7 @@ def take_clicked(point: dict[str, float]) -> None:
 
 def opening() -> None:
     """Say what this is, what it asks and what to do first; beside it, the way into the lesson."""
-    words, lesson = st.columns([4, 1], vertical_alignment="bottom")
+    words, lesson = st.container(key="opening").columns([4, 1], vertical_alignment="bottom")
     with words:
         st.title("Ramanujan’s oscillator", anchor=False)
         first = _("Drag the slab and let go.")
