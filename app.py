@@ -21,6 +21,7 @@ else:
             st.Page("ramanujan/scenes/taxicab.py", title="1729", icon=":material/local_taxi:", url_path="1729"),
             st.Page("ramanujan/scenes/lesson.py", title="Lesson", icon=":material/school:", url_path="lesson"),
             st.Page("ramanujan/scenes/speed.py", title="Speed and accuracy", icon=":material/speed:"),
+            st.Page("ramanujan/scenes/worksheet.py", title="Worksheet", icon=":material/print:", url_path="worksheet"),
         ],
         position="top",
     )

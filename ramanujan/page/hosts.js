@@ -106,6 +106,9 @@ const hosts = {
 
   isPicture: (node) => Boolean(node.querySelector(".js-plotly-plot, [data-testid=stPlotlyChart]")) || node.matches(".stElementContainer:has([data-testid=stBidiComponentIsolated]):is(.st-key-stage, [class*=stage_])"),
 
+  /** How wide the content of a page is at most. */
+  contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
+
   /** How high a picture can be on the screen. */
   roomForPictures() {
     const body = document.querySelector(".stMainBlockContainer");

@@ -30,6 +30,7 @@ PAGES = {
         "task_right",
         "task_top",
     ),
+    "worksheet": ("paper", "seed"),
     "speed": ("method", "steps", "periods", "precision", "tolerance", "cost", "sweep"),
 }
 """Page → the keys that it keeps in the URL beside the machine's; no two pages share one."""
