@@ -54,4 +54,4 @@ def test_nothing_is_cut_and_nothing_dark_on_paper(visit, path):
     assert page.evaluate(f"({paint})('.stMain', 'backgroundColor')") == "rgb(255, 255, 255)"
     assert page.evaluate(f"({paint})('.stMain h1', 'color')") == "rgb(17, 17, 17)"
     assert not page.locator("section[data-testid=stSidebar]").is_visible()
-    page.emulate_media(media="screen")
+    page.emulate_media(media="null")

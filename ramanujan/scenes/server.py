@@ -24,6 +24,8 @@ __all__ = ["Compressed", "Middleware", "warm_up", "warmed_up"]
 
 _SCRIPTS = "/static/"
 _LEVEL = 6
+_KEEP_NOTHING = ("lesson", "worksheet")
+"""Pages without a file in cached/."""
 _SMALLEST = 1000
 """Bytes from which on a file gets smaller."""
 
@@ -52,7 +54,8 @@ def warm_up() -> None:
 def _is_page(name: str) -> bool:
     """Tell whether a module is a page, which draws when it is imported."""
     package, _, page = name.rpartition(".")
-    return package == "ramanujan.scenes" and importlib.util.find_spec(f"{package}.cached.{page}") is not None
+    keeps = importlib.util.find_spec(f"ramanujan.scenes.cached.{page}") is not None
+    return package == "ramanujan.scenes" and (keeps or page in _KEEP_NOTHING)
 
 
 class Compressed:
