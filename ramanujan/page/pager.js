@@ -24,7 +24,7 @@ function sheetsOf(pieces, room) {
 
 class Pager {
   constructor(root, words, signal) {
-    Object.assign(this, { words, sheets: [], now: 0, place: root.querySelector(".place") });
+    Object.assign(this, { words, signal, sheets: [], now: 0, place: root.querySelector(".place") });
     [this.back, this.next] = root.querySelectorAll("button");
     root.querySelector(".pager").setAttribute("aria-label", words.label);
     for (const [button, by, name] of [[this.back, -1, words.back], [this.next, 1, words.next]]) {
@@ -49,7 +49,7 @@ class Pager {
   look() {
     this.waiting ||= requestAnimationFrame(() => {
       this.waiting = 0;
-      this.layOut();
+      if (!this.signal.aborted) this.layOut();
     });
   }
 
