@@ -1,6 +1,6 @@
-r"""The five rolling contacts: the forces in them, the friction they need, and the motion at which one slips.
+r"""The five rolling contacts: their forces, the friction that they need, and the compression at which one slips.
 
-The forces are those of a machine that rolls at every contact; what happens after a slip is not modelled.
+The forces hold as long as every contact rolls without slipping; the motion after a slip is not modelled.
 
                                                    ___
                                                   / | \      top cylinder, angle Φ
@@ -19,12 +19,12 @@ forces on a lower roller of moment of inertia βm′R² (hoop β = 1, cylinder �
 
     from the slab   T = ½m′a (1 + β − κ)          from the block   F = ½m′a (1 − β − κ)
 
-The slab is thin, its centre of mass midway between the rollers' axes at φ = 0. It moves twice as far as they do, so
-its weight shifts onto the roller it moves to:
+The slab is thin, and at φ = 0 its centre of mass is midway between the rollers' axes. It moves twice as far as they
+do, so its weight shifts towards the roller to which it moves:
 
     N_hoop = mg (½ − Rφ/L),   N_cylinder = mg (½ + Rφ/L)
 
-The block carries each lower roller's weight m′g in addition, and the top cylinder's mg.
+The block also carries the weight m′g of each lower roller, and the weight mg of the top cylinder.
 """
 
 from __future__ import annotations
@@ -36,9 +36,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import InitialState
+from ramanujan.numerals import quantity
 from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.quantities import coordinates, instance, positive, real
 from ramanujan.rounding import in_range, nearest, product, scaled, square_root
+from ramanujan.words import _
 
 __all__ = [
     "contact_forces",
@@ -74,17 +76,20 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     >>> round(float(forces["spring"]), 12)
     -0.8
     """
-    m, _, k, R = instance("oscillator", oscillator, Oscillator).exact
+    m, _m_prime, k, R = instance("oscillator", oscillator, Oscillator).exact
     phi = coordinates("q", q)[1]
     per_angle = -oscillator.exact_frequency_squared * m * R
     per_angles = {name: share * per_angle for name, share in _shares(oscillator).items()} | {"spring": -2 * k * R}
-    return {name: in_range(f"force {name}", scaled(coefficient, phi)) for name, coefficient in per_angles.items()}
+    label = _("force {name}")
+    return {
+        name: in_range(label.format(name=name), scaled(coefficient, phi)) for name, coefficient in per_angles.items()
+    }
 
 
 def normal_forces(
     oscillator: Oscillator, q: ArrayLike, g: float = 9.81, spacing: float = math.inf
 ) -> dict[str, NDArray[np.float64]]:
-    """Return the normal force [N] at the five contacts: the load shifts as the slab moves.
+    """Return the normal force [N] at the five contacts; the load shifts as the slab moves.
 
     Parameters
     ----------
@@ -109,7 +114,7 @@ def normal_forces(
     6.0
     """
     instance("oscillator", oscillator, Oscillator)
-    travel = product("travel of a roller", oscillator.radius, coordinates("q", q)[1])
+    travel = product(_("displacement of a roller"), oscillator.radius, coordinates("q", q)[1])
     weight = positive("g", g)
     distance = _spacing_beyond(oscillator, Fraction(float(np.abs(travel).max(initial=0.0))) * 2, spacing)
     if math.isinf(distance):
@@ -117,13 +122,13 @@ def normal_forces(
     else:
         # Near tipping this difference is exact; ½ − Rφ/L would lose its digits.
         on_hoop, on_cylinder = (distance / 2 - travel) / distance, (distance / 2 + travel) / distance
-    slab, roller = product("load", oscillator.m, weight), product("load", oscillator.m_prime, weight)
+    slab, roller = product(_("load"), oscillator.m, weight), product(_("load"), oscillator.m_prime, weight)
     with np.errstate(over="ignore"):
         return {
             "hoop_slab": slab * on_hoop,
             "cylinder_slab": slab * on_cylinder,
-            "hoop_block": in_range("load", slab * on_hoop + roller),
-            "cylinder_block": in_range("load", slab * on_cylinder + roller),
+            "hoop_block": in_range(_("load"), slab * on_hoop + roller),
+            "cylinder_block": in_range(_("load"), slab * on_cylinder + roller),
             "top_block": np.full(travel.shape, slab),
         }
 
@@ -159,7 +164,7 @@ def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
 def required_friction(
     oscillator: Oscillator, compression: float, g: float = 9.81, spacing: float = math.inf
 ) -> dict[str, float]:
-    """Return the least coefficient of static friction with which each contact rolls after a release from rest.
+    """Return the least coefficient of static friction at which each contact does not slip after a release from rest.
 
         hoop_slab        16ε(3ε+4)/D · u/(1 − 2A/L)         hoop_block       24ε(1+ε)/D · u/(½ − A/L + ε)
         cylinder_slab    12ε(2ε+3)/D · u/(1 − 2A/L)         cylinder_block    2ε(6ε+5)/D · u/(½ − A/L + ε)
@@ -193,14 +198,15 @@ def required_friction(
     demands = _demands(oscillator, compression, spacing)
     amplitude = abs(Fraction(real("compression", compression))) / 2
     pull = oscillator.exact_frequency_squared * amplitude / Fraction(positive("g", g))
-    return {name: nearest(f"friction at {name}", demand * pull) for name, demand in demands.items()}
+    label = _("friction at {name}")
+    return {name: nearest(label.format(name=name), demand * pull) for name, demand in demands.items()}
 
 
 def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: float = math.inf) -> str:
     """Return the contact that needs the most friction after a release from rest, and so slips first.
 
-    It is always top_block or hoop_slab. For L → ∞ it is top_block if ε < (√21 − 3)/6 ≈ 0.2638, else hoop_slab; the load
-    that shifts for finite L makes hoop_slab come first already at a smaller ε.
+    It is always top_block or hoop_slab. For L → ∞ it is top_block if ε < (√21 − 3)/6 ≈ 0.2638, else hoop_slab. For
+    finite L the load shifts, and hoop_slab comes first already at a smaller ε.
 
     Parameters
     ----------
@@ -263,14 +269,14 @@ def largest_compression(
         mu * loads[name] / (abs(share) * pull + (0 if name == "top_block" else shifted))
         for name, share in _shares(oscillator).items()
     )
-    largest = nearest("the largest compression", exact)
-    # Rounded up, it would slip, or tip.
+    largest = nearest(_("the largest compression"), exact)
+    # If it were rounded up, a contact would slip or the slab would tip.
     return largest if Fraction(largest) <= exact else math.nextafter(largest, 0.0)
 
 
 def _shares(oscillator: Oscillator) -> dict[str, Fraction]:
     """Return each contact's force on its roller divided by m·Rφ̈, dimensionless."""
-    m, m_prime, _, _ = oscillator.exact
+    m, m_prime = oscillator.exact[:2]
     kappa, half = oscillator.exact_block_coupling, m_prime / m / 2
     hoop, cylinder = Fraction(1), Fraction(1, 2)
     return {
@@ -284,13 +290,13 @@ def _shares(oscillator: Oscillator) -> dict[str, Fraction]:
 
 def _loads(oscillator: Oscillator, on_roller: Fraction) -> dict[str, Fraction]:
     """Return each contact's normal force divided by mg, from the part of the slab's weight on its roller."""
-    m, m_prime, _, _ = oscillator.exact
+    m, m_prime = oscillator.exact[:2]
     slab, block = dict.fromkeys(("hoop_slab", "cylinder_slab"), on_roller), on_roller + m_prime / m
     return slab | dict.fromkeys(("hoop_block", "cylinder_block"), block) | {"top_block": Fraction(1)}
 
 
 def _demands(oscillator: Oscillator, compression: float, spacing: float) -> dict[str, Fraction]:
-    """Return the friction required divided by Ω²A/g: each contact at its own worst instant."""
+    """Return the friction required, divided by Ω²A/g: for each contact at the moment when it needs most."""
     instance("oscillator", oscillator, Oscillator)
     deformation = abs(Fraction(real("compression", compression)))
     distance = _spacing_beyond(oscillator, deformation, spacing)
@@ -300,16 +306,21 @@ def _demands(oscillator: Oscillator, compression: float, spacing: float) -> dict
 
 
 def _spacing_beyond(oscillator: Oscillator, compression: Fraction, spacing: float) -> float:
-    """Return spacing as a float, or raise ValueError unless both rollers find room, and carry the slab: x₀ < L."""
+    """Return spacing as a float; ValueError if the two rollers overlap, or if the slab tips off them (x₀ ≥ L)."""
     distance = positive("spacing", spacing, infinite=True)
     if math.isinf(distance):
         return distance
     if distance <= compression:
-        raise ValueError(
-            f"spacing must exceed the largest compression of the spring, {float(compression):.6g} m, "
-            f"or the slab tips off its rollers; it is {distance:.6g} m"
+        sentence = _(
+            "spacing must exceed the largest compression of the spring, {compression}, or the slab tips off its "
+            "rollers; it is {spacing}"
         )
+        raise ValueError(sentence.format(compression=_metres(float(compression)), spacing=_metres(distance)))
     if distance < 2 * oscillator.exact[3]:
-        least = f"{2 * oscillator.radius:.6g} m"
-        raise ValueError(f"spacing must be at least 2R, {least}, or the rollers overlap; it is {distance:.6g} m")
+        sentence = _("spacing must be at least 2R, {least}, or the rollers overlap; it is {spacing}")
+        raise ValueError(sentence.format(least=_metres(2 * oscillator.radius), spacing=_metres(distance)))
     return distance
+
+
+def _metres(length: float) -> str:
+    return quantity(length, "m", 6, strip=True)

@@ -1,6 +1,6 @@
-"""Energies and momenta of a state: where the energy sits at an instant, and what the motion conserves.
+"""Energies and momenta of a state: how the energy is distributed at one moment, and what the motion conserves.
 
-Each is a function of a state (q, q̇), whatever produced it, the closed form or an integrator.
+Each is a function of a state (q, q̇), whether it comes from the closed form or from an integrator.
 
     E   = Σ ½ m v² + Σ ½ I ω² + ½k (2Rφ)²      I = m′R² (hoop), ½m′R² (lower cylinder), ½mR² (top cylinder)
     p_X = (3m + 2m′) Ẋ − 2(m + m′) Rφ̇ − mRΦ̇
@@ -18,6 +18,7 @@ from ramanujan.motion import ground_velocities, relative_positions, relative_vel
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import coordinates
 from ramanujan.rounding import in_range, product
+from ramanujan.words import _
 
 
 def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -46,10 +47,11 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
     """
     q, q_dot = coordinates("q", q), coordinates("q_dot", q_dot)
     if q.shape != q_dot.shape:
-        raise ValueError(f"q_dot must have the shape of q, {q.shape}, not {q_dot.shape}")
+        sentence = _("q_dot must have the shape of q, {shape}, not {other}")
+        raise ValueError(sentence.format(shape=q.shape, other=q_dot.shape))
     deformation = relative_positions(oscillator, q)["slab"]
     velocity = ground_velocities(oscillator, q_dot)
-    # A rolling body's rim moves at Rω about its axis: its velocity relative to the block.
+    # Rω, the speed of a rolling body's rim about its axis, is its velocity relative to the block.
     rim = relative_velocities(oscillator, q_dot)
     m, m_prime = oscillator.m, oscillator.m_prime
     hoop, solid = 1 / 2, 1 / 4  # half the shape factor β, since ½Iω² = ½βm(Rω)²
@@ -64,7 +66,10 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
         "top_rotation": (solid, m, rim["top"]),
         "spring": (0.5, oscillator.k, deformation),
     }
-    return {name: product(f"energy {name}", factor, constant, x, x) for name, (factor, constant, x) in terms.items()}
+    label = _("energy {name}")
+    return {
+        name: product(label.format(name=name), factor, constant, x, x) for name, (factor, constant, x) in terms.items()
+    }
 
 
 def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -121,6 +126,5 @@ def body_momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[
     """
     velocity = ground_velocities(oscillator, q_dot)
     rollers = dict.fromkeys(("hoop", "cylinder"), oscillator.m_prime)
-    return {
-        body: product(f"momentum of the {body}", rollers.get(body, oscillator.m), v) for body, v in velocity.items()
-    }
+    label = _("momentum of the {body}")
+    return {body: product(label.format(body=body), rollers.get(body, oscillator.m), v) for body, v in velocity.items()}

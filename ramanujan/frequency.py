@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.quantities import floats
 from ramanujan.rounding import product_error
+from ramanujan.words import _
 
 UNIT_MASS_RATIO = 48 / (1 + math.sqrt(1729))
 """ε* = (√1729 − 1)/36, where Ω² = k/m exactly; written without the subtraction, it rounds to the nearest double."""
@@ -26,7 +27,7 @@ Number = TypeVar("Number")
 
 
 def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
-    """Return Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic that the arguments bring with them.
+    """Return Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic of the arguments.
 
     Parameters
     ----------
@@ -51,8 +52,8 @@ def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] 
 
         Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32) = (7/4)/(1 + 21ε/32 + 1/(48 + 56/ε))
 
-    The last form is evaluated, with the denominator as the sum of two doubles: the result is the nearest float but for
-    a few hundredths of an ulp, exactly 7/4 at ε = 0, never above it, and it never rises with ε.
+    The last form is evaluated, with the denominator as the sum of two doubles. The result is within a few hundredths of
+    an ulp of the nearest float; it is exactly 7/4 at ε = 0, never larger, and it never increases with ε.
 
     Parameters
     ----------
@@ -74,9 +75,9 @@ def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] 
     array([1.75      , 1.05050505, 1.125     ])
     """
     ratio = floats("mass_ratio", mass_ratio)
-    # One comparison per side finds every bad value: NaN fails both.
+    # NaN fails both comparisons.
     if not (np.all(ratio >= 0) and np.all(ratio < np.inf)):
-        raise ValueError("mass_ratio must be finite and not negative")
+        raise ValueError(_("mass_ratio must be finite and not negative"))
     with np.errstate(under="ignore"):
         return _curve(ratio.astype(np.float64, copy=False)).astype(ratio.dtype)[()]
 
@@ -108,15 +109,17 @@ def mass_ratio_for(normalized_frequency_squared: ArrayLike) -> NDArray[np.floati
     """
     given = floats("normalized_frequency_squared", normalized_frequency_squared)
     if not np.all((given > 0) & (given < LIGHT_ROLLERS_LIMIT)):
-        raise ValueError("normalized_frequency_squared must lie strictly between 0 and 7/4")
+        raise ValueError(_("normalized_frequency_squared must lie strictly between 0 and 7/4"))
     w = given.astype(np.float64, copy=False)
     b = 49 * w - 48
-    # Where a branch is not taken it may divide by a tiny number; its value is thrown away.
+    # The branch that is not taken may divide by a tiny number; its value is not used.
     with np.errstate(over="ignore", under="ignore", divide="ignore"):
         d = np.sqrt((7 * w - 48) ** 2 + 48 * w * w)
         ratio = np.where(b >= 0, 16 * (7 - 4 * w) / (b + d), (d - b) / 36 / w).astype(given.dtype)
     if not np.all(np.isfinite(ratio)):
-        raise ValueError("normalized_frequency_squared is too small: its mass ratio exceeds the floating-point range")
+        raise ValueError(
+            _("normalized_frequency_squared is too small: the mass ratio would exceed the range of floats")
+        )
     return ratio[()]
 
 
@@ -135,7 +138,7 @@ def _curve(ratio: NDArray[np.float64]) -> NDArray[np.float64]:
     leading, lost = _two_sum(1.0, high)
     leading, lost_again = _two_sum(leading, small)
     rest = lost + (low + lost_again)
-    # Powers of two keep the exact product below within the range for every ε.
+    # Scaling by powers of two keeps the exact product below within the range for every ε.
     leading, exponent = np.frexp(leading)
     rest = np.ldexp(rest, -exponent)
     quotient = 1.75 / leading

@@ -1,6 +1,6 @@
 """Numerical integrators for x″ = a(x): one pure step function each, and the registry METHODS.
 
-They know no oscillator. What is known of each (order, cost, stability) stands beside it.
+They are independent of the machine. `Method` holds the order, the cost and the stability limit of each.
 
 Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
 
@@ -35,6 +35,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from ramanujan.quantities import finite_array, function, instance
+from ramanujan.words import _
 
 Runs: TypeAlias = float | NDArray[np.floating]
 """One number for each independent run: an array of any shape, or a float for a single run."""
@@ -145,30 +146,30 @@ def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> 
     middle, steepness, solved = start + quarter * a_before, 0.0, False
     tolerance = _RESIDUAL_ULPS * float(np.finfo(np.asarray(middle).dtype).eps)
     with np.errstate(all="ignore"):
-        for _ in range(_MOST_ITERATIONS):
+        for _iteration in range(_MOST_ITERATIONS):
             a = acceleration(middle)
             residual, moved = (middle - start) - quarter * a, abs(middle - before)
             slope = np.divide(a - a_before, middle - before)
-            # What the rounding of each term can leave of the residual, and that of the middle itself; for the latter
-            # only a slope counts that was taken close to the solution.
+            # The residual that rounding of each term, and of the middle itself, can leave; for the latter only a slope
+            # taken close to the solution counts.
             steepness = np.where((moved > 0) & (moved < _CLOSE * abs(middle)), abs(quarter * slope), steepness)[()]
             scale = abs(start) + abs(middle) + abs(quarter * a) + steepness * abs(middle)
             solved = solved | (np.isfinite(scale) & (abs(residual) <= tolerance * scale))
             if np.all(solved):
                 return 2 * middle - q, v + h * a
             before, a_before = middle, a
-            # A run that is solved stays as it is, whatever the others need.
+            # A run that is solved does not change any more, so that runs stay independent.
             middle = np.where(solved, middle, middle - residual / (1 - quarter * slope))[()]
-    raise ValueError("h is too large for this acceleration: the implicit midpoint equation was not solved")
+    raise ValueError(_("h is too large for this acceleration: the implicit midpoint equation was not solved"))
 
 
 @dataclass(frozen=True)
 class Method:
-    """An integrator and what is known about it.
+    """An integrator and its properties.
 
     Parameters
     ----------
-    title : the name that a reader knows
+    title : its usual name
     order : p, so that the error after a fixed time falls like h^p
     evaluations : evaluations of a(q) per step within a `trajectory`, for a linear a(q); the first step may take one
         more, and an implicit method more for a nonlinear a(q). What a run really takes, `accuracy` counts.
@@ -215,9 +216,11 @@ def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: 
     function("acceleration", acceleration)
     shape = finite_array("q", q).shape
     if finite_array("v", v).shape != shape:
-        raise ValueError(f"v must have the shape of q, {shape}, not {np.shape(v)}")
+        sentence = _("v must have the shape of q, {shape}, not {other}")
+        raise ValueError(sentence.format(shape=shape, other=np.shape(v)))
     if finite_array("h", h).shape not in ((), shape):
-        raise ValueError(f"h must be one number or have the shape of q, {shape}, not {np.shape(h)}")
+        sentence = _("h must be one number or have the shape of q, {shape}, not {other}")
+        raise ValueError(sentence.format(shape=shape, other=np.shape(h)))
     q, v = (x if isinstance(x, float | np.ndarray) else np.asarray(x, dtype=float)[()] for x in (q, v))
     h = float(h) if np.ndim(h) == 0 else np.asarray(h, dtype=np.asarray(q).dtype)
     return _steps(method.step, _remembering(acceleration), q, v, h)
@@ -257,22 +260,22 @@ def _stability_limit(step: Step) -> float:
     """
     s, zero, one = Polynomial([0.0, 1.0]), Polynomial([0.0]), Polynomial([1.0])
     trace = step(lambda q: -s * q, one, zero, 1.0)[0] + step(lambda q: -s * q, zero, one, 1.0)[1]
-    # Every trace is 2 at s = 0: that root is divided out.
+    # Every trace is 2 at s = 0: divide that root out.
     roots = np.concatenate([Polynomial((trace - 2).coef[1:]).roots(), (trace + 2).roots()])
     return math.sqrt(min(root.real for root in roots if abs(root.imag) < 1e-9 < root.real))
 
 
 METHODS: dict[str, Method] = {
-    "explicit_euler": Method("explicit Euler", 1, 1, 0.0, False, "[2] section I.7", explicit_euler),
+    "explicit_euler": Method(_("explicit Euler"), 1, 1, 0.0, False, "[2] section I.7", explicit_euler),
     "symplectic_euler": Method(
-        "symplectic Euler", 1, 1, _stability_limit(symplectic_euler), True, "[1] eq. (I.1.9)", symplectic_euler
+        _("symplectic Euler"), 1, 1, _stability_limit(symplectic_euler), True, "[1] eq. (I.1.9)", symplectic_euler
     ),
     "velocity_verlet": Method(
-        "velocity Verlet", 2, 1, _stability_limit(velocity_verlet), True, "[1] eq. (I.1.17)", velocity_verlet
+        _("velocity Verlet"), 2, 1, _stability_limit(velocity_verlet), True, "[1] eq. (I.1.17)", velocity_verlet
     ),
-    "rk4": Method("Runge–Kutta 4", 4, 4, 2 * math.sqrt(2), False, "[2] table II.1.2", rk4),
-    "yoshida4": Method("Yoshida 4", 4, 3, _stability_limit(yoshida4), True, "[3] eq. (2.11)", yoshida4),
-    "yoshida6": Method("Yoshida 6", 6, 7, _stability_limit(yoshida6), True, "[3] solution A", yoshida6),
-    "implicit_midpoint": Method("implicit midpoint", 2, 3, math.inf, True, "[1] eq. (I.1.7)", implicit_midpoint),
+    "rk4": Method(_("Runge–Kutta 4"), 4, 4, 2 * math.sqrt(2), False, "[2] table II.1.2", rk4),
+    "yoshida4": Method(_("Yoshida 4"), 4, 3, _stability_limit(yoshida4), True, "[3] eq. (2.11)", yoshida4),
+    "yoshida6": Method(_("Yoshida 6"), 6, 7, _stability_limit(yoshida6), True, "[3] solution A", yoshida6),
+    "implicit_midpoint": Method(_("implicit midpoint"), 2, 3, math.inf, True, "[1] eq. (I.1.7)", implicit_midpoint),
 }
 """Every integrator by its name, the simplest first."""

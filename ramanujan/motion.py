@@ -1,12 +1,12 @@
-"""The machine in time: from an initial state to the exact state at any time, in closed form.
+"""The motion in closed form: the exact state at any time from the initial state.
 
-Both momenta are conserved, so X and Φ are a steady drift plus a copy of the oscillation of φ:
+Both momenta are conserved, so X and Φ are each a steady drift plus a multiple of the oscillation of φ:
 
     φ(t) = φ₀ cos Ωt + φ̇₀ S              S = (sin Ωt)/Ω,  C = 1 − cos Ωt = 2 sin²(Ωt/2)
     X(t) = X₀ + (Ẋ₀ − κRφ̇₀) t + κR (φ̇₀ S − φ₀ C)
     Φ(t) = Φ₀ + (Φ̇₀ − λφ̇₀) t + λ (φ̇₀ S − φ₀ C)
 
-Written with S and C, no two nearly equal numbers are subtracted for a machine released at rest, however short t is.
+In this form no nearly equal numbers are subtracted for a machine released at rest, however short t is.
 
 The phase Ωt is reduced in turns, with Ω/2π carried as the sum of two doubles: after n periods a plain product
 fl(Ω)·t is wrong by about n·1e-15 rad, the reduced one by 1e-15 rad however large n is (up to 1e15).
@@ -22,9 +22,11 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ramanujan.numerals import number
 from ramanujan.oscillator import TWO_PI, Oscillator
 from ramanujan.quantities import coordinates, finite_array, instance, real
 from ramanujan.rounding import in_range, nearest, product_error, scaled, square_root
+from ramanujan.words import _
 
 FARTHEST = 1e18
 """Periods up to which the phase is right to 1e-12 rad: Ω/2π is known to two doubles, 106 bits."""
@@ -32,7 +34,7 @@ FARTHEST = 1e18
 
 @dataclass(frozen=True)
 class InitialState:
-    """Where the machine starts: q = (X, φ, Φ) and its time derivatives at t = 0.
+    """The initial state: q = (X, φ, Φ) and its time derivatives at t = 0.
 
     Parameters
     ----------
@@ -61,7 +63,7 @@ class InitialState:
 
 
 def released(oscillator: Oscillator, compression: float) -> InitialState:
-    """Return the state in which the machine is let go: at rest, the spring compressed by x₀, φ₀ = x₀/(2R).
+    """Return the state at release: at rest, with the spring compressed by x₀, so that φ₀ = x₀/(2R).
 
     Parameters
     ----------
@@ -85,14 +87,14 @@ def released(oscillator: Oscillator, compression: float) -> InitialState:
 
 
 def pushed(oscillator: Oscillator, compression: float, glide: float = 0.0, spin: float = 0.0) -> InitialState:
-    """Return the state of a release with a push along each zero mode: φ₀ = x₀/(2R), Ẋ₀ = −glide, Φ̇₀ = spin.
+    """Return the state at a release with a push along each zero mode: φ₀ = x₀/(2R), Ẋ₀ = −glide, Φ̇₀ = spin.
 
     Parameters
     ----------
     oscillator : the machine
     compression : x₀ [m]; negative means a stretched spring
-    glide : velocity that the whole machine gets, to the RIGHT [m/s]
-    spin : angular velocity that the top cylinder gets in addition, clockwise [rad/s]
+    glide : initial velocity of the whole machine, to the RIGHT [m/s]
+    spin : additional initial angular velocity of the top cylinder, clockwise [rad/s]
 
     Returns
     -------
@@ -187,7 +189,7 @@ def relative_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArra
     >>> float(relative_positions(Oscillator(radius=0.1), [0, 0.5, 0])["slab"])
     0.1
     """
-    return _over_block(oscillator, coordinates("q", q), "position")
+    return _over_block(oscillator, coordinates("q", q), _("position of the {body}"))
 
 
 def relative_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -209,7 +211,7 @@ def relative_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, N
     >>> float(relative_velocities(Oscillator(radius=0.1), [0, 0, 5])["top"])
     0.5
     """
-    return _over_block(oscillator, coordinates("q_dot", q_dot), "velocity")
+    return _over_block(oscillator, coordinates("q_dot", q_dot), _("velocity of the {body}"))
 
 
 def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -235,7 +237,7 @@ def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[
     >>> float(ground_positions(Oscillator(radius=0.1), [0.25, 0, 0])["block"])
     -0.25
     """
-    return _over_ground(oscillator, coordinates("q", q), "position")
+    return _over_ground(oscillator, coordinates("q", q), _("position of the {body}"))
 
 
 def ground_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -259,16 +261,16 @@ def ground_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDA
     >>> float(ground_velocities(Oscillator(radius=0.1), [0.25, 0, 5])["top"])
     0.25
     """
-    return _over_ground(oscillator, coordinates("q_dot", q_dot), "velocity")
+    return _over_ground(oscillator, coordinates("q_dot", q_dot), _("velocity of the {body}"))
 
 
 def _over_block(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> dict[str, NDArray[np.float64]]:
     """Map (X, φ, Φ), or its time derivative, to the four bodies' motion relative to the block."""
     R = instance("oscillator", oscillator, Oscillator).radius
-    _, phi, Phi = q
+    _X, phi, Phi = q
     with np.errstate(over="ignore"):
         relative = {"hoop": R * phi, "cylinder": R * phi, "slab": 2 * (R * phi), "top": R * Phi}
-    return {body: in_range(f"{what} of the {body}", values) for body, values in relative.items()}
+    return {body: in_range(what.format(body=body), values) for body, values in relative.items()}
 
 
 def _over_ground(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> dict[str, NDArray[np.float64]]:
@@ -276,7 +278,7 @@ def _over_ground(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> d
     over_block = _over_block(oscillator, q, what)
     with np.errstate(over="ignore"):
         return {"block": -q[0]} | {
-            body: in_range(f"{what} of the {body}", relative - q[0]) for body, relative in over_block.items()
+            body: in_range(what.format(body=body), relative - q[0]) for body, relative in over_block.items()
         }
 
 
@@ -288,12 +290,13 @@ def _oscillation(
     with np.errstate(over="ignore", under="ignore"):
         scaled = np.ldexp(times, exponent)
         if np.any(np.abs(scaled) > FARTHEST / high):
-            raise ValueError(f"t must stay within {FARTHEST:g} periods: beyond, no phase is certain")
+            sentence = _("t must not exceed {most} periods: beyond that the phase is not known")
+            raise ValueError(sentence.format(most=number(FARTHEST)))
         turns = high * scaled
         whole = np.rint(turns)
         fraction = (turns - whole) + (product_error(high, scaled, turns) + low * scaled)
         angle = 2 * math.pi * fraction
-        # In the first half turn the sine may be too small for float64, where t itself is not.
+        # In the first half turn the sine may be too small for float64 although t is not.
         first = times * np.sinc(2 * fraction)
         sine_over_omega = np.where(whole == 0, first, np.sin(angle) / oscillator.natural_frequency)
         return np.cos(angle), 2 * np.sin(angle / 2) ** 2, sine_over_omega

@@ -1,4 +1,4 @@
-"""The machine as numbers: four parameters in; matrices, natural frequency and mode shape out.
+"""The machine as numbers: from four parameters follow the matrices, the natural frequency and the mode shape.
 
 The machine has three degrees of freedom, q = (X, φ, Φ), and one spring:
 
@@ -9,7 +9,7 @@ so it has one oscillating mode and two zero-frequency modes. Everything that osc
     Ω² = k / M_x,    M_x/m = 3ε/8 + 7/12 − 1/(12(7 + 6ε)),    ε = m′/m,
 
 where M_x is the mass that the spring feels. Every number is computed exactly from the four doubles and rounded once
-(`rounding`), so it is the nearest double, or an error that says what leaves the range of float64.
+(`rounding`). So it is the nearest double, or an error names the value that leaves the range of float64.
 """
 
 from __future__ import annotations
@@ -24,8 +24,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ramanujan.frequency import frequency_squared
+from ramanujan.numerals import quantity
 from ramanujan.quantities import positive
 from ramanujan.rounding import nearest, normal, square_root
+from ramanujan.words import _
 
 TWO_PI = Fraction(Decimal("6.28318530717958647692528676655900576839433879875021164194988918"))
 """2π to 60 digits."""
@@ -40,8 +42,8 @@ def drawn_spacing(radius: float) -> float:
 
         L = 2.4R + 5 cm
 
-    It leaves a gap between the two rollers of every size. No frequency depends on it; the shifting load of the slab,
-    and so the friction that the contacts need, does.
+    There is a gap between the two rollers for every radius. No frequency depends on L. The load of the slab on each
+    roller does, and with it the friction that the contacts need.
 
     Parameters
     ----------
@@ -64,7 +66,7 @@ def drawn_spacing(radius: float) -> float:
 
 @dataclass(frozen=True)
 class Oscillator:
-    """Ramanujan's oscillator: a stepped block with two rollers under a sprung slab, and a cylinder rolling free.
+    """Ramanujan's oscillator: a stepped block, two rollers under a slab on a spring, and a cylinder that rolls freely.
 
     Parameters
     ----------
@@ -104,13 +106,13 @@ class Oscillator:
     @cached_property
     def exact_frequency_squared(self) -> Fraction:
         """Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²], as a fraction."""
-        m, m_prime, k, _ = self.exact
+        m, m_prime, k, _R = self.exact
         return frequency_squared(m, m_prime, k)
 
     @cached_property
     def exact_block_coupling(self) -> Fraction:
         """κ = 6(m + m′)/(7m + 6m′), dimensionless, as a fraction."""
-        m, m_prime, _, _ = self.exact
+        m, m_prime = self.exact[:2]
         return 6 * (m + m_prime) / (7 * m + 6 * m_prime)
 
     @property
@@ -141,7 +143,7 @@ class Oscillator:
     @cached_property
     def normalized_frequency_squared(self) -> float:
         """Ω²m/k, dimensionless; it depends on ε alone and is 1 at ε = UNIT_MASS_RATIO."""
-        m, _, k, _ = self.exact
+        m, _m_prime, k, _R = self.exact
         return self._rounded("normalized_frequency_squared", self.exact_frequency_squared * m / k)
 
     @property
@@ -152,7 +154,7 @@ class Oscillator:
     @property
     def mass_matrix(self) -> NDArray[np.float64]:
         """M, shape (3, 3): T = ½ q̇ᵀMq̇ for q = (X, φ, Φ); units kg, kg·m and kg·m² by row and column."""
-        m, m_prime, _, R = self.exact
+        m, m_prime, _k, R = self.exact
         zero = Fraction(0)
         rows = [
             [3 * m + 2 * m_prime, -2 * (m + m_prime) * R, -m * R],
@@ -164,7 +166,7 @@ class Oscillator:
     @property
     def stiffness_matrix(self) -> NDArray[np.float64]:
         """K, shape (3, 3): U = ½ qᵀKq; its one entry 4kR² [N·m] belongs to φ."""
-        _, _, k, R = self.exact
+        _m, _m_prime, k, R = self.exact
         stiffness = np.zeros((3, 3))
         stiffness[1, 1] = self._rounded("stiffness_matrix", 4 * k * R * R)
         return stiffness
@@ -180,22 +182,23 @@ class Oscillator:
         try:
             return normal(name, exact)
         except ValueError as error:
-            raise ValueError(f"{error} for {self!r}") from None
+            raise ValueError(_("{problem} for {machine}").format(problem=error, machine=repr(self))) from None
 
     def _repr_markdown_(self) -> str:
-        """Show the machine in a notebook: its parameters, and the two numbers that everybody asks for."""
+        """Show the machine in a notebook: its parameters, its natural frequency and Ω²m/k."""
         shown = (
-            ("m", "block, slab and top cylinder", "m", "kg"),
-            ("m′", "hoop and lower cylinder", "m_prime", "kg"),
-            ("k", "stiffness of the spring", "k", "N/m"),
-            ("R", "radius of the rollers", "radius", "m"),
-            ("Ω", "natural frequency", "natural_frequency", "rad/s"),
-            ("Ω²m/k", "normalized frequency squared", "normalized_frequency_squared", ""),
+            ("m", _("block, slab and top cylinder"), "m", "kg"),
+            ("m′", _("hoop and lower cylinder"), "m_prime", "kg"),
+            ("k", _("stiffness of the spring"), "k", "N/m"),
+            ("R", _("radius of the rollers"), "radius", "m"),
+            ("Ω", _("natural frequency"), "natural_frequency", "rad/s"),
+            ("Ω²m/k", _("normalized frequency squared"), "normalized_frequency_squared", ""),
         )
-        rows = ["| | Ramanujan’s oscillator | |", "|---|---|---|"]
+        title = _("Ramanujan’s oscillator")
+        rows = [f"| | {title} | |", "|---|---|---|"]
         for symbol, meaning, name, unit in shown:
-            # A machine with a frequency beyond float64 still shows its parameters.
+            # A machine whose frequency exceeds float64 still shows its parameters.
             with suppress(ValueError):
-                value = f"{getattr(self, name):.6g} {unit}".rstrip()
+                value = quantity(getattr(self, name), unit, 6, strip=True)
                 rows.append(f"| {symbol} | {meaning} | {value} |")
         return "\n".join(rows)

@@ -1,4 +1,4 @@
-"""What counts as a quantity: the one contract that every public function of the numeric rooms holds its arguments to.
+"""What counts as a quantity: the contract for the arguments of every public function of the numeric rooms.
 
     a number     a real number: Python's int, float, Fraction or Decimal, a NumPy scalar, or an array without axes.
                  Booleans, text, dates, complex numbers and None are not numbers; neither is what float64 cannot hold.
@@ -7,7 +7,7 @@
     an integer   an integer type. 2.0 is a float, not an integer.
     exact        an integer or a Fraction whose numerator and denominator stay below a stated bound.
 
-Whatever breaks the contract raises `ValueError` with one sentence that begins with the name of the parameter.
+A value outside the contract raises `ValueError` with one sentence that begins with the name of the parameter.
 """
 
 from __future__ import annotations
@@ -23,6 +23,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ramanujan.numerals import number as written
+from ramanujan.words import _
+
 T = TypeVar("T")
 
 
@@ -37,7 +40,7 @@ def real(name: str, value: object) -> float:
     """
     number = _float(value)
     if not math.isfinite(number):
-        raise ValueError(f"{name} must be a finite number, not {shown(value)}")
+        raise ValueError(_("{name} must be a finite number, not {value}").format(name=name, value=shown(value)))
     return number
 
 
@@ -51,8 +54,12 @@ def positive(name: str, value: object, *, infinite: bool = False) -> float:
     """
     number = _float(value)
     if not (0 < number < math.inf or (infinite and number == math.inf)):
-        kind = "a positive number or infinity" if infinite else "a finite positive number"
-        raise ValueError(f"{name} must be {kind}, not {shown(value)}")
+        sentence = (
+            _("{name} must be a positive number or infinity, not {value}")
+            if infinite
+            else _("{name} must be a finite positive number, not {value}")
+        )
+        raise ValueError(sentence.format(name=name, value=shown(value)))
     return number
 
 
@@ -66,7 +73,8 @@ def integer(name: str, value: object, low: int, high: int) -> int:
     # NumPy derives timedelta64 from its integers.
     is_integer = isinstance(value, Integral) and not isinstance(value, bool | np.timedelta64)
     if not is_integer or not low <= value <= high:
-        raise ValueError(f"{name} must be an integer from {_bound(low)} to {_bound(high)}")
+        sentence = _("{name} must be an integer from {low} to {high}")
+        raise ValueError(sentence.format(name=name, low=written(low), high=written(high)))
     return int(value)
 
 
@@ -78,10 +86,12 @@ def rational(name: str, value: object, largest: int) -> Fraction:
     """
     value = _without_axes(value)
     if not isinstance(value, Rational) or isinstance(value, bool | np.timedelta64):
-        raise ValueError(f"{name} must be an exact number, an integer or a Fraction, not {shown(value)}")
+        sentence = _("{name} must be an exact number, an integer or a Fraction, not {value}")
+        raise ValueError(sentence.format(name=name, value=shown(value)))
     exact = Fraction(int(value.numerator), int(value.denominator))
     if max(abs(exact.numerator), exact.denominator) > largest:
-        raise ValueError(f"{name} must have a numerator and a denominator up to {_bound(largest)}")
+        sentence = _("{name} must have a numerator and a denominator of at most {largest}")
+        raise ValueError(sentence.format(name=name, largest=written(largest)))
     return exact
 
 
@@ -102,7 +112,8 @@ def floats(name: str, values: ArrayLike) -> NDArray[np.floating]:
         if array.dtype.kind not in "fiu":
             raise TypeError
     except (TypeError, ValueError, OverflowError):
-        raise ValueError(f"{name} must be a real number or an array of real numbers, not {shown(values)}") from None
+        sentence = _("{name} must be a real number or an array of real numbers, not {value}")
+        raise ValueError(sentence.format(name=name, value=shown(values))) from None
     return array if array.dtype in (np.float32, np.float64) else array.astype(np.float64)
 
 
@@ -114,7 +125,7 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """
     array = floats(name, values).astype(np.float64, copy=False)
     if not np.all(np.isfinite(array)):
-        raise ValueError(f"{name} must be finite, and {shown(values)} is not")
+        raise ValueError(_("{name} must be finite, not {value}").format(name=name, value=shown(values)))
     return array
 
 
@@ -126,7 +137,8 @@ def coordinates(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """
     array = finite_array(name, values)
     if array.ndim == 0 or len(array) != 3:
-        raise ValueError(f"{name} must have three rows, for X, φ and Φ, not the shape {array.shape}")
+        sentence = _("{name} must have three rows, for X, φ and Φ, not the shape {shape}")
+        raise ValueError(sentence.format(name=name, shape=array.shape))
     return array
 
 
@@ -137,7 +149,8 @@ def one_of(name: str, value: object, allowed: Collection[str]) -> str:
     'seconds'
     """
     if not isinstance(value, str) or value not in allowed:
-        raise ValueError(f"{name} must be one of {', '.join(allowed)}, not {shown(value)}")
+        sentence = _("{name} must be one of {known}, not {value}")
+        raise ValueError(sentence.format(name=name, known=", ".join(allowed), value=shown(value)))
     return value
 
 
@@ -151,14 +164,14 @@ def some_of(name: str, values: object, allowed: Collection[str]) -> list[str]:
 
 
 def sequence(name: str, values: object) -> list[object]:
-    """Return what has an order and can be iterated over as a list; text is one value, not a sequence of letters.
+    """Return an ordered iterable as a list; text counts as one value, not as a sequence of letters.
 
     >>> sequence("steps", (1, 2))
     [1, 2]
     """
     without_order = isinstance(values, str | bytes | Set) or (isinstance(values, np.ndarray) and values.ndim != 1)
     if without_order or not isinstance(values, Iterable):
-        raise ValueError(f"{name} must be a sequence, not {shown(values)}")
+        raise ValueError(_("{name} must be a sequence, not {value}").format(name=name, value=shown(values)))
     return list(values)
 
 
@@ -169,7 +182,8 @@ def instance(name: str, value: object, kind: type[T]) -> T:
     Fraction(1, 2)
     """
     if not isinstance(value, kind):
-        raise ValueError(f"{name} must be of the class {kind.__name__}, not {shown(value)}")
+        sentence = _("{name} must be an object of the class {kind}, not {value}")
+        raise ValueError(sentence.format(name=name, kind=kind.__name__, value=shown(value)))
     return value
 
 
@@ -180,7 +194,7 @@ def function(name: str, value: object) -> Callable:
     <built-in function abs>
     """
     if not callable(value):
-        raise ValueError(f"{name} must be a function, not {shown(value)}")
+        raise ValueError(_("{name} must be a function, not {value}").format(name=name, value=shown(value)))
     return value
 
 
@@ -191,9 +205,9 @@ def shown(value: object) -> str:
     "'wheel'"
     """
     try:
-        return reprlib.repr(value)[:60]
+        return " ".join(reprlib.repr(value).split())[:60]
     except Exception:  # Python refuses to print very long integers; another class may fail in its own way.
-        return f"this {type(value).__name__}"
+        return _("a value of the type {kind}").format(kind=type(value).__name__)
 
 
 def _float(value: object) -> float:
@@ -222,13 +236,7 @@ def _without_axes(value: object) -> object:
 
 
 def _holds_a_boolean(values: object) -> bool:
-    """Tell whether a list holds a boolean: NumPy would make a number of it."""
+    """Tell whether a list holds a boolean, which NumPy would turn into a number."""
     if isinstance(values, list | tuple):
         return any(map(_holds_a_boolean, values))
     return isinstance(values, bool | np.bool_)
-
-
-def _bound(bound: int) -> str:
-    """Return a bound as text, a large power of ten as such."""
-    sign = "−" if bound < 0 else ""
-    return str(bound) if abs(bound) < 10**4 else f"{sign}10^{len(str(abs(bound))) - 1}"

@@ -1,6 +1,6 @@
-"""One motion, recorded: everything that is known of it at equal steps of time, and as a table.
+"""A record of one motion: positions, velocities, energies, momenta and forces at equal steps of time, also as CSV.
 
-This module says which series belong together and what they are called; `motion`, `energy` and `contact` compute them.
+This module collects and names the series; `motion`, `energy` and `contact` compute them.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, positive
 from ramanujan.rounding import in_range
 from ramanujan.table import csv_table
+from ramanujan.words import _
 
 MOST_POINTS = 10**7
-"""Times that a record may hold: with all its series it is then some gigabytes large."""
+"""The most times that a record may hold; with all its series it then takes some gigabytes."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +36,7 @@ class Record:
     """A motion at the times t: arrays in SI units, right positive, with the keys of the functions they come from.
 
     Only q = (X, φ, Φ), q̇ and the momentum p_X follow the paper, in which X counts to the LEFT.
-    `body_momenta` are m v of each body over the ground [kg·m/s].
+    `body_momenta` are m v of each body relative to the ground [kg·m/s].
     """
 
     oscillator: Oscillator
@@ -95,10 +96,10 @@ def record(
     initial = pushed(oscillator, compression, glide, spin)
     points = integer("points", points, 2, MOST_POINTS)
     with np.errstate(over="ignore"):
-        end = in_range("periods", np.float64(positive("periods", periods)) * oscillator.period)
+        end = in_range(_("periods"), np.float64(positive("periods", periods)) * oscillator.period)
     t = np.linspace(0, end, points)
     q, q_dot = motion(oscillator, initial, t)
-    # The slab must stay on its rollers between the recorded times, too.
+    # The slab must stay on its rollers between the recorded times as well.
     widest = travel_amplitude(oscillator, initial) / oscillator.radius
     normal_forces(oscillator, (0.0, widest, 0.0), spacing=spacing)
     return Record(
@@ -122,7 +123,7 @@ def record(
 
 
 def columns(motion: Record) -> dict[str, NDArray[np.float64]]:
-    """Return every series of a record under a header that tells its unit, time first.
+    """Return every series of a record under a header with its unit, time first.
 
     Parameters
     ----------
@@ -182,24 +183,25 @@ def table(motion: Record, friction_coefficient: float) -> str:
     oscillator, initial = motion.oscillator, motion.initial
     needed = required_friction(oscillator, motion.compression, spacing=motion.spacing)
     largest = largest_compression(oscillator, friction_coefficient, spacing=motion.spacing)
+    friction = _("friction coefficient needed by {contact}")
     parameters = (
         ("m", oscillator.m, "kg"),
         ("m_prime", oscillator.m_prime, "kg"),
         ("k", oscillator.k, "N/m"),
         ("R", oscillator.radius, "m"),
-        ("compression", motion.compression, "m"),
-        ("X_dot at release", initial.X_dot, "m/s"),
-        ("Phi_dot at release", initial.Phi_dot, "rad/s"),
+        (_("compression"), motion.compression, "m"),
+        (_("X_dot at release"), initial.X_dot, "m/s"),
+        (_("Phi_dot at release"), initial.Phi_dot, "rad/s"),
         ("Omega", oscillator.natural_frequency, "rad/s"),
-        ("spacing of the lower rollers", motion.spacing, "m"),
+        (_("spacing of the lower rollers"), motion.spacing, "m"),
         ("mu", friction_coefficient, ""),
-        ("largest compression without slip", largest, "m"),
-        *((f"friction coefficient needed by {contact}", value, "") for contact, value in needed.items()),
+        (_("largest compression without slip"), largest, "m"),
+        *((friction.format(contact=contact), value, "") for contact, value in needed.items()),
     )
     return csv_table(
         columns(motion),
         [
-            "Ramanujan's oscillator in SI units: right is positive except for X and p_X which count to the left",
+            _("Ramanujan’s oscillator in SI units: positive to the right. Only X and p_X are positive to the left."),
             *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters),
         ],
     )

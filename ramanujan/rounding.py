@@ -1,7 +1,7 @@
-"""Exact in between, rounded once: how a result is right wherever it is an ordinary double.
+"""Exact arithmetic with one rounding at the end, so that every result that is an ordinary double is right.
 
-A double is a fraction. A scalar result is computed from the given doubles as a `Fraction`, in which nothing overflows
-or vanishes, and is rounded to the nearest double at the end. An array is multiplied by such a fraction (`scaled`), or
+A double is a fraction. A scalar result is computed from the given doubles as a `Fraction`, which neither overflows nor
+underflows, and is rounded to the nearest double at the end. An array is multiplied by such a fraction (`scaled`), or
 by other arrays with mantissas and exponents apart (`product`), so that only the result itself can leave the range.
 """
 
@@ -14,18 +14,22 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ramanujan.words import _
+
 _SPLITTER = 2.0**27 + 1
 """Veltkamp's constant: it cuts a double into two halves whose products are exact."""
 
 _ROOT_BITS = 160
 """Bits of an irrational square root: enough for three doubles."""
 
+_TOO_LARGE = _("{name} is too large for float64")
+
 _ORDINARY_EXPONENT = 1000
-"""A power of two that is far enough from both ends of float64, ±1022."""
+"""An exponent of two that is far enough from both ends of float64, ±1022."""
 
 
 def nearest(name: str, exact: Fraction) -> float:
-    """Return the double nearest to a fraction; ValueError names what is too large for float64.
+    """Return the double nearest to a fraction; ValueError names a result that is too large for float64.
 
     >>> nearest("quotient", Fraction(1, 3))
     0.3333333333333333
@@ -34,11 +38,11 @@ def nearest(name: str, exact: Fraction) -> float:
         # Python divides integers of any length and rounds once, correctly.
         return exact.numerator / exact.denominator
     except OverflowError:
-        raise ValueError(f"{name} is too large for float64") from None
+        raise ValueError(_TOO_LARGE.format(name=name)) from None
 
 
 def normal(name: str, exact: Fraction) -> float:
-    """Return the double nearest to a fraction; ValueError also names what loses digits below the normal numbers.
+    """Return the double nearest to a fraction; ValueError also names a subnormal result that would lose digits.
 
     >>> normal("m", Fraction(5e-324))
     5e-324
@@ -48,7 +52,7 @@ def normal(name: str, exact: Fraction) -> float:
     """
     value = nearest(name, exact)
     if abs(value) < sys.float_info.min and value != exact:
-        raise ValueError(f"{name} is too small for float64")
+        raise ValueError(_("{name} is too small for float64").format(name=name))
     return value
 
 
@@ -88,7 +92,7 @@ def scaled(coefficient: Fraction, values: NDArray[np.float64]) -> NDArray[np.flo
 
 
 def product(name: str, *factors: ArrayLike) -> NDArray[np.float64]:
-    """Return a product of arrays and floats; ValueError names what is too large for float64.
+    """Return a product of arrays and floats; ValueError names a result that is too large for float64.
 
     >>> float(product("energy", 2.0**1000, 2.0**1000, 2.0**-1000, 2.0**-999))
     2.0
@@ -102,13 +106,13 @@ def product(name: str, *factors: ArrayLike) -> NDArray[np.float64]:
 
 
 def in_range(name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return values, or raise ValueError with the name of what has overflowed.
+    """Return values, or raise ValueError with the name of the quantity that has overflowed.
 
     >>> float(in_range("X", np.float64(2.0)))
     2.0
     """
     if not np.all(np.isfinite(values)):
-        raise ValueError(f"{name} is too large for float64")
+        raise ValueError(_TOO_LARGE.format(name=name))
     return values
 
 

@@ -1,13 +1,15 @@
-"""How densely a curve is drawn: as many points as its error on screen requires, and no more."""
+"""The number of points of a curve on the screen: as many as its error requires, and no more."""
 
 from __future__ import annotations
 
 import math
 
+from ramanujan.numerals import number
 from ramanujan.quantities import positive
+from ramanujan.words import _
 
 MOST_POINTS = 2**53
-"""More points than a float can count are refused."""
+"""A curve may not have more points than a float can count."""
 
 
 def points_for_half_pixel(periods: float, height_px: float = 1080) -> int:
@@ -15,9 +17,9 @@ def points_for_half_pixel(periods: float, height_px: float = 1080) -> int:
 
         A (1 − cos(Ωh/2)) < ½ px,   nearly  A (Ωh)²/8 < ½ px,   with A = height/2 and h the step
 
-    The left side is the gap between chord and arc at a crest that falls in the middle of a step, the worst place. A
-    steady drift adds nothing, since straight lines draw it exactly. So with `periods` counted in the curve's own
-    cycles (an energy has two in each period of the machine) the bound holds for every curve of this app.
+    The left side is the distance between chord and arc at a crest in the middle of a step, the worst case. A steady
+    drift adds no error, since straight lines draw it exactly. With `periods` counted in cycles of the curve itself (an
+    energy has two in each period of the machine), the bound holds for every curve of this app.
 
     Parameters
     ----------
@@ -43,5 +45,6 @@ def points_for_half_pixel(periods: float, height_px: float = 1080) -> int:
     half_step = 2 * math.asin(min(1.0, math.sqrt(0.5) / math.sqrt(height)))
     intervals = math.pi * cycles / half_step
     if not intervals < MOST_POINTS:
-        raise ValueError(f"periods and height_px are so large that the curve needs more than {MOST_POINTS:.0e} points")
+        sentence = _("periods and height_px are too large: the curve would need more than {most} points")
+        raise ValueError(sentence.format(most=number(MOST_POINTS)))
     return math.floor(intervals) + 2

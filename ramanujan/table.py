@@ -1,4 +1,4 @@
-"""Numbers as a table in comma-separated values, which a spreadsheet opens and numpy reads back exactly.
+"""A table of numbers as comma-separated values, which a spreadsheet opens and numpy reads back exactly.
 
     # a comment line for each remark and parameter
     t [s],X [m],…            one header line: each name with its unit
@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping
 from numpy.typing import ArrayLike
 
 from ramanujan.quantities import finite_array, instance, sequence, shown
+from ramanujan.words import _
 
 
 def csv_table(columns: Mapping[str, ArrayLike], comments: Iterable[str] = ()) -> str:
@@ -30,11 +31,11 @@ def csv_table(columns: Mapping[str, ArrayLike], comments: Iterable[str] = ()) ->
 
     Raises
     ------
-    ValueError : there is no column, two differ in length, one is not a row of finite numbers, or a text would break its
-        line.
+    ValueError : there is no column, two differ in length, one is not a sequence of finite numbers, or a text is not a
+        single line without commas and quotes.
 
     >>> print(csv_table({"t [s]": [0, 0.1]}, ["two times"]), end="")
-    # numbers begin after 3 lines; numpy.loadtxt takes that as skiprows
+    # numbers begin after 3 lines; numpy.loadtxt takes that number as skiprows
     # two times
     t [s]
     0.0
@@ -45,21 +46,21 @@ def csv_table(columns: Mapping[str, ArrayLike], comments: Iterable[str] = ()) ->
         for header, column in instance("columns", columns, Mapping).items()
     }
     if not arrays:
-        raise ValueError("columns must hold at least one column")
+        raise ValueError(_("columns must hold at least one column"))
     for header, array in arrays.items():
         if array.ndim != 1 or array.shape != next(iter(arrays.values())).shape:
-            raise ValueError(f"columns must all be rows of numbers of one length; {shown(header)} is not")
+            sentence = _("columns must all be sequences of numbers of equal length, but {column} is not")
+            raise ValueError(sentence.format(column=shown(header)))
     comments = sequence("comments", comments)
     for name, texts in (("comments", comments), ("columns", arrays)):
         for text in texts:
             # A comma in a comment would spread it over the cells of a spreadsheet.
             if not isinstance(text, str) or set(text) & set(',"') or text.splitlines() not in ([], [text]):
-                raise ValueError(
-                    f"{name} must hold texts: each header or comment is one line without commas and quotes, "
-                    f"unlike {shown(text)}"
-                )
+                sentence = _("{name} must hold single lines of text without commas and quotes, unlike {text}")
+                raise ValueError(sentence.format(name=name, text=shown(text)))
     skipped = len(comments) + 2
-    comments = [f"numbers begin after {skipped} lines; numpy.loadtxt takes that as skiprows", *comments]
+    first = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows").format(n=skipped)
+    comments = [first, *comments]
     lines = list(map("# {}".format, comments))
     lines.append(",".join(arrays))
     rows = zip(*(array.tolist() for array in arrays.values()), strict=True)

@@ -35,8 +35,8 @@ def server() -> Iterator[str]:
 
 
 @pytest.fixture(scope="session")
-def profile(server: str) -> Iterator[object]:
-    """One headless browser with one profile."""
+def chromium() -> Iterator[object]:
+    """One headless browser for all tests of a worker."""
     if CHROMIUM is None:
         if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
             pytest.fail("no Chromium or Chrome on this system, and RAMANUJAN_REQUIRE_BROWSER is set")
@@ -45,8 +45,14 @@ def profile(server: str) -> Iterator[object]:
 
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield browser.new_context()
+        yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def profile(chromium: object) -> object:
+    """One profile, so that scripts are loaded once."""
+    return chromium.new_context()
 
 
 @pytest.fixture(scope="session")

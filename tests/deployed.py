@@ -10,6 +10,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.request
 from configparser import ConfigParser
@@ -21,6 +22,8 @@ HAPROXY = shutil.which("haproxy") or shutil.which("haproxy", path="/usr/sbin:/us
 
 _PLACE = "/opt/ramanujan"
 """Where the unit expects the app; here it is this folder, with this Python."""
+_STATE = "/var/lib/ramanujan"
+"""The unit's StateDirectory; here it is a temporary one."""
 
 
 class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
@@ -30,6 +33,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         names = ("first", "second")[:processes]
         self.ports = dict(zip(names, _free_ports(processes), strict=True))
         self.processes: dict[str, subprocess.Popen] = {}
+        self.state = tempfile.TemporaryDirectory()
 
     def __enter__(self) -> deployed:
         [port] = _free_ports(1)
@@ -57,6 +61,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             process.terminate()
         for process in running:
             process.wait()
+        self.state.cleanup()
 
     def _wait(self, seconds: float = 90) -> None:
         """Wait until the proxy sends visitors to every process."""
@@ -78,10 +83,11 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             part.replace("%i", str(self.ports[name])).replace(f"{_PLACE}/.venv/bin/python", sys.executable)
             for part in shlex.split(service["ExecStart"])
         ]
+        given = service["Environment"].split()
         self.processes[name] = subprocess.Popen(
             command,
             cwd=service["WorkingDirectory"].replace(_PLACE, str(ROOT)),
-            env=os.environ | dict([service["Environment"].split("=")]),
+            env=os.environ | dict(value.replace(_STATE, self.state.name).split("=") for value in given),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )

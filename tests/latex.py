@@ -20,10 +20,10 @@ mpmath.mp.dps = 60
 _LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|d?dot)[a-zA-Z]+|[a-zA-Z])"
 _TOKEN = re.compile(
     r"(?P<space>(?:\\,|\\ |\\textstyle|\s)+)"
-    r"|(?P<number>\d+(?:\.\d+)?)(?:\\ldots)?(?: \\cdot 10\^\{(?P<power>-?\d+)\})?"
+    r"|(?P<number>\d+(?:\.\d+)?)(?:\\ldots)?(?: \\times 10\^\{(?P<power>-?\d+)\})?"
     r"|(?P<mark>\\frac|\\sqrt|\\left|\\right|\\begin\{matrix\}|\\end\{matrix\}|\\\\|[-+^{}()\[\]|,&])"
-    r"|(?P<name>\\Omega(?:_\{\\mathrm\{clamped\}\})?\^\{2\}|M\^\{-1\}"
-    rf"|(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?(?:_\{{(?:\\mathrm\{{\w+\}}|\\?[a-zA-Z0-9*]+)\}})?)"
+    r"|(?P<name>\\Omega(?:_\{\\text\{clamped\}\})?\^\{2\}|M\^\{-1\}"
+    rf"|(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?(?:_\{{(?:\\text\{{\w+\}}|\\?[a-zA-Z0-9*]+)\}})?)"
 )
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 

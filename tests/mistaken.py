@@ -105,12 +105,12 @@ _CHANGES: dict[str, Callable] = {
     r"if you leave out the rotation of (.+?)\. ": _no_rotation,
     r"if (.+) has the moment of inertia of (.+?)\. ": _inertia,
     r"if (.+) ha(?:s|ve) the mass (m′?)\. ": _mass,
-    r"if you add X′ to the speed of (.+) instead of subtracting it\. ": _sign,
-    r"if you take the speed of (.+) relative to the block\. ": _relative,
+    r"if you add X′ to the velocity of (.+) instead of subtracting it\. ": _sign,
+    r"if you take the velocity of (.+) relative to the block\. ": _relative,
     r"if (the slab) moves only as far as the centres of its rollers\. ": _as_its_rollers,
     r"if you give (.+) the displacement of the slab\. ": _as_the_slab,
     r"if you use the angle [φΦ] for (.+?)\. ": _angle,
-    r"if you divide the speed of (.+) relative to the ground by R": _from_the_ground,
+    r"if you divide the velocity of (.+) relative to the ground by R": _from_the_ground,
     r"if you leave out (the [a-z ]+)\. Which bodies": _left_out,
 }
 

@@ -90,15 +90,15 @@ def quantities(
     T, U = sum(kinetic.values()), stiffness * (2 * radius * q[1]) ** 2 / 2
     named: dict[str, Any] = {}
     for body in BODIES:
-        named[rf"v_{{\mathrm{{{body}}}}}"] = velocity[body]
-        named[rf"a_{{\mathrm{{{body}}}}}"] = acceleration[body]
-        named[rf"T_{{\mathrm{{{body}}}}}"] = kinetic[body]
+        named[rf"v_{{\text{{{body}}}}}"] = velocity[body]
+        named[rf"a_{{\text{{{body}}}}}"] = acceleration[body]
+        named[rf"T_{{\text{{{body}}}}}"] = kinetic[body]
     for body, place in spin.items():
         # What moves the centre is the sum of a roller's two forces, what turns it their difference.
         total, turning = masses[body] * acceleration[body], inertia[body] * a[place] / radius
-        named[rf"\alpha_{{\mathrm{{{body}}}}}"] = a[place]
-        named[rf"S_{{\mathrm{{{body}}}}}"] = (total + turning) / 2
-        named[rf"F_{{\mathrm{{{body}}}}}"] = -turning if body == "top" else (total - turning) / 2
+        named[rf"\alpha_{{\text{{{body}}}}}"] = a[place]
+        named[rf"S_{{\text{{{body}}}}}"] = (total + turning) / 2
+        named[rf"F_{{\text{{{body}}}}}"] = -turning if body == "top" else (total - turning) / 2
     for letter, place in (("X", 0), (r"\varphi", 1), (r"\Phi", 2)):
         named |= {
             letter: q[place],
@@ -119,12 +119,12 @@ def quantities(
         # At given p_X and p_Φ the energy is least where the rollers stand still and the spring is relaxed.
         r"\mathcal{H}_{0}": p[others] @ solve(block, p[others]) / 2,
         r"\Omega^{2}": frequency,
-        r"\Omega_{\mathrm{clamped}}^{2}": K[1, 1] / M[1, 1],
+        r"\Omega_{\text{clamped}}^{2}": K[1, 1] / M[1, 1],
         r"\varepsilon": roller / mass,
         r"\varepsilon_{*}": unit_ratio,
         "M_{e}": least,
         "M_{x}": least / 4,
-        r"M_{\mathrm{clamped}}": M[1, 1] / radius**2,
+        r"M_{\text{clamped}}": M[1, 1] / radius**2,
         r"\mu": 2 * T / (radius * v[1]) ** 2,
         r"\xi": v[0] / (radius * v[1]),
         r"\eta": v[2] / v[1],

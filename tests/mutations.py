@@ -134,9 +134,9 @@ MUTATIONS = [
     Mutation("the speed buttons are dead", "stage/stage.js", "this.clock.speed = value;", "", "speed_buttons"),
     Mutation(
         "the slider of x₀ counts wrong",
-        "scenes/controls.py",
-        '"scale": control.scale}',
-        '"scale": control.scale * 1.1}',
+        "scenes/quantities.py",
+        '"scale": quantity.scale}',
+        '"scale": quantity.scale * 1.1}',
         "thumb",
     ),
     Mutation(

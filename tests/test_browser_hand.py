@@ -262,8 +262,8 @@ def test_bounds_give_way_softly_and_say_so(visit):
     page.wait_for_timeout(300)
     drawn = slab_over_block(page)
     assert 12.5 < drawn < 14
-    assert "between 0.5 and 12 cm" in note(page)
-    assert "12 cm when you let go" in note(page)
+    assert "between 0.5\u202fcm and 12\u202fcm" in note(page)
+    assert "12\u202fcm when you let go" in note(page)
     page.mouse.up()
     page.wait_for_timeout(400)
     assert slab_over_block(page) == pytest.approx(12, abs=0.02)
@@ -292,7 +292,7 @@ def test_escape_gives_the_slab_back_and_undo_the_last_compression(visit):
     page.mouse.up()
     page.wait_for_url("**compression=4**")
     settle(page)
-    assert undo.inner_text() == "Back to x₀ = 8 cm"
+    assert undo.inner_text() == "Back to x₀ = 8\u202fcm"
     undo.click()
     page.wait_for_function("!location.search.includes('compression=4')")
     settle(page)

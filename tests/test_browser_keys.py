@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from tests.browser import settle
 from tests.slow_network import delayed
 
-HEADING = ".st-key-lecture h3:visible"
+HEADING = ".st-key-lecture h2:visible"
 
 
 def step(page) -> int:
@@ -80,7 +80,7 @@ def test_nothing_is_lost_over_a_slow_network(lecture, server):
 
 def test_a_screen_reader_hears_the_step_once_and_the_slider_says_where_it_is(lecture):
     page = lecture("?step=3")
-    said = page.locator(".st-key-voice [role=status]")
+    said = page.locator(".st-key-library [role=status]")
     before = said.text_content()
     page.get_by_role("button", name="Next").click()
     heading = page.locator(HEADING).inner_text().split(". ", 1)[1]

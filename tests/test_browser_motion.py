@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from ramanujan import Oscillator, motion, released
+from ramanujan.contact import contact_forces, normal_forces
 from ramanujan.scenes.cached import motion as cached
 from tests.browser import next_frame, settle
 
@@ -42,8 +44,9 @@ def cursor_times(page):
 
 def choose(page, view):
     """Open a view."""
-    page.get_by_role("tab", name=view).click()
-    page.locator(f".st-key-figure_{view.lower().replace(' ', '-')} .nsewdrag").first.wait_for(state="attached")
+    page.get_by_role("tab").nth(list(cached.VIEWS).index(view)).click()
+    figure = "contact_forces" if view == "forces" else view
+    page.locator(f".st-key-figure_{figure} .nsewdrag").first.wait_for(state="attached")
     settle(page)
 
 
@@ -57,7 +60,7 @@ def test_a_change_of_a_slider_sends_at_most_60_kB(visit):
 
 
 def test_the_cursor_moves_all_figures_without_the_server(visit):
-    page = open_motion(visit, "?figure=Displacements")
+    page = open_motion(visit, "?figure=displacements")
     slider = page.get_by_label("Time cursor")
     before = len(page.frames_sent)
     slider.fill("0.3")
@@ -75,7 +78,7 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
 
 
 def test_a_click_takes_the_cursor_along_and_all_panels_answer(visit):
-    page = open_motion(visit, "?figure=Displacements", width=1280, height=1500)
+    page = open_motion(visit, "?figure=displacements", width=1280, height=1500)
     panel = page.locator(PLOT).first.bounding_box()
     page.mouse.move(panel["x"] + 0.5 * panel["width"], panel["y"] + 0.5 * panel["height"])
     page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
@@ -91,7 +94,7 @@ def test_a_click_takes_the_cursor_along_and_all_panels_answer(visit):
 
 
 def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
-    page = open_motion(visit, "?figure=Displacements")
+    page = open_motion(visit, "?figure=displacements")
     page.get_by_label("Time cursor").fill("0")
     next_frame(page)
     places = page.evaluate(
@@ -160,7 +163,7 @@ def test_the_spacing_is_that_of_the_picture(visit, radius):
 
 
 def test_nothing_jumps_when_the_model_stops_to_hold(visit):
-    page = open_motion(visit, "?mu=0.07&figure=Contact+forces")
+    page = open_motion(visit, "?mu=0.07&figure=forces")
     top = page.get_by_role("tab", name="Energy").bounding_box()["y"]
     nudge(page, "mu", "Home")
     assert page.get_by_text("The model no longer holds").is_visible()
@@ -172,3 +175,54 @@ def test_a_phone_does_not_scroll_sideways(visit):
     for view in cached.VIEWS:
         choose(page, view)
         assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= 390
+
+
+def test_choosing_a_view_moves_nothing_above_its_figure(visit):
+    page = open_motion(visit)
+    tabs = page.get_by_role("tab")
+    tabs.first.scroll_into_view_if_needed()
+    page.evaluate("document.querySelector('[data-testid=stMain]').scrollBy(0, 250)")
+    next_frame(page)
+    top = tabs.first.bounding_box()["y"]
+    for i in (1, 3, 2, 0):
+        tabs.nth(i).click()
+        page.locator(PLOT).first.wait_for(state="attached")
+        settle(page)
+        assert tabs.first.bounding_box()["y"] == pytest.approx(top, abs=1)
+        assert page.locator(".js-plotly-plot").first.bounding_box()["y"] < 720 - 200, "the figure is in view"
+
+
+def test_one_button_freezes_machine_and_figures_at_the_greatest_friction(visit):
+    page = open_motion(visit, "?figure=Contact+forces", motion="no-preference")
+    page.locator(".st-key-moment button").click()
+    next_frame(page)
+    now = page.evaluate("globalThis.ramanujan.last('time/motion')")
+    assert not now["playing"]
+    assert cursor_times(page) == [pytest.approx(now["time"], abs=0.02)]
+    # No contact is nearer to slipping at any other instant: looked for among ten thousand, by the core.
+    machine = Oscillator(1, 1, 10)
+    spacing = cached.drawn_spacing(machine.radius)
+    times = np.linspace(0, machine.period, 10_001)
+
+    def worst(t):
+        q, _ = motion(machine, released(machine, 0.08), t)
+        friction, normal = contact_forces(machine, q), normal_forces(machine, q, spacing=spacing)
+        return np.max([np.abs(friction[name]) / normal[name] for name in normal], axis=0)
+
+    assert worst(now["time"]) == pytest.approx(worst(times).max(), rel=1e-3)
+
+
+def test_what_a_hover_tells_leaves_the_figure_in_sight(visit):
+    page = open_motion(visit, height=900)
+    panels = page.locator(".js-plotly-plot").first.locator(".nsewdrag")
+    panels.last.scroll_into_view_if_needed()
+    box = panels.first.bounding_box()
+    for share in (0.4, 0.45):
+        page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"], steps=2)
+    told = page.locator(".js-plotly-plot .hoverlayer .bg").first
+    told.wait_for(state="attached")
+    covered = told.bounding_box()
+    area = sum(each["width"] * each["height"] for each in map(lambda panel: panel.bounding_box(), panels.all()))
+    assert 0 < covered["width"] * covered["height"] < area / 3
+    # It stands beside the instant that it tells of, which is that of the nearest point drawn.
+    assert covered["x"] > box["x"] + 0.4 * box["width"]

@@ -12,13 +12,14 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from ramanujan.scenes import pages
 from tests.benchmarks.visitor import Visitor
 from tests.browser import ROOT, listen, running, settle
 from tests.slow_network import delayed, network
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "12"))
 DELAYS = (0.1,) if CHANGES < 100 else (0.0, 0.1, 0.6)
-PAGES = ("", "derivation", "motion", "1729", "speed?periods=1")
+PAGES = tuple(page.address for page in pages.PAGES.values())
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 
 

@@ -12,7 +12,7 @@ ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "2"))
 """How often theme and page are changed when leaks are looked for; fifty in a long run."""
 
 BUS = "globalThis.ramanujan"
-REGION = ".st-key-voice [role=status]"
+REGION = ".st-key-library [role=status]"
 
 
 @pytest.fixture
@@ -153,7 +153,7 @@ def test_the_first_picture_does_not_make_the_curve_jump(visit):
     page.add_init_script(
         """window.heights = [];
         const look = () => {
-          const heading = [...document.querySelectorAll("h3")].find((h) => h.innerText.startsWith("When is it"));
+          const heading = [...document.querySelectorAll("h2")].find((h) => h.innerText.startsWith("When"));
           if (heading) window.heights.push(heading.getBoundingClientRect().top);
           requestAnimationFrame(look);
         };
@@ -263,9 +263,9 @@ def test_the_slab_is_a_slider_of_its_own_and_the_picture_names_its_bodies(visit)
     stage.locator("[role=slider]").wait_for()
     assert stage.locator("[role=img] [role=slider]").count() == 0
     named = stage.locator("svg.machine [role=img]").get_attribute("aria-label")
-    assert "on the left a sphere, on the right a cylinder" in named
-    assert "a hoop rolls free" in named
-    assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00 cm"
+    assert "a sphere on the left and a cylinder on the right" in named
+    assert "a hoop rolls freely" in named
+    assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00\u202fcm"
 
 
 def test_controls_by_arrow_keys(visit):
@@ -321,7 +321,7 @@ def test_what_happens_is_said_once(visit):
     region = page.locator(REGION)
     page.evaluate(
         """() => {
-          const region = document.querySelector(".st-key-voice [data-testid=stBidiComponentIsolated]").shadowRoot
+          const region = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot
             .querySelector("[role=status]");
           window.said = [];
           new MutationObserver(() => region.textContent && window.said.push(region.textContent))
@@ -358,7 +358,7 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
         f"""() => {{
           {hosts}
           const graphs = hosts.graphs(), panel = hosts.panels(graphs[0])[0], slider = hosts.slider("m");
-          const theme = document.querySelector(".st-key-voice [data-testid=stBidiComponentIsolated]").shadowRoot;
+          const theme = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
           const holds = {{
             "slider: a range input with bounds, step and value": slider?.type === "range" && slider.min === "0.5"
               && slider.max === "5" && Number(slider.step) === 0.01 && slider.value === "1",

@@ -128,7 +128,7 @@ def test_cubes_let_swipes_and_wheels_through(phone):
     assert phone.top > top + 50
 
 
-@pytest.mark.parametrize("path", ["", "derivation?view=Reading", "motion", "1729"])
+@pytest.mark.parametrize("path", ["", "derivation?view=reading", "motion", "1729"])
 def test_nothing_scrolls_sideways_on_a_narrow_phone(phone, path):
     page = phone.open(path, "[data-testid=stMain] h1")
     page.set_viewport_size({"width": 320, "height": 640})

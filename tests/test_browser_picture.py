@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from itertools import combinations, product
 
 import numpy as np
@@ -18,10 +19,11 @@ from ramanujan.contact import contact_forces
 from ramanujan.energy import energies
 from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
 from ramanujan.scenes.cached.motion import drawn_spacing
-from ramanujan.scenes.controls import CONTROLS
 from ramanujan.scenes.look import BODY_COLORS
+from ramanujan.scenes.quantities import QUANTITIES
 from tests.browser import STAGE, next_frame, settle
 from tests.picture import ROLLERS, Picture, difference, length, middle, places
+from tests.reading import NUMBER, read
 from tests.test_look import THEME, rgb
 
 HALF_A_PIXEL = 0.5
@@ -35,10 +37,10 @@ def machines(count: int) -> list[tuple[Oscillator, float]]:
     random = np.random.default_rng(SEED)
 
     def anywhere(key: str) -> float:
-        control = CONTROLS[key]
+        control = QUANTITIES[key]
         return math.exp(random.uniform(math.log(control.least), math.log(control.most))) * control.scale
 
-    corners = product(*((CONTROLS[key].least, CONTROLS[key].most) for key in ("radius", "compression")))
+    corners = product(*((QUANTITIES[key].least, QUANTITIES[key].most) for key in ("radius", "compression")))
     found = [(Oscillator(2.0, 0.7, 30.0, R / 100), x0 / 100) for R, x0 in corners]
     for _ in range(count):
         found.append((Oscillator(*map(anywhere, ("m", "m_prime", "k", "radius"))), anywhere("compression")))
@@ -301,9 +303,9 @@ def test_in_step_is_an_event_and_never_a_false_one(picture):
         seen[expected] = picture.page.evaluate(face)
         said = step.locator(".parting").inner_text()
         if expected == "in-step":
-            assert "less than 0.01 turn apart after a million periods" in said
+            assert "after a million periods the hands are less than 0.01 turns apart" in said
         else:
-            periods = float(said.split("after ")[1].split(" periods")[0].replace("\u202f", ""))
+            periods = read(re.search(f"[Aa]fter {NUMBER} periods", said)[1])
             assert periods == pytest.approx(1 / abs(off), rel=0.05)
     assert seen["in-step"] != seen["apart"]
 
@@ -318,7 +320,9 @@ def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
         for periods in (0.6, 3.2):
             picture.at(periods)
             turns = abs(periods - periods / ratio)
-            expect(verdict).to_contain_text(f"Machine {side} by {turns:.2f} turn after {periods / ratio:.1f} periods")
+            expect(verdict).to_contain_text(
+                f"The machine is {turns:.2f} turns {side} after {periods / ratio:.1f} periods"
+            )
         picture.at(-1.5)
         expect(verdict).to_contain_text("before the release")
         expect(verdict).not_to_contain_text("ahead")
@@ -516,7 +520,7 @@ def test_speed_buttons_change_the_speed(visit):
       };
       requestAnimationFrame(look);
     })"""
-    omega = Oscillator(k=CONTROLS["k"].default).natural_frequency
+    omega = Oscillator(k=QUANTITIES["k"].default).natural_frequency
     for name, speed in (("1×", 1), ("½×", 0.5), ("⅒×", 0.1)):
         page.get_by_role("radio", name=name, exact=True).click()
         next_frame(page)

@@ -10,10 +10,11 @@ import pytest
 import sympy as sp
 from playwright.sync_api import expect
 
-from ramanujan import Oscillator, stage
+from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared, stage
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
-from ramanujan.scenes.controls import CONTROLS
+from ramanujan.scenes.cached.oscillator import CURVE_RANGE
+from ramanujan.scenes.quantities import QUANTITIES
 from tests.browser import STAGE, WATCH_LAG, next_frame, settle
 from tests.reference import numpy_function
 
@@ -102,18 +103,18 @@ def flat(formulas: dict, prefix: str = "") -> dict[str, sp.Expr]:
 def test_the_javascript_of_every_formula_agrees_with_numpy(visit):
     """One expression, three printers: the browser and NumPy get the same numbers from the same names."""
     formulas = flat(stage.formulas())
-    names = dict(zip((*COORDINATES, *VELOCITIES), ("X", "phi", "Phi", "X_dot", "phi_dot", "Phi_dot"), strict=True))
-    names[R] = "radius"
+    names = dict(zip((*VELOCITIES, *COORDINATES), ("X_dot", "phi_dot", "Phi_dot", "X", "phi", "Phi"), strict=True))
     plain = set().union(*(formula.free_symbols for formula in formulas.values())) - {t, R}
-    names |= {symbol: symbol.name for symbol in sorted(plain, key=str) if symbol.name not in names.values()}
-    values = {name: 0.2 + 0.07 * i for i, name in enumerate(names.values())}
+    # An initial value is a symbol of its own with the name of its coordinate: one number serves both.
+    names |= {R: "radius"} | {symbol: symbol.name for symbol in sorted(plain, key=str)}
+    values = {name: 0.2 + 0.07 * i for i, name in enumerate(dict.fromkeys(names.values()))}
 
     call_all = "Object.fromEntries(Object.entries(formulas).map(([name, formula]) => [name, formula(values)]))"
     script = f"(values) => {{ const formulas = {javascript(formulas)}; return {call_all}; }}"
     from_browser = visit().evaluate(script, values)
     assert len(formulas) > 30
     for name, formula in formulas.items():
-        expected = float(numpy_function(list(names), formula)(*values.values()))
+        expected = float(numpy_function(list(names), formula)(*(values[given] for given in names.values())))
         assert from_browser[name] == pytest.approx(expected, rel=1e-13, abs=1e-15), name
 
 
@@ -143,7 +144,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
 def test_every_slider_is_followed_live_by_keyboard_too(visit):
     page = visit()
     shown = "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent"
-    for key in CONTROLS:
+    for key in QUANTITIES:
         if key == "radius":
             page.get_by_text("More", exact=True).click()
             page.wait_for_timeout(500)
@@ -224,7 +225,7 @@ def test_step_scrub_and_speed(visit):
 
 def test_fast_motion_is_slowed_and_says_so(visit):
     page = visit("?m=0.5&m_prime=0.05&k=200")
-    assert "of its real speed" in text(page, ".note")
+    assert "times its real speed" in text(page, ".note")
     page.get_by_text("Reset", exact=True).click()
     settle(page)
     assert text(page, ".note") == ""
@@ -272,7 +273,7 @@ def test_layers(visit):
         page.get_by_role("button", name=layer).click()
         # At a turning point an arrow has no length.
         page.wait_for_function(
-            f"[...{STAGE}.querySelectorAll('{selector} path')].some((path) => path.getAttribute('d').length > 3)"
+            f"[...{STAGE}.querySelectorAll('{selector} path')].some((path) => path.getAttribute('d')?.length > 3)"
         )
         assert inside(page, f"root.querySelector('{selector}').style.display") == ""
     page.get_by_role("button", name="Energy").click()
@@ -294,7 +295,7 @@ def test_reduced_motion_starts_with_a_still(visit):
 
 def test_the_scene_is_described_in_words(visit):
     page = visit()
-    live = page.locator(".st-key-voice [role=status]")
+    live = page.locator(".st-key-library [role=status]")
     expect(live).not_to_be_empty()
     spoken = live.text_content()
     period = f"{Oscillator(1, 1, 10).period:.2f}"
@@ -307,21 +308,26 @@ def test_the_scene_is_described_in_words(visit):
 
 def test_a_click_on_the_curve_takes_its_ratio(visit):
     page = visit(height=1200)
-    traces = page.locator(".st-key-curve .scatterlayer .trace")
     entry = page.locator(".st-key-m_prime_exact input")
-    traces.first.wait_for(state="attached")
+    panel = page.locator(".st-key-curve .nsewdrag")
+    panel.wait_for(state="attached")
 
-    def click(trace: int, point: int) -> None:
-        page.wait_for_timeout(500)  # Plotly draws anew after every answer, and a click on what is replaced is lost
-        box = traces.nth(trace).locator(".point").nth(point).bounding_box()
-        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    def click(ratio: float) -> None:
+        """Click on the curve at a mass ratio, whatever lies there."""
+        box = panel.bounding_box()
+        x = math.log(ratio / CURVE_RANGE[0]) / math.log(CURVE_RANGE[1] / CURVE_RANGE[0])
+        _, top = page.evaluate("document.querySelector('.st-key-curve .js-plotly-plot').layout.yaxis.range")
+        y = 1 - float(normalized_frequency_squared(ratio)) / top
+        page.mouse.move(box["x"] + x * box["width"], box["y"] + y * box["height"])
+        next_frame(page)
+        page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
         settle(page)
 
-    click(2, 40)
-    assert float(entry.input_value()) < 1
-    click(4, 0)
-    expect(entry).to_have_value("1.1272568270162107")
+    # To a pixel of the curve, a hundredth of the ratio, and to three digits.
+    click(0.4)
+    assert float(entry.input_value()) == pytest.approx(0.4, rel=0.02)
+    click(UNIT_MASS_RATIO)
+    expect(entry).to_have_value(str(UNIT_MASS_RATIO))
     assert text(page, "[data-read=normalized]") == "1.000000"
 
 
@@ -390,7 +396,7 @@ def test_copy_link_gives_the_address(visit):
     page.locator(".st-key-link button").click()
     expect(page.locator(".st-key-link .told")).not_to_be_empty()
     said = page.locator(".st-key-link .told").inner_text()
-    assert said in ("Copied.", "Copy it from here:")
+    assert said in ("Copied.", "Copy the link from here:")
     if said != "Copied.":
         assert page.locator(".st-key-link input").input_value() == page.url
 

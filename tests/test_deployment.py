@@ -10,9 +10,8 @@ import urllib.request
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import sync_playwright
 
-from tests.browser import CHROMIUM, FLAGS, listen, settle
+from tests.browser import CHROMIUM, listen, settle
 from tests.deployed import HAPROXY, deployed
 
 STORE = "ramanujan"
@@ -30,14 +29,6 @@ def hall() -> Iterator[deployed]:
             pytest.skip(f"no {package} on this system (on Debian: apt-get install {package})")
     with deployed() as running:
         yield running
-
-
-@pytest.fixture(scope="module")
-def chromium(hall: deployed) -> Iterator[object]:
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield browser
-        browser.close()
 
 
 def get(address: str, **headers: str) -> tuple[object, bytes]:
@@ -97,6 +88,65 @@ def test_a_download_comes_from_the_visitors_process(students: dict[str, object])
         with tab.expect_download() as download:
             tab.get_by_role("button", name="CSV").click()
         assert "2.5" in download.value.path().read_text()
+
+
+def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, object]) -> None:
+    """A lecturer and two phones go through both votes; one phone comes by the copied link, the other by the code."""
+
+    def visitor(process: str, address: str, width: int, height: int) -> object:
+        tab = students[process].context.new_page()
+        tab.set_viewport_size({"width": width, "height": height})
+        tab.goto(address)
+        tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
+        return tab
+
+    def press(name: str) -> None:
+        desk.locator(f".st-key-class_{name} button").click()
+
+    def choose(phone: object, number: int) -> None:
+        phone.locator(".st-key-class_phone [role=radiogroup] label").nth(number).click()
+        phone.get_by_text("Your answer counts").wait_for()
+
+    desk = visitor("first", f"{hall.address}/lesson", 1280, 720)
+    press("door")
+    press("open")
+    letters = desk.locator(".st-key-class_letters [data-testid=stText]")
+    assert letters.evaluate("node => parseFloat(getComputedStyle(node).fontSize)") > 100
+    code = letters.text_content().lower()
+    desk.evaluate("navigator.clipboard.writeText = async (text) => (window.copied = text)")
+    desk.get_by_role("button", name="Copy link").click()
+    link = desk.evaluate("copied")
+    assert "lecturer=" in desk.url
+    assert "lecturer=" not in link
+
+    phones = [visitor("second", link, 390, 844), visitor("first", f"{hall.address}/lesson", 390, 844)]
+    phones[1].locator(".st-key-class_door button").first.click()
+    phones[1].locator(".st-key-class_code input").fill(code)
+    phones[1].get_by_role("button", name="Join", exact=True).click()
+    press("go")
+    press("ask")
+    for phone, number in zip(phones, (0, 1), strict=True):
+        choose(phone, number)
+    desk.get_by_text("2 of 2 students have answered").wait_for()
+    assert all(tab.locator("[data-testid=stProgress]").count() == 0 for tab in (desk, *phones))
+    press("reveal")
+    desk.get_by_text("1 of 2, 50\u202f%").first.wait_for()
+    press("again")
+    for phone in phones:
+        phone.get_by_text("Second vote.").wait_for()
+        choose(phone, 3)
+    press("reveal")
+    desk.get_by_text("2 students changed from a wrong answer to the right one").wait_for()
+    # The machine stands still until the class has seen the right answer.
+    play = desk.get_by_role("button", name="Play", exact=True)
+    assert play.count() == 0
+    press("solve")
+    play.wait_for()
+    for phone in phones:
+        phone.get_by_text("This is right, and it was your answer").wait_for()
+        assert phone.locator("[data-testid=stMain]").evaluate("node => node.scrollWidth") <= 390
+    for tab in (desk, *phones):
+        tab.close()
 
 
 def test_a_killed_process_costs_its_visitors_nothing_that_they_set(hall: deployed, students: dict[str, object]) -> None:

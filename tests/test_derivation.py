@@ -106,7 +106,7 @@ def test_routes_and_steps_show_themselves_in_a_notebook():
         assert step.heading in shown
         assert all(f"$${latex(relation)}$$" in shown for relation in step.equations)
     numbers = route.with_numbers(NUMBERS["fractions"])["bound"]._repr_markdown_()
-    assert r"\Omega_{\mathrm{clamped}}^{2} = \frac{" in numbers
+    assert r"\Omega_{\text{clamped}}^{2} = \frac{" in numbers
     assert "m'" not in numbers
 
 

@@ -53,7 +53,7 @@ def test_a_number_is_written_as_it_is(a, b):
 @given(st.integers(1, 10**30), st.integers(1, 10**30))
 def test_a_decimal_with_dots_is_cut_off_and_one_without_is_exact(p, q):
     text = truncated(p, q)
-    digits = text.replace(r"\ldots", "").replace(r" \cdot 10^{", "e").rstrip("}")
+    digits = text.replace(r"\ldots", "").replace(r" \times 10^{", "e").rstrip("}")
     shown, exact = Fraction(digits), Fraction(p, q)
     if r"\ldots" in text:
         assert shown < exact < shown * (1 + Fraction(1, 10**7))
@@ -64,7 +64,7 @@ def test_a_decimal_with_dots_is_cut_off_and_one_without_is_exact(p, q):
 @settings(deadline=None, max_examples=40)
 @given(st.integers(-(10**20), 10**20), st.integers(1, 10**20))
 def test_a_rounded_decimal_is_near(p, q):
-    text = rounded(sp.QQ(p, q)).replace(r" \cdot 10^{", "e").rstrip("}")
+    text = rounded(sp.QQ(p, q)).replace(r" \times 10^{", "e").rstrip("}")
     assert abs(Fraction(text) - Fraction(p, q)) <= abs(Fraction(p, q)) * Fraction(1, 10**7)
 
 
@@ -78,7 +78,7 @@ def test_a_rounded_decimal_is_near(p, q):
         (-(37 + 2 * ROOT) / 3, r"- \frac{37 + 2\,\sqrt{1729}}{3}"),
         (5 * (41 - ROOT), r"- 5\,\left(\sqrt{1729} - 41\right)"),
         (2 * ROOT, r"2\,\sqrt{1729}"),
-        (sp.Rational(1, 3 * 10**7), r"3.3333333\ldots \cdot 10^{-8}"),
+        (sp.Rational(1, 3 * 10**7), r"3.3333333\ldots \times 10^{-8}"),
     ],
 )
 def test_how_a_number_looks(number, shown):

@@ -36,8 +36,8 @@ def test_plotly_knows_every_property_of_a_page(app: AppTest, page: str, monkeypa
     app.query_params["periods"] = "1"
     app.switch_page(f"ramanujan/scenes/{page}.py").run()
     if page == "motion":
-        for view in ("Displacements", "Energy", "Momentum", "Contact forces"):
-            app.query_params["figure"] = view
+        for view in ("displacements", "energy", "momentum", "forces"):
+            app.session_state["figure"] = view
             app.run()
     assert not app.exception
     assert sent

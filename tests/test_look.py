@@ -56,6 +56,15 @@ def test_text_and_controls_have_contrast_aa(theme, ink):
         assert contrast(THEME[theme][ink], THEME[theme][paper]) >= 4.5
 
 
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_words_on_a_button_of_the_theme_s_colour_have_contrast_aa(theme):
+    """page.css writes them in the colour of the paper; Streamlit's own white would be too faint in the dark."""
+    assert contrast(THEME[theme]["primaryColor"], THEME[theme]["backgroundColor"]) >= 4.5
+    assert contrast(THEME["dark"]["primaryColor"], "#FFFFFF") < 4.5
+    page_css = (ROOT / "ramanujan" / "page" / "page.css").read_text()
+    assert re.search(r'stBaseButton-primary"\] \* \{ color: var\(--paper\) !important', page_css)
+
+
 EYES = {
     "Brettel, Viénot and Mollon 1997": simulate.Simulator_Brettel1997(convert.LMSModel_sRGB_SmithPokorny75()),
     "Machado, Oliveira and Fernandes 2009": simulate.Simulator_Machado2009(),

@@ -14,14 +14,15 @@ from collections.abc import Callable
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from ramanujan.scenes import links
+from ramanujan.scenes import quantities
+from ramanujan.scenes.pages import PAGES
 
 ACTIONS = int(os.environ.get("RAMANUJAN_MONKEY", "60"))
 SEED = int(os.environ.get("RAMANUJAN_SEED", "1729"))
 LONGEST = 2.0
 """Seconds that a run may take, once everything has been loaded."""
 
-PAGES = ("oscillator", "derivation", "motion", "taxicab", "speed")
+KEYS = sorted(key.name for key in (*quantities.KEYS, *(key for page in PAGES.values() for key in page.keys)))
 ANSWERS = (
     "",
     "m*v^2/2",
@@ -52,6 +53,7 @@ LINKED = (
     "\u202e1729",
     "<b>",
     "Energy",
+    "energy",
     "reading",
     "3",
     "hoop",
@@ -62,8 +64,8 @@ Action = tuple[str, Callable[[], object]]
 
 def actions(app: AppTest, chance: random.Random) -> list[Action]:
     """Return what the monkey could do now, one of each kind at most."""
-    found: list[Action] = [("open", lambda: app.switch_page(f"ramanujan/scenes/{chance.choice(PAGES)}.py"))]
-    key = chance.choice(sorted({"m", "m_prime", "k", "compression", "radius"}.union(*links.PAGES.values())))
+    found: list[Action] = [("open", lambda: app.switch_page(chance.choice(list(PAGES.values())).file))]
+    key = chance.choice(KEYS)
     text = chance.choice(LINKED)
 
     def link() -> None:
@@ -95,8 +97,8 @@ def test_no_action_ends_in_an_error(app: AppTest, caplog: pytest.LogCaptureFixtu
     chance = random.Random(SEED)
     caplog.set_level(logging.ERROR)
     app.query_params["periods"] = "1"
-    for page in PAGES:
-        app.switch_page(f"ramanujan/scenes/{page}.py").run()
+    for page in PAGES.values():
+        app.switch_page(page.file).run()
     history: list[str] = []
     slow: list[tuple[float, str]] = []
     for _ in range(ACTIONS):

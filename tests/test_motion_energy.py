@@ -169,7 +169,7 @@ def test_phase_and_energies_stay_right_far_out(ratio, periods):
 @pytest.mark.parametrize("t", [1.001e18, -1e30, 1e300, [0.0, 1e308]])
 def test_farther_out_the_time_is_refused(t):
     oscillator = Oscillator(k=1e3)
-    with pytest.raises(ValueError, match=r"^t must stay within 1e\+18 periods"):
+    with pytest.raises(ValueError, match=r"^t must not exceed 10¹⁸ periods"):
         motion(oscillator, PUSHED, t)
 
 

@@ -229,6 +229,6 @@ def test_every_symbol_of_a_route_is_in_its_list(name):
                     for kind, symbol in tokens(side):
                         # Of a momentum, a mass matrix or a body’s quantity, the list has the letter.
                         plain = re.sub(r"\\d?dot\{(\\?\w+)\}", r"\1", symbol.removesuffix("^{-1}"))
-                        plain = re.sub(r"\\mathrm\{(block|hoop|cylinder|slab|top)\}", r"\\mathrm{body}", plain)
+                        plain = re.sub(r"\\text\{(block|hoop|cylinder|slab|top)\}", r"\\text{body}", plain)
                         plain = re.sub(r"\\Lambda_\{\d\}", r"\\Lambda", plain)
                         assert kind != "name" or plain in listed.splitlines(), (step.key, symbol)

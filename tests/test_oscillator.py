@@ -232,7 +232,7 @@ def test_the_curve_is_right_to_half_an_ulp_and_a_bit(ratio):
 
 def test_an_oscillator_shows_itself_in_a_notebook():
     shown = Oscillator(1, UNIT_MASS_RATIO, 10)._repr_markdown_()
-    assert "| k | stiffness of the spring | 10 N/m |" in shown
+    assert "| k | stiffness of the spring | 10\u202fN/m |" in shown
     assert "| Ω²m/k | normalized frequency squared | 1 |" in shown
     # A machine whose frequency is beyond float64 still shows its parameters.
     too_fast = Oscillator(5e-324, 5e-324, 1e308)._repr_markdown_()

@@ -18,6 +18,7 @@ import sympy as sp
 
 from ramanujan.derivation.answers import QUESTIONS, judge
 from tests import mistaken
+from tests.reading import NUMBER, read
 
 COUNT = 5000 if os.environ.get("RAMANUJAN_DEEP") else 24
 NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'")
@@ -99,7 +100,7 @@ def factor_of(text: str) -> sp.Expr:
 
 def true_hint(name: str, message: str, given: sp.Expr) -> bool:
     """Whether a formula is the one that a hint at a mistake speaks of."""
-    also_half = message.endswith(" Also, a factor ½ is missing.")
+    also_half = message.endswith(" A factor ½ is missing as well.")
     for point in points():
         expected = _from_hint(name, message, point)
         if expected is None or value(given, point) != expected * (2 if also_half else 1):
@@ -163,15 +164,15 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
     if ratio == 0:
         return bool(re.search(rf"The term with {re.escape(term)}{place} is missing\.", message))
     sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"
-    if found := re.search(rf"{of_term} is (.+?) what it should be\.", message):
+    if found := re.search(rf"{of_term} is (.+?) the right one\.", message):
         return factor_of(found[1]) / ratio == 1
-    if found := re.search(rf"{of_term} should be (negative|positive), and its size is (.+?) what", message):
+    if found := re.search(rf"{of_term} should be (negative|positive)\. Its size is (.+?) the right one\.", message):
         return found[1] == sign and factor_of(found[2]) / ratio == -1
     if found := re.search(rf"{of_term} should be (negative|positive)\.", message):
         return found[1] == sign and ratio == -1
     if found := re.search(rf"{of_term} lacks a factor (.+?)\.", message):
         return factor_of(found[1]) * ratio == 1
-    if found := re.search(rf"{of_term} contains a factor (.+?) too many\.", message):
+    if found := re.search(rf"{of_term} contains an extra factor (.+?)\.", message):
         return factor_of(found[1]) / ratio == 1
     if found := re.search(rf"{of_term} contains (m′?) instead of (m′?)\.", message):
         yours, theirs = map(factor_of, found.groups())
@@ -179,11 +180,23 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
     return False
 
 
+def true_one_term(message: str, given: sp.Expr, above: sp.Expr, below: sp.Expr) -> bool:
+    """Whether a fraction, written with the right numerator or denominator, differs in the one term that is named."""
+    for place, yours, right in (("numerator", given * below, above), ("denominator", above / given, below)):
+        other = {"numerator": "denominator", "denominator": "numerator"}[place]
+        if f"Written with the right {other}, your answer differs in one term." not in message:
+            continue
+        yours, right = sp.cancel(yours).expand().as_coefficients_dict(), right.expand().as_coefficients_dict()
+        (term,) = (each for each in {*yours, *right} if yours[each] != right[each])
+        return true_difference(message, f"{shown(term)} in the {place}", yours[term] / right[term], right[term])
+    return False
+
+
 def true_multiple(message: str, ratio: sp.Expr) -> bool:
     """Whether a verdict says rightly how many times the right answer the given one is."""
-    if found := re.search(r"Your answer is (.+?) what it should be\.", message):
+    if found := re.search(r"Your answer is (.+?) the right one\.", message):
         return factor_of(found[1]) / ratio == 1
-    if found := re.search(r"Your answer has the wrong sign, and its size is (.+?) what it should be\.", message):
+    if found := re.search(r"Your answer has the wrong sign\. Its size is (.+?) the right one\.", message):
         return factor_of(found[1]) / ratio == -1
     return ratio == -1 and "Your answer has the wrong sign." in message
 
@@ -228,7 +241,7 @@ def test_a_spoiled_coefficient_is_named_or_a_mistake_that_really_gives_it(name: 
         hinted = not told and true_hint(name, verdict.message, ENERGIES[name] + (ratio - 1) * term)
         hints += hinted
         assert told or hinted, (text, verdict.message)
-        assert "rounded" not in verdict.message
+        assert "exact number agrees" not in verdict.message
     assert hints < COUNT
 
 
@@ -245,7 +258,7 @@ def test_a_term_too_many_is_named(name: str) -> None:
         given = ENERGIES[name] + source.choice([-1, 1]) * coefficient * extra
         verdict = judge(name, typed(text_of(given), source))
         assert verdict.kind == "wrong"
-        said = f"Your term with {shown(extra)} does not belong here."
+        said = f"Your answer contains a term with {shown(extra)}. The right answer has none."
         assert said in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
 
 
@@ -280,6 +293,8 @@ def test_a_spoiled_fraction_is_told_where(name: str) -> None:
         given = spoiled[0] / spoiled[1]
         if true_multiple(verdict.message, sp.cancel(given * below / above)) or true_hint(name, verdict.message, given):
             continue
+        if true_one_term(verdict.message, given, above, below):
+            continue
         # The spoiled fraction cancels to a simpler one, and is right for special masses only, or for none.
         assert sp.fraction(sp.cancel(given))[1].as_poly(m, mp).total_degree() < below.as_poly(m, mp).total_degree() or (
             sp.fraction(sp.cancel(given))[0].as_poly(m, mp).total_degree() < above.as_poly(m, mp).total_degree()
@@ -291,9 +306,9 @@ def test_a_spoiled_fraction_is_told_where(name: str) -> None:
 
 def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
     difference = sp.cancel(given - right)
-    if "For equal masses, m′ = m, your answer is right" in message:
+    if "Your answer is right for equal masses" in message:
         return difference.subs(mp, m) == 0
-    if found := re.search("With (m′?) = 0 your answer is right", message):
+    if found := re.search("Your answer is right for (m′?) = 0", message):
         return difference.subs(factor_of(found[1]), 0) == 0
     return "wrong even for equal masses" in message and sp.cancel(difference.subs(mp, m)) != 0
 
@@ -303,7 +318,7 @@ def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
 RIGHT_RATIO = (sp.sqrt(1729) - 1) / 36
 BY_QUADRATIC = {
     "other root": (-1 - sp.sqrt(1729)) / 36,
-    "sign in front of b": (1 + sp.sqrt(1729)) / 36,
+    "b has the wrong sign": (1 + sp.sqrt(1729)) / 36,
     "the ratio m/m′": 36 / (sp.sqrt(1729) - 1),
     "leave out the root": sp.Integer(48),
     "divide by a": (sp.sqrt(1729) - 1) / 18,
@@ -339,7 +354,7 @@ def test_what_is_said_of_a_wrong_mass_ratio_is_true(decimal: bool) -> None:
             continue
         assert verdict.kind == "wrong"
         close = decimal and abs(given - RIGHT_RATIO) < sp.Rational(1, 10**places)
-        assert ("rounded" in verdict.message) == bool(close), (text, verdict.message)
+        assert ("exact number agrees" in verdict.message) == bool(close), (text, verdict.message)
         if "fits the following case" in verdict.message:
             assert any(map(partial(_true_of_number, verdict.message), _cases_near(given, places)))
         else:
@@ -361,15 +376,15 @@ def _true_of_number(message: str, given: sp.Expr) -> bool:
     ) and ("part of your answer without the root is right" not in message or rational == sp.Rational(-1, 36))
     if "A ratio of two masses is positive" in message:
         return bool(given <= 0) and parts_true
-    if found := re.search(r"With ε = ([0-9.e+-]+) you get Ω² = ([0-9.e+-]+) k/m", message):
+    if found := re.search(rf"With ε = {NUMBER} you get Ω² = {NUMBER} k/m", message):
         epsilon = float(given)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
-        stated = [float(text) for text in found.groups()]
+        stated = [read(text) for text in found.groups()]
         return parts_true and stated == pytest.approx([epsilon, frequency], rel=1e-5)
-    if found := re.search(r"difference between Ω² and k/m is ([0-9.e+-]+) k/m", message):
+    if found := re.search(rf"Ω² and k/m differ by {NUMBER} k/m", message):
         epsilon = given.n(30)
         frequency = 8 * (7 + 6 * epsilon) / (32 + 49 * epsilon + 18 * epsilon**2)
-        return parts_true and float(found[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
+        return parts_true and read(found[1]) == pytest.approx(float(abs(frequency - 1)), rel=1e-3)
     return mistaken_ratio(message, given)
 
 
@@ -385,7 +400,7 @@ def mistaken_ratio(message: str, given: sp.Expr) -> bool:
 
 def test_a_false_sentence_would_be_found() -> None:
     """Negative control: the checks above refuse sentences that are nearly true."""
-    said = "Your coefficient of X′φ′ is twice what it should be."
+    said = "Your coefficient of X′φ′ is twice the right one."
     right = -mp * R
     assert true_difference(said, "X′φ′", sp.Integer(2), right)
     assert not true_difference(said, "X′φ′", sp.Integer(3), right)

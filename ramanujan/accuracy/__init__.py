@@ -1,15 +1,15 @@
-"""Experiments: how exact is each way to compute the machine, and what does it cost?
+"""Experiments on the accuracy and the cost of each method to compute the machine.
 
     work_precision   error of the integrators against evaluations and seconds; the cheapest one for a tolerance
-    choices          what the app itself chooses: points per curve, closed form, kind of arithmetic, caching
-    extremes         the forms of Ω² and the general eigen-solvers where numbers are very large or very small
+    choices          the choices of the app itself: points of a curve, closed form, kind of arithmetic, caching
+    extremes         the forms of Ω² and the general eigenvalue solvers for very large and very small numbers
     phase            the phase after 1 … 1e15 periods
-    progress         pieces of work and measured seconds
-    __main__         the same as tables: python -m ramanujan.accuracy --help
+    progress         pieces of work, and timing
+    __main__         the results as tables: python -m ramanujan.accuracy --help
 
-Every experiment is an iterator of `Piece`: it works for a few hundredths of a second, then says how much is done and
-hands over a result whenever one is complete. Whoever iterates may show progress or simply stop. Every number is
-measured or computed when it is asked for. Results are frozen dataclasses; nothing here draws.
+Every experiment is an iterator of `Piece`. Each piece takes a few hundredths of a second, reports which share of the
+work is done, and carries a result when one is complete. The caller may show progress or stop at any time. Every number
+is measured or computed on request. Results are frozen dataclasses.
 """
 
 from ramanujan.accuracy.choices import arithmetics, caching, closed_form, curve_sampling

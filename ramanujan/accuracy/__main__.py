@@ -1,7 +1,4 @@
-"""The experiments as tables: `python -m ramanujan.accuracy --help`.
-
-This module reads the arguments and writes each table as text or CSV; the numbers come from the experiments.
-"""
+"""The results of the experiments as tables, as text or CSV: `python -m ramanujan.accuracy --help`."""
 
 from __future__ import annotations
 
@@ -16,6 +13,7 @@ from typing import NoReturn
 import numpy as np
 
 from ramanujan.accuracy import (
+    FORMS,
     arithmetics,
     caching,
     cheapest,
@@ -27,11 +25,22 @@ from ramanujan.accuracy import (
     results,
     work_precision,
 )
+from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch
 from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.integrators import METHODS
+from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
+from ramanujan.words import _, ngettext
 
 Cell = str | float | int
+
+_VERDICTS = {
+    RIGHT: _("right"),
+    INACCURATE: _("inaccurate"),
+    OVERFLOW: _("overflow or NaN"),
+    ZERO: _("zero"),
+    PLAUSIBLE: _("wrong but plausible"),
+}
 
 
 @dataclass(frozen=True)
@@ -61,7 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ValueError as error:
         parser.error(str(error))
     except BrokenPipeError:
-        # Whoever reads has enough; what is still in the buffer must not complain at exit.
+        # The reader has closed the pipe; what is still in the buffer must not raise an error at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0
 
@@ -70,17 +79,24 @@ def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iter
     # A bad tolerance is refused before the long work, not after it.
     cheapest([], options.tolerance)
     curves = results(work_precision(oscillator, options.periods, options.steps, dtypes=_dtypes(options)))
-    columns = ("method", "dtype", "steps/period", "state error", "phase error [rad]", "energy error at the end")
-    columns += ("largest energy error", "evaluations", "seconds", "lower quartile [s]", "upper quartile [s]")
+    method, steps, state_error = _("method"), _("steps per period"), _("state error")
+    evaluations, seconds = _("evaluations"), _("seconds")
+    errors = (state_error, _("phase error [rad]"), _("energy error at the end"), _("largest energy error"))
+    costs = (evaluations, seconds, _("lower quartile [s]"), _("upper quartile [s]"))
     rows = [row for curve in curves for row in _curve_rows(curve)]
-    yield Table(f"Error and cost after {options.periods} periods", columns, rows)
-    for by in ("evaluations", "seconds"):
+    n = options.periods
+    title = ngettext("Error and cost after {n} period", "Error and cost after {n} periods", n).format(n=n)
+    yield Table(title, (method, "dtype", steps, *errors, *costs), rows)
+    titles = {
+        "evaluations": _("Run of each method with the fewest evaluations for errors of at most {tolerance}"),
+        "seconds": _("Fastest run of each method for errors of at most {tolerance}"),
+    }
+    for by, title in titles.items():
         choices = cheapest(curves, options.tolerance, by)
-        title = f"Cheapest run of each method with state and phase errors up to {options.tolerance:g}, by {by}"
-        columns = ("method", "dtype", "steps/period", "state error", "evaluations", "seconds")
+        columns = (method, "dtype", steps, state_error, evaluations, seconds)
         fields = ("dtype", "steps_per_period", "state_error", "evaluations", "seconds")
         rows = [(METHODS[c.method].title, *(getattr(c, field) for field in fields)) for c in choices]
-        yield Table(title, columns, rows)
+        yield Table(title.format(tolerance=_short(options.tolerance)), columns, rows)
 
 
 def _curve_rows(curve: WorkPrecision) -> Iterable[tuple[Cell, ...]]:
@@ -91,41 +107,50 @@ def _curve_rows(curve: WorkPrecision) -> Iterable[tuple[Cell, ...]]:
 
 def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
     yield Table(
-        "Points of a curve, 400 pixels high",
-        ("curve", "points", "error on screen [pixels]", "bytes", "seconds"),
+        _("Points of a curve 400 pixels high"),
+        (_("curve"), _("points"), _("error on screen [pixels]"), _("bytes"), _("seconds")),
         [(c.curve, c.points, c.pixels, c.bytes, c.seconds.median) for c in results(curve_sampling())],
     )
     yield Table(
-        "Closed form",
-        ("periods", "phase error [rad]", "seconds for a state"),
+        _("Closed form"),
+        (_("periods"), _("phase error [rad]"), _("seconds for a state")),
         [(c.periods, c.phase_error, c.seconds.median) for c in results(closed_form(oscillator))],
     )
     yield Table(
-        "Ω²m/k in several kinds of arithmetic",
-        ("arithmetic", "relative error", "seconds"),
+        _("Ω²m/k in several kinds of arithmetic"),
+        (_("arithmetic"), _("relative error"), _("seconds")),
         [(a.name, a.relative_error, a.seconds.median) for a in results(arithmetics(oscillator.mass_ratio))],
     )
     yield Table(
-        "Computed anew, kept, or asked at once",
-        ("slow", "slow [s]", "fast", "fast [s]", "ratio"),
+        _("Results computed again, kept, or requested together"),
+        (_("slow way"), _("slow way [s]"), _("fast way"), _("fast way [s]"), _("ratio")),
         [(c.slow, c.slow_seconds.median, c.fast, c.fast_seconds.median, c.ratio) for c in results(caching(oscillator))],
     )
 
 
 def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    columns = ("form", "dtype", "along", "verdict", "from", "to", "Ω² at from", "Ω² at to", "worst right [ulp]")
+    ends = (_("from"), _("to"), _("Ω² at the lower end"), _("Ω² at the upper end"))
+    worst = _("largest error of a right value [ulp]")
+    along = {"mass ratio": _("mass ratio"), "scale": _("scale")}
     yield Table(
-        "Forms of Ω² over the range of floating point",
-        columns,
+        _("Forms of Ω² over the range of floating point"),
+        (_("form"), "dtype", _("along"), _("verdict"), *ends, worst),
         [
-            (s.form, s.dtype, s.along, x.verdict, x.first, x.last, x.first_value, x.last_value, s.worst_right_ulp)
-            for s in results(extremes(dtypes=_dtypes(options)))
-            for x in s.stretches
+            (FORMS[sweep.form].title, sweep.dtype, along[sweep.along], *_stretch_cells(stretch), sweep.worst_right_ulp)
+            for sweep in results(extremes(dtypes=_dtypes(options)))
+            for stretch in sweep.stretches
         ],
     )
     yield Table(
-        "General eigen-solvers over the mass ratio",
-        ("solver", "dtype", "worst mode [ulp]", "largest zero mode", "samples", "with a negative or complex zero mode"),
+        _("General eigenvalue solvers over the mass ratio"),
+        (
+            _("solver"),
+            "dtype",
+            _("largest error of the mode [ulp]"),
+            _("largest zero mode"),
+            _("samples"),
+            _("samples with a negative or complex zero mode"),
+        ),
         [
             (
                 s.solver,
@@ -140,10 +165,14 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
     )
 
 
+def _stretch_cells(stretch: Stretch) -> tuple[Cell, ...]:
+    return _VERDICTS[stretch.verdict], stretch.first, stretch.last, stretch.first_value, stretch.last_value
+
+
 def _phase(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
     yield Table(
-        "Phase error after many periods",
-        ("periods", "fl(Ω)·t, float32 [rad]", "fl(Ω)·t, float64 [rad]", "reduced [rad]"),
+        _("Phase error after many periods"),
+        (_("periods"), "fl(Ω)·t, float32 [rad]", "fl(Ω)·t, float64 [rad]", _("reduced phase [rad]")),
         [(p.periods, p.float32, p.float64, p.reduced) for p in results(phase_errors(oscillator))],
     )
 
@@ -157,28 +186,38 @@ EXPERIMENTS: dict[str, Callable[[Oscillator, argparse.Namespace], Iterator[Table
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser whose complaint is one sentence."""
+    """A parser that reports an error in one sentence."""
 
     def error(self, message: str) -> NoReturn:
-        self.exit(2, f"Error: {message.rstrip('.')}.\n")
+        sentence = _("Error: {problem}.").format(problem=message.rstrip("."))
+        self.exit(2, f"{sentence}\n")
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="python -m ramanujan.accuracy",
-        description="Measure how exact each way to compute Ramanujan's oscillator is, and what it costs here and now.",
+        description=_(
+            "Measure the accuracy and the cost of each method to compute Ramanujan’s oscillator on this computer."
+        ),
         formatter_class=argparse.ArgumentDefaultsHelpFormatter,
     )
     add = parser.add_argument
-    add("--experiment", choices=["all", *EXPERIMENTS], default="all", help="which tables to measure")
-    add("--periods", type=int, default=10, help="length of each integration, in periods")
-    add("--steps", type=int, nargs="+", default=list(STEPS_PER_PERIOD), metavar="N", help="steps per period, from 3 on")
-    add("--tolerance", type=float, default=1e-3, help="state and phase error that the cheapest integration may have")
-    add("--dtype", choices=["both", *DTYPES], default="both", help="precision of integrations and formulas")
-    add("--m", type=float, default=1.0, help="mass m of block, slab and top cylinder [kg]")
-    add("--m-prime", type=float, default=1.0, help="mass m′ of hoop and lower cylinder [kg]")
-    add("--k", type=float, default=1.0, help="stiffness k of the spring [N/m]")
-    add("--csv", action="store_true", help="write CSV; the first column names the table")
+    add("--experiment", choices=["all", *EXPERIMENTS], default="all", help=_("the tables to measure"))
+    add("--periods", type=int, default=10, help=_("length of each integration in periods"))
+    add(
+        "--steps",
+        type=int,
+        nargs="+",
+        default=list(STEPS_PER_PERIOD),
+        metavar="N",
+        help=_("steps per period, at least 3"),
+    )
+    add("--tolerance", type=float, default=1e-3, help=_("largest state and phase error of the cheapest integration"))
+    add("--dtype", choices=["both", *DTYPES], default="both", help=_("precision of integrations and formulas"))
+    add("--m", type=float, default=1.0, help=_("mass m of block, slab and top cylinder [kg]"))
+    add("--m-prime", type=float, default=1.0, help=_("mass m′ of hoop and lower cylinder [kg]"))
+    add("--k", type=float, default=1.0, help=_("stiffness k of the spring [N/m]"))
+    add("--csv", action="store_true", help=_("write CSV; the first column names the table"))
     return parser
 
 
@@ -205,7 +244,7 @@ def _write_csv(table: Table) -> None:
 
 
 def _short(cell: Cell) -> str:
-    return f"{cell:.4g}" if isinstance(cell, float | np.floating) else str(cell)
+    return number(cell, 4, strip=True) if isinstance(cell, float | np.floating) else str(cell)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""What the app itself chooses, each choice with its error and its cost: points, closed form, arithmetic, caching.
+"""The choices of the app itself, with their errors and costs: points, closed form, arithmetic, caching.
 
-These are four small experiments; the integrators' diagram is `work_precision`.
+These are four small experiments; `work_precision` compares the integrators.
 """
 
 from __future__ import annotations
@@ -20,9 +20,10 @@ from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared, normalized_f
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, real, sequence
+from ramanujan.words import _
 
 Value: TypeAlias = float | np.floating | np.ndarray | Fraction | mpmath.mpf
-"""What one kind of arithmetic returns."""
+"""A value of one kind of arithmetic."""
 
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
 PERIODS = (1, 10, 100, 1000, 10_000)
@@ -41,7 +42,7 @@ class CurveSampling:
     curve : "cosine", one period of it, or "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO
     pixels : largest vertical distance between the curve and its chords, when the curve fills the figure's height
     bytes : size of the samples' x and y in float64
-    seconds : time that computing y takes
+    seconds : duration of computing y
     """
 
     curve: str
@@ -156,7 +157,7 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
     ['fraction', 'mpmath, 30 digits']
     """
     epsilon = real("mass_ratio", mass_ratio)
-    # The function that is measured also judges the sign.
+    # This call raises ValueError for a negative ratio.
     normalized_frequency_squared(epsilon)
     wholes = [integer("digits", n, 1, 300) for n in sequence("digits", digits)]
     many, few = np.full(_ARRAY, epsilon), np.float32(epsilon)
@@ -172,11 +173,11 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
 
 
 def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
-    """Return what is saved where the app keeps a result, or asks once for many.
+    """Return how much faster it is to keep a result, or to ask for many values at once.
 
     Parameters
     ----------
-    oscillator : the machine that is asked again; the cold calls use machines with a slightly different spring
+    oscillator : the machine that is asked again; the first calls use machines with a slightly different spring
 
     Returns
     -------
@@ -187,7 +188,7 @@ def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
     ValueError : oscillator is not an `Oscillator`.
 
     >>> next(caching(Oscillator())).result.fast
-    'Ω asked again'
+    'Ω of the same machine again'
     """
     instance("oscillator", oscillator, Oscillator)
     return each(lambda compare: compare(oscillator), [_frequency_again, _motion_again, _motion_at_once])
@@ -198,7 +199,7 @@ def _sampled(name: str, curve: Callable, end: float, points: int, height: int) -
     y = curve(x)
     between = x[:-1] + _BETWEEN * np.diff(x)
     distance = np.abs(curve(between) - (y[:-1] + _BETWEEN * np.diff(y))).max()
-    # The height is that of the curve, not of these samples: two of them may show none of it.
+    # The height of the curve, not of these samples: two samples may have equal values.
     extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
     return CurveSampling(
         name, points, float(distance / extent * height), x.nbytes + y.nbytes, measure(lambda: curve(x))
@@ -241,21 +242,24 @@ def _fraction(value: Value) -> Fraction:
 def _frequency_again(oscillator: Oscillator) -> Comparison:
     new = _new_machines(oscillator)
     cold = measure(lambda: next(new).natural_frequency)
-    return Comparison("Ω of a new machine", cold, "Ω asked again", measure(lambda: oscillator.natural_frequency))
+    return Comparison(
+        _("Ω of a new machine"), cold, _("Ω of the same machine again"), measure(lambda: oscillator.natural_frequency)
+    )
 
 
 def _motion_again(oscillator: Oscillator) -> Comparison:
     new, initial = _new_machines(oscillator), InitialState(phi=1.0)
     cold = measure(lambda: motion(next(new), initial, 1.0))
     again = measure(lambda: motion(oscillator, initial, 1.0))
-    return Comparison("one state of a new machine", cold, "one more state of the same", again)
+    return Comparison(_("one state of a new machine"), cold, _("another state of the same machine"), again)
 
 
 def _motion_at_once(oscillator: Oscillator) -> Comparison:
     initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, 100)
     singly = measure(lambda: [motion(oscillator, initial, t) for t in times])
     at_once = measure(lambda: motion(oscillator, initial, times))
-    return Comparison(f"{times.size} states one by one", singly, f"{times.size} states in one call", at_once)
+    one_by_one = _("{n} states one by one").format(n=times.size)
+    return Comparison(one_by_one, singly, _("{n} states in one call").format(n=times.size), at_once)
 
 
 def _new_machines(oscillator: Oscillator) -> Iterator[Oscillator]:

@@ -1,9 +1,8 @@
-"""Ω² where numbers are very large or very small: each formula's error in ulp, and what it returns when it fails.
+"""Ω² for very large and very small numbers: the error of each formula in ulp, and its value where it fails.
 
-These are the algebraically equal FORMS of Ω², two sweeps over the range of floating point, and the general
-eigen-solvers. All forms are exact in exact arithmetic. Sweeps: "mass ratio", m = k = 1 and m′ = ε; "scale",
-m = m′ = k = s, where Ω² = 104/99 for every s. The truth is computed with 50 digits from the very numbers that the form
-was given.
+The FORMS of Ω² are algebraically equal, so all of them are exact in exact arithmetic. Two sweeps cover the range of
+floating point. "mass ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s. The
+reference value is computed with 50 digits from the same floats. A third sweep tests general eigenvalue solvers.
 """
 
 from __future__ import annotations
@@ -19,14 +18,15 @@ from ramanujan.accuracy.progress import REFERENCE, Piece, exact_frequency_square
 from ramanujan.frequency import frequency_squared, normalized_frequency_squared
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import integer, sequence, some_of
+from ramanujan.words import _
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow/nan", "zero", "plausible wrong"
 RIGHT_ULP = 4.0
-"""Up to this error a value counts as right: the sum of the roundings of a handful of operations."""
+"""Up to this error a value counts as right: the rounding errors of a few operations add up to it."""
 PLAUSIBLE_ERROR = 1e-2
-"""Relative error from which a finite value other than zero counts as wrong, though it looks like an answer."""
+"""Relative error from which a finite nonzero value counts as wrong, although it looks like an answer."""
 DECADES = {"float32": 37, "float64": 300}
-"""The sweeps run from 10^−d to 10^d: as far as m′ = ε and Ω² itself stay normal numbers."""
+"""The sweeps run from 10^−d to 10^d, so that m′ = ε and Ω² stay normal numbers."""
 
 _CHUNK = 100
 
@@ -36,7 +36,7 @@ Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
 
 @dataclass(frozen=True)
 class Form:
-    """A way to write Ω²: title, the formula as text, and the function (m, m′, k) → Ω² for arrays of one dtype."""
+    """A form of Ω²: its title, the formula as text, and the function (m, m′, k) → Ω² for arrays of one dtype."""
 
     title: str
     formula: str
@@ -45,7 +45,7 @@ class Form:
 
 @dataclass(frozen=True)
 class Stretch:
-    """Neighbouring samples with one verdict: the ends of the stretch and the values of Ω² returned there."""
+    """Consecutive samples with one verdict: both ends of the stretch, and the values of Ω² returned there."""
 
     verdict: str
     first: float
@@ -93,7 +93,7 @@ class Sweep:
 
 @dataclass(frozen=True, eq=False)
 class EigenSweep:
-    """A general eigen-solver along the mass ratio; arrays with one row per sample.
+    """A general eigenvalue solver along the mass ratio; arrays with one row per sample.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ class EigenSweep:
 
     @property
     def without_frequency(self) -> np.ndarray:
-        """Whether a zero mode came out negative or complex, so that √ of it is no frequency; shape (samples,)."""
+        """Whether a zero mode is negative or complex, so that its square root is not a frequency; shape (samples,)."""
         return np.any((self.zero_modes.real < 0) | (self.zero_modes.imag != 0), axis=1)
 
 
@@ -189,20 +189,20 @@ def _app(m: Values, m_prime: Values, k: Values) -> Values:
 
 
 FORMS: dict[str, Form] = {
-    "paper": Form("the paper's", "8k/(7m′ + 8m − 8(m′ + m)²/(7m/3 + 2m′))", _paper),
-    "polynomial": Form("two polynomials", "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)", frequency_squared),
+    "paper": Form(_("the paper’s form"), "8k/(7m′ + 8m − 8(m′ + m)²/(7m/3 + 2m′))", _paper),
+    "polynomial": Form(_("two polynomials"), "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)", frequency_squared),
     "scaled": Form(
-        "scaled by the larger mass",
+        _("scaled by the larger mass"),
         "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); else r = m/m′: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
         _scaled,
     ),
-    "effective mass": Form("effective mass", "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
-    "partial fractions": Form("the app's", "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _app),
+    "effective mass": Form(_("effective mass"), "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
+    "partial fractions": Form(_("the app’s form"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _app),
 }
-"""The forms of Ω² by name; the last one is evaluated by `normalized_frequency_squared`."""
+"""The forms of Ω² by name; `normalized_frequency_squared` evaluates the last one."""
 
 
-# q = (X, φ, Φ) from the displacements over the ground (block, slab, top cylinder), right positive, for R = 1.
+# q = (X, φ, Φ) from the displacements relative to the ground (block, slab, top cylinder), right positive, for R = 1.
 _GROUND = np.array([[-1, 0, 0], [-0.5, 0.5, 0], [-1, 0, 1]], dtype=np.float32)
 
 
@@ -211,7 +211,7 @@ def _eigvals(M: np.ndarray, K: np.ndarray) -> np.ndarray:
 
 
 def _eigvals_over_ground(M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    """The same for the displacements of block, slab and top cylinder over the ground, where K fills two columns."""
+    """The same for the displacements of block, slab and top cylinder relative to the ground; K then has two columns."""
     return _eigvals(_GROUND.T @ M @ _GROUND, _GROUND.T @ K @ _GROUND)
 
 
@@ -227,15 +227,15 @@ SOLVERS: dict[str, Eigenvalues] = {
     "eigvals of M⁻¹K, ground displacements": _eigvals_over_ground,
     "eigh after Cholesky": _eigh_cholesky,
 }
-"""General eigen-solvers by name: (M, K) for R = 1 → the three eigenvalues Ω², in any order.
+"""General eigenvalue solvers by name: (M, K) for R = 1 → the three eigenvalues Ω², in any order.
 
-In the coordinates (X, φ, Φ) two columns of K are zero, and the first solver then finds both zero modes exactly: that is
-the coordinates' doing, as the second one shows.
+In the coordinates (X, φ, Φ) two columns of K are zero, so the first solver finds both zero modes exactly. The second
+one shows that this depends on the coordinates.
 """
 
 
 def _sweeps(names: list[str], kinds: list[tuple[str, type[np.floating]]], density: int) -> Iterator[Piece[Sweep]]:
-    done, work = 0, 2 * sum(DECADES[dtype] for dtype, _ in kinds) * (len(names) + 1)
+    done, work = 0, 2 * sum(DECADES[dtype] for dtype, _kind in kinds) * (len(names) + 1)
     for along in ("mass ratio", "scale"):
         for dtype, kind in kinds:
             x = _samples(dtype, kind, density)
@@ -257,7 +257,7 @@ def _sweeps(names: list[str], kinds: list[tuple[str, type[np.floating]]], densit
 
 
 def _eigen_sweeps(kinds: list[tuple[str, type[np.floating]]], density: int) -> Iterator[Piece[EigenSweep]]:
-    done, work = 0, sum(DECADES[dtype] for dtype, _ in kinds) * len(SOLVERS)
+    done, work = 0, sum(DECADES[dtype] for dtype, _kind in kinds) * len(SOLVERS)
     for dtype, kind in kinds:
         ratios = _samples(dtype, kind, density)
         truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]

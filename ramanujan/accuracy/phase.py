@@ -1,7 +1,7 @@
-"""The phase Ωt after very many periods: a plain product against the reduced phase of `motion`.
+"""The phase Ωt after very many periods: the plain product compared with the reduced phase of `motion`.
 
-A plain product fl(Ω)·t carries the relative rounding error of Ω into the phase, so
-its error grows with t; `motion` carries Ω/2π as two doubles and takes the whole turns off exactly.
+The plain product fl(Ω)·t has the relative rounding error of Ω, so its error grows with t. `motion` holds Ω/2π as two
+doubles and subtracts the whole turns exactly.
 """
 
 from __future__ import annotations
@@ -18,14 +18,15 @@ from ramanujan.accuracy.progress import REFERENCE, Piece, each, exact_frequency_
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import finite_array, instance, integer
+from ramanujan.words import _
 
 LARGEST_DECADE = 15
-"""Beyond 1e15 periods neighbouring doubles t lie a quarter of a period apart: t itself no longer names a phase."""
+"""Beyond 1e15 periods neighbouring doubles t are a quarter of a period apart: t itself no longer determines a phase."""
 
 
 @dataclass(frozen=True)
 class PhaseErrors:
-    """The largest phase error [rad] among times near `periods` periods, for the same times t.
+    """The largest phase errors [rad] at times near `periods` periods, the same times t for all.
 
     float32, float64 : fl(Ω)·t multiplied in that dtype;  reduced : cosine and sine as `motion` returns them.
     """
@@ -78,14 +79,14 @@ def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
 
     Raises
     ------
-    ValueError : times is not a row of finite numbers.
+    ValueError : times is not a sequence of finite numbers.
 
     >>> largest_phase_error(Oscillator(), [1.0, 1e6]) < 1e-15
     True
     """
     times = finite_array("times", times)
     if times.ndim != 1 or times.size == 0:
-        raise ValueError(f"times must be a row of numbers, not of the shape {times.shape}")
+        raise ValueError(_("times must be a sequence of numbers, not of the shape {shape}").format(shape=times.shape))
     q, q_dot = motion(oscillator, InitialState(phi=1.0), times)
     sines = -q_dot[1] / oscillator.natural_frequency
     return max(

@@ -1,4 +1,4 @@
-"""What every experiment shares: pieces of work, measured seconds, the reference arithmetic."""
+"""Shared by all experiments: pieces of work, timing, and the reference arithmetic."""
 
 from __future__ import annotations
 
@@ -12,7 +12,9 @@ import mpmath
 import numpy as np
 
 from ramanujan.frequency import frequency_squared
+from ramanujan.numerals import quantity
 from ramanujan.quantities import function, instance, integer, one_of, positive, sequence
+from ramanujan.words import _
 
 S = TypeVar("S")
 T = TypeVar("T")
@@ -20,7 +22,7 @@ T = TypeVar("T")
 _LONGEST_BATCH = 60
 
 REFERENCE = mpmath.MPContext()
-"""50-digit arithmetic with an exponent of any size; a context of our own, since mpmath.mp belongs to everybody."""
+"""50-digit arithmetic with an exponent of any size; a separate context, since mpmath.mp is shared."""
 REFERENCE.dps = 50
 
 
@@ -63,13 +65,13 @@ def each(experiment: Callable[[S], T], arguments: Sequence[S]) -> Iterator[Piece
 
 
 def measure(call: Callable[[], object], repeats: int = 7, shortest: float = 1e-3) -> Timing:
-    """Return the seconds that a call takes, with its spread.
+    """Return the duration of a call, with its spread.
 
     Parameters
     ----------
     call : called without arguments, many times
     repeats : number of batches; the median and the quartiles are taken over them
-    shortest : seconds that a batch lasts at least, so that the clock's resolution does not count; up to a minute
+    shortest : least duration of a batch [s], much longer than the clock's resolution; at most a minute
 
     Returns
     -------
@@ -85,11 +87,11 @@ def measure(call: Callable[[], object], repeats: int = 7, shortest: float = 1e-3
     function("call", call)
     integer("repeats", repeats, 1, 1000)
     if positive("shortest", shortest) > _LONGEST_BATCH:
-        raise ValueError(f"shortest must be at most {_LONGEST_BATCH} s")
+        raise ValueError(_("shortest must be at most {most}").format(most=quantity(_LONGEST_BATCH, "s")))
     calls = 1
     while (seconds := _batch(call, calls)) < shortest:
         calls = max(2 * calls, math.ceil(calls * shortest / max(seconds, 1e-7)))
-    per_call = [_batch(call, calls) / calls for _ in range(repeats)]
+    per_call = [_batch(call, calls) / calls for _repeat in range(repeats)]
     low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
     return Timing(median, low, high)
 
@@ -128,6 +130,6 @@ def float_type(name: str, value: str) -> type[np.floating]:
 
 def _batch(call: Callable[[], object], calls: int) -> float:
     start = time.perf_counter()
-    for _ in range(calls):
+    for _call in range(calls):
         call()
     return time.perf_counter() - start

@@ -1,10 +1,10 @@
-"""The integrators on the machine's oscillating mode: error against cost, and how the error grows.
+"""The integrators on the machine's oscillating mode: error against cost, and the growth of the error.
 
-This module holds the work-precision diagram as data, the history of one run, and the choice of the cheapest method.
+This module computes the work–precision diagram, the history of one run, and the cheapest run for a tolerance.
 
-Only the oscillating mode φ″ = −Ω²φ is integrated: X and Φ are a steady drift, which every method here follows
-exactly, plus a copy of φ. A run starts at φ = 1, φ′ = 0 and lasts a whole number of periods T, so that the exact final
-state is the initial one. With s = (φ, φ′/Ω), all errors are relative to the amplitude 1:
+Only the oscillating mode φ″ = −Ω²φ is integrated. X and Φ are each a steady drift, which every method here follows
+exactly, plus a multiple of φ. A run starts at φ = 1, φ′ = 0 and lasts a whole number of periods T, so that the exact
+final state is the initial one. With s = (φ, φ′/Ω), all errors are relative to the amplitude 1:
 
     state error    |s − s_exact|
     phase error    angle of s_exact against s, unwrapped [rad]; positive where the run is ahead
@@ -22,14 +22,15 @@ from ramanujan.accuracy.progress import Piece, Timing, float_type, measure
 from ramanujan.integrators import METHODS, Acceleration, Method, Runs, trajectory
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, one_of, positive, sequence
+from ramanujan.words import _
 
 STEPS_PER_PERIOD: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
 DTYPES = ("float32", "float64")
 LONGEST_RUN = 10_000_000
-"""Steps that one run may take; at some microseconds a step it is already minutes long."""
+"""The most steps of one run; at some microseconds a step they take minutes."""
 
 _BLOCK = 256
-"""Steps between two reports: at most some hundredths of a second of work."""
+"""Steps between two reports, some hundredths of a second of work."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +64,7 @@ class WorkPrecision:
 
 @dataclass(frozen=True)
 class Choice:
-    """One run that reaches a tolerance: how it was made, its state error and its cost."""
+    """One run within a tolerance: method, precision, step size, state error and cost."""
 
     method: str
     dtype: str
@@ -75,7 +76,7 @@ class Choice:
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """One run beside the truth; each array has one element per recorded step, the start included.
+    """One run and the exact motion; each array has one element per recorded step, the start included.
 
     t [s]; q and q_exact, φ over its amplitude; phase_error [rad] and energy_error as in the module docstring;
     evaluations : evaluations of the acceleration in the run, counted one by one
@@ -126,7 +127,7 @@ def work_precision(
     periods = integer("periods", periods, 1, LONGEST_RUN // 3)
     steps = np.unique([_steps(n, periods) for n in sequence("steps_per_period", steps_per_period)])
     if steps.size == 0:
-        raise ValueError("steps_per_period must not be empty")
+        raise ValueError(_("steps_per_period must not be empty"))
     chosen = [(name, _method("methods", name)) for name in sequence("methods", methods)]
     kinds = [(name, float_type("dtypes", name)) for name in sequence("dtypes", dtypes)]
     return _diagram(oscillator, periods, steps, chosen, kinds)
@@ -199,7 +200,7 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
 
 def _cheapest_run(curve: WorkPrecision, tolerance: float) -> Choice | None:
     """Return the run with the fewest steps within the tolerance; a NaN is within none."""
-    # A run that is late by a whole turn is in the right state by chance: its phase error gives it away.
+    # A run that is late by a whole turn is in the right state by chance; its phase error shows it.
     good = np.flatnonzero((curve.state_error <= tolerance) & (np.abs(curve.phase_error) <= tolerance))
     if good.size == 0:
         return None
@@ -221,7 +222,7 @@ def _diagram(
     methods: list[tuple[str, Method]],
     kinds: list[tuple[str, type[np.floating]]],
 ) -> Iterator[Piece[WorkPrecision]]:
-    work = sum(method.evaluations for _, method in methods) * len(kinds)
+    work = sum(method.evaluations for _name, method in methods) * len(kinds)
     finished = 0
     for dtype, kind in kinds:
         for name, method in methods:
@@ -315,7 +316,7 @@ def _blocks(
         while done < total:
             rows = min(_BLOCK, total - done)
             s = np.empty((rows, steps.size - ended), complex)
-            # A run that blows up is a result here, not a fault.
+            # A run whose values grow beyond float64 is a result here, not a fault.
             with np.errstate(over="ignore", invalid="ignore"):
                 for row in range(rows):
                     q, v = next(states)
@@ -353,7 +354,7 @@ def _seconds_per_step(oscillator: Oscillator, method: Method, kind: type[np.floa
     acceleration = _harmonic(oscillator, kind)
     q, v = np.ones(1, kind), np.zeros(1, kind)
     states = trajectory(method, acceleration, q, v, oscillator.period / 100)
-    # Explicit Euler overflows when a long timing goes on and on; its speed stays the same.
+    # Explicit Euler overflows during a long timing; its speed stays the same.
     with np.errstate(over="ignore", invalid="ignore"):
         return measure(lambda: next(states))
 

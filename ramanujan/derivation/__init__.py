@@ -1,4 +1,4 @@
-"""Where the formulas come from: each route derives Ω² from the bodies and their rolling constraints, by SymPy.
+"""Each route derives Ω² from the bodies and their rolling constraints, by SymPy.
 
 `ROUTES` maps a name to a `Route`; a route is derived when it is first asked for, and then kept. A route and its steps
 show themselves in a notebook.

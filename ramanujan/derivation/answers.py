@@ -1,7 +1,7 @@
 """The verdict on a student's formula: right, right but not simplified, wrong and how it differs, or unreadable.
 
-`QUESTIONS` lists the names of the questions, `question(name)` says what is asked, `judge(name, text)` answers. A
-verdict claims only what was worked out exactly. Nothing that a student types reaches SymPy's own parser.
+`QUESTIONS` lists the names of the questions, `question(name)` returns one, and `judge(name, text)` returns the verdict.
+A verdict claims only what was computed exactly. Nothing that a student types reaches SymPy's own parser.
 """
 
 from __future__ import annotations
@@ -55,17 +55,19 @@ from ramanujan.derivation.questions import (
     wrong_values,
 )
 from ramanujan.derivation.units import unit_text, units
+from ramanujan.numerals import number as written
+from ramanujan.words import _, ngettext
 
 __all__ = ["QUESTIONS", "Question", "Verdict", "judge", "question"]
 
 _MANY_TERMS, _TELLING_DIGITS = 60, 4
-_DIVIDES_BY_ZERO = "Your formula divides by zero."
-_NEGATIVE_ROOT = "Your formula contains the root of a negative number."
+_DIVIDES_BY_ZERO = _("Your formula divides by zero.")
+_NEGATIVE_ROOT = _("Your formula contains the root of a negative number.")
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a student is told: `kind` is right, unsimplified, wrong or unreadable; `message` is plain text."""
+    """A verdict for a student: `kind` is right, unsimplified, wrong or unreadable; `message` is plain text."""
 
     kind: str
     message: str
@@ -75,9 +77,9 @@ def judge(question: str, text: str) -> Verdict:
     """Return the verdict on a student's answer; never raises, whatever it is given.
 
     Two formulas are equal if their exact normal forms are. Where a formula has none, because it is too large or because
-    a root may be one of a negative number, it is compared in 300 digits at random points. A right formula is
-    unsimplified if it is longer than the derived one and its expanded and factored forms, or if something in it can be
-    worked out.
+    a root may be one of a negative number, it is compared in 300 digits at random points. A right formula counts as
+    unsimplified if it is longer than the derived one and its expanded and factored forms, or if something in it can
+    still be simplified.
 
     Parameters
     ----------
@@ -85,7 +87,7 @@ def judge(question: str, text: str) -> Verdict:
     text : the formula as typed
     """
     if not isinstance(question, str) or question not in QUESTIONS:
-        return Verdict("unreadable", "There is no question of that name.")
+        return Verdict("unreadable", _("There is no question of that name."))
     try:
         typed = parse(text)
         try:
@@ -104,7 +106,9 @@ def _verdict(question: str, typed: Expression) -> Verdict:
     given, right = normal_form(typed), right_form(question)
     if given == right or not (given.is_reduced or minus(given, right).numerators):
         to_do = _to_simplify(question, typed, given)
-        return Verdict("unsimplified", f"Right! {to_do}") if to_do else Verdict("right", "Right!")
+        if not to_do:
+            return Verdict("right", _("Right!"))
+        return Verdict("unsimplified", _("Right! {what_is_left}").format(what_is_left=to_do))
     return Verdict("wrong", " ".join(_advice(question, typed, given)))
 
 
@@ -113,34 +117,33 @@ def _sampled(question: str, typed: Expression) -> Verdict:
     try:
         values = decimals.values(typed)
     except decimals.RootOfNegativeError:
-        return Verdict("unreadable", "Your formula contains a root that is not real for all masses and motions.")
+        return Verdict("unreadable", _("Your formula contains a root that is not real for all masses and motions."))
     if decimals.agree(values, decimals.values(answer(question))):
-        return Verdict("unsimplified", "Right! It can be written much shorter.")
-    return Verdict(
-        "wrong", f"Your answer differs from the right one. It is too involved to say where. {leads_on(question)}"
-    )
+        return Verdict("unsimplified", _("Right! The formula can be written much shorter."))
+    differs = _("Your answer differs from the right one. It is too long to say where.")
+    return Verdict("wrong", f"{differs} {leads_on(question)}")
 
 
 # Right, and simplified?
 
 
 def _to_simplify(question: str, typed: Expression, given: NormalForm) -> str | None:
-    """Return what is left to do, cheapest test first, or None."""
+    """Return what is left to simplify, or None; the cheapest test comes first."""
     needless = [name for name in NAMES if name in names(typed) - set(allowed_names(question))]
     if needless:
-        return f"It can be written without {_listed(needless)}."
+        return _("The formula can be written without {names}.").format(names=_listed(needless))
     if simplicity.has_like_terms(typed):
-        return "Can you gather the like terms?"
+        return _("Can you combine the like terms?")
     if simplicity.has_root_to_take(typed):
-        return "Can you work out a root, or what is under it?"
-    if simplicity.has_root(typed) and not any(roots for roots, _ in given.numerators):
-        return "It can be written without a root."
+        return _("Can you simplify a root, or the expression under it?")
+    if simplicity.has_root(typed) and not any(roots for roots, _polynomial in given.numerators):
+        return _("The formula can be written without a root.")
     if length(typed) > longest_form(question):
-        return "It can be written shorter."
+        return _("The formula can be written shorter.")
     if simplicity.has_fraction_below(typed):
-        return "Can you clear the fraction inside the denominator?"
+        return _("Can you remove the fraction inside the denominator?")
     if simplicity.has_common_factor(typed):
-        return "Can you cancel a common factor above and below the fraction line?"
+        return _("Can you cancel a common factor of numerator and denominator?")
     return None
 
 
@@ -148,9 +151,9 @@ def _to_simplify(question: str, typed: Expression, given: NormalForm) -> str | N
 
 
 def _advice(question: str, typed: Expression, given: NormalForm) -> Iterator[str]:
-    """Yield what was found, then the question that leads on."""
+    """Yield what was found, then the question that leads to the next step."""
     if given.is_zero:
-        yield "Your answer is zero."
+        yield _("Your answer is zero.")
         yield leads_on(question)
         return
     small = given.size <= _MANY_TERMS
@@ -165,11 +168,13 @@ def _advice(question: str, typed: Expression, given: NormalForm) -> Iterator[str
     if foreign:
         yield _depends_on(question, foreign)
     if not small:
-        yield f"Written out, your answer has more than {_MANY_TERMS} terms, and the right one has fewer."
+        yield _("Written out, your answer has more than {most} terms. The right one has fewer.").format(
+            most=_MANY_TERMS
+        )
         yield leads_on(question)
         return
     term, sentences = _differences(question, typed, given)
-    # Where the unit is wrong as a whole, every term is, and a list of them tells nothing.
+    # If the unit is wrong as a whole, every term is wrong, and a list of them says nothing.
     if term is not None or not (wrong_unit or foreign):
         yield from sentences
     yield leads_on(question, term)
@@ -181,59 +186,66 @@ def _known_mistake(question: str, given: NormalForm) -> str | None:
         return wrong[given]
     if kind(question) == POLYNOMIAL and set(variables(question)) <= set(MOTION):
         half = wrong.get(times(given, constant(Fraction(1, 2))))
-        return half and f"{half} Also, a factor ½ is missing."
+        return half and _("{hint} A factor ½ is missing as well.").format(hint=half)
     return None
 
 
 def _rounded(question: str, typed: Expression) -> str | None:
-    """Return what the answer would be with one of its decimal numbers exact; None if that is nothing known."""
+    """Return a hint if one decimal number of the answer agrees with an exact one to its last digit; else None."""
     if not any(number.places for number in numbers(typed)):
         return None
     if decimals.rounded(typed, decimals.values(answer(question))):
-        return "Your decimal number is rounded: the exact one agrees with it up to its last digit. What is it exactly?"
+        return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
     # Fewer digits would fit too many cases.
     if all(number.places is None or number.places >= _TELLING_DIGITS for number in numbers(typed)):
         for values, hint in wrong_values(question):
             if decimals.rounded(typed, values):
-                return f"Your decimal number fits the following case to its last digit. {hint}"
+                return _("Your decimal number agrees to the last digit with this case. {hint}").format(hint=hint)
     return None
 
 
 def _depends_on(question: str, foreign: list[str]) -> str:
     if question == "potential_energy" and foreign in (["X"], ["Phi"]):
-        return f"Your answer depends on {_listed(foreign)}, which does not stretch the spring."
-    what = quantity(question)
-    return f"{what[0].upper()}{what[1:]} does not depend on {_listed(foreign)}."
+        spring = _("Your answer depends on {name}, but {name} does not deform the spring.")
+        return spring.format(name=_listed(foreign))
+    sentence = ngettext(
+        "Your answer depends on {names}, but {quantity} does not depend on it.",
+        "Your answer depends on {names}, but {quantity} does not depend on them.",
+        len(foreign),
+    )
+    return sentence.format(names=_listed(foreign), quantity=quantity(question))
 
 
 def _wrong_unit(question: str, given: NormalForm) -> str | None:
     found, (right,) = units(given), units(right_form(question))
     if found is None:
-        return "Below a fraction line or under a root you add terms with different units."
+        return _("You add terms with different units below a fraction line or under a root.")
     if len(found) > 1:
         one, other = unit_text(found[0]), unit_text(found[1])
         if not (one and other):
-            return f"You add a plain number to a term with the unit {one or other}."
-        return f"You add terms with different units, {one} and {other}."
+            return _("You add a plain number to a term with the unit {unit}.").format(unit=one or other)
+        return _("You add terms with different units, {one} and {other}.").format(one=one, other=other)
     if found == (right,):
         return None
     yours, expected = unit_text(found[0]), unit_text(right)
     if not yours:
-        return f"Your answer is a plain number, but {quantity(question)} has the unit {expected}."
-    if not expected:
-        return f"Your answer has the unit {yours}, but {quantity(question)} is a plain number."
-    return f"Your answer has the unit {yours}, but {quantity(question)} has the unit {expected}."
+        sentence = _("Your answer is a plain number, but {quantity} has the unit {expected}.")
+    elif not expected:
+        sentence = _("Your answer has the unit {yours}, but {quantity} is a plain number.")
+    else:
+        sentence = _("Your answer has the unit {yours}, but {quantity} has the unit {expected}.")
+    return sentence.format(yours=yours, expected=expected, quantity=quantity(question))
 
 
 def _differences(question: str, typed: Expression, given: NormalForm) -> tuple[str | None, list[str]]:
-    """Return the term that differs, if there is only one, and sentences on how the answer differs."""
+    """Return the term that differs, if there is only one, and sentences about the difference."""
     right = right_form(question)
     if kind(question) == NUMBER:
         return None, [*(_multiple(over(given, right)) or as_number(given, right)), *_as_mass_ratio(typed, given)]
     if kind(question) == POLYNOMIAL:
         differences = term_by_term(given, right, variables(question))
         if differences is None:
-            return "", ["In your answer a rate or an angle is below a fraction line or under a root."]
+            return "", [_("In your answer a velocity or an angle is below a fraction line or under a root.")]
         ratio = over(given, right)
         if len(differences) > 1 and not ratio.names.intersection(MOTION) and (multiple := _multiple(ratio)):
             return None, multiple
@@ -242,37 +254,35 @@ def _differences(question: str, typed: Expression, given: NormalForm) -> tuple[s
 
 
 def _multiple(ratio: NormalForm) -> list[str]:
-    """Return how many times the right answer the given one is, if that is simple to say."""
+    """Return the ratio of the given answer to the right one in a sentence, if the ratio is simple."""
     if ratio == MINUS_ONE:
-        return ["Your answer has the wrong sign."]
+        return [_("Your answer has the wrong sign.")]
     factor = shown_factor(ratio)
     if factor is None:
         return []
     if factor.startswith("−"):
-        size = how_many_times(factor.removeprefix("−"))
-        return [f"Your answer has the wrong sign, and its size is {size} what it should be."]
-    return [f"Your answer is {how_many_times(factor)} what it should be."]
+        times = how_many_times(factor.removeprefix("−"))
+        return [_("Your answer has the wrong sign. Its size is {times} the right one.").format(times=times)]
+    return [_("Your answer is {times} the right one.").format(times=how_many_times(factor))]
 
 
 def _as_mass_ratio(typed: Expression, given: NormalForm) -> Iterator[str]:
-    """Yield what the machine does at the given mass ratio."""
+    """Yield the frequency of the machine with the given mass ratio."""
     if given.names:
         return
     ratio = decimals.values(typed)[0]
     if ratio <= 0:
-        yield "A ratio of two masses is positive."
+        yield _("A ratio of two masses is positive.")
         return
     frequency = decimals.value_at(answer("natural_frequency_squared"), {"m": Decimal(1), "m'": ratio, "k": Decimal(1)})
-    if abs(frequency - 1) < Decimal("1e-5"):
-        yield f"With ε = {ratio:.12g} the difference between Ω² and k/m is {_short(abs(frequency - 1))} k/m, not zero."
+    if (difference := abs(frequency - 1)) < Decimal("1e-5"):
+        close = _("With ε = {ratio}, Ω² and k/m differ by {difference} k/m, not by zero.")
+        yield close.format(ratio=written(ratio, 12, strip=True), difference=written(difference, 4))
     else:
-        yield f"With ε = {_short(ratio)} you get Ω² = {_short(frequency)} k/m."
-
-
-def _short(value: Decimal) -> str:
-    return f"{value:.6g}" if Decimal("1e-4") < value < 10**6 else f"{value:.3e}"
+        far = _("With ε = {ratio} you get Ω² = {frequency} k/m.")
+        yield far.format(ratio=written(ratio, 6, strip=True), frequency=written(frequency, 6, strip=True))
 
 
 def _listed(names: list[str]) -> str:
     *first, last = map(shown_name, names)
-    return f"{', '.join(first)} and {last}" if first else last
+    return _("{names} and {last}").format(names=", ".join(first), last=last) if first else last

@@ -1,7 +1,7 @@
 """How a wrong answer differs from the right one: coefficient by coefficient, as one fraction, or as a number.
 
-Every sentence states what was computed exactly and claims nothing about how the student came to it. A sentence is one
-template with named slots; products of names and numbers are written into them as a person reads them: X′φ′, mR², 3/2.
+Every sentence states what was computed exactly, and says nothing about how the student arrived there. Products of names
+and numbers are written as a person writes them: X′φ′, mR², 3/2.
 """
 
 from __future__ import annotations
@@ -23,14 +23,15 @@ from ramanujan.derivation.normal_form import (
     over,
     times,
 )
+from ramanujan.numerals import superscript
+from ramanujan.words import _, ngettext
 
 _SHOWN = {"eps": "ε", "m'": "m′", "X'": "X′", "phi": "φ", "phi'": "φ′", "Phi": "Φ", "Phi'": "Φ′"}
-_SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
-_WORDS = {"2": "twice", "3": "three times", "4": "four times", "1/2": "half of"}
+_WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}
 _MOST_SENTENCES = 3
 
 Differences = list[tuple[str, str]]
-"""Products of names, and a sentence on the coefficient of each."""
+"""Products of names, and a sentence about the coefficient of each."""
 
 
 def shown_name(name: str) -> str:
@@ -41,9 +42,7 @@ def shown_name(name: str) -> str:
 def shown_product(monomial: Monomial) -> str:
     """Return a product of names as a sentence shows it; empty for 1."""
     return "".join(
-        shown_name(name) + (str(n).translate(_SUPERSCRIPTS) if n > 1 else "")
-        for name, n in zip(VARIABLES, monomial, strict=True)
-        if n
+        shown_name(name) + (superscript(n) if n > 1 else "") for name, n in zip(VARIABLES, monomial, strict=True) if n
     )
 
 
@@ -72,17 +71,17 @@ def shown_factor(factor: NormalForm) -> str | None:
 
 
 def term_by_term(
-    given: NormalForm, right: NormalForm, variables: tuple[str, ...], place: str = ""
+    given: NormalForm, right: NormalForm, variables: tuple[str, ...], place: str = "{term}"
 ) -> Differences | None:
-    """Return the products of names whose coefficients differ, and a sentence on each.
+    """Return the products of names whose coefficients differ, and a sentence about each.
 
-    None if the answer is no polynomial in the variables.
+    None if the answer is not a polynomial in the variables.
 
     Parameters
     ----------
     given, right : the answer and what it should be
     variables : the names in whose products both are written; the coefficients may contain the others
-    place : where these terms are, such as " in the numerator"; empty for the whole answer
+    place : a template that says where these terms are, such as "{term} in the numerator"
     """
     yours, theirs = coefficients(given, variables), coefficients(right, variables)
     if yours is None or theirs is None:
@@ -90,7 +89,7 @@ def term_by_term(
     found = []
     for monomial in sorted(yours.keys() | theirs.keys(), reverse=True):
         term = shown_product(monomial)
-        sentence = _coefficient(term and term + place, yours.get(monomial, ZERO), theirs.get(monomial, ZERO))
+        sentence = _coefficient(term and place.format(term=term), yours.get(monomial, ZERO), theirs.get(monomial, ZERO))
         if sentence:
             found.append((term, sentence))
     return found
@@ -102,27 +101,35 @@ def _coefficient(term: str, yours: NormalForm, right: NormalForm) -> str | None:
         return None
     if right.is_zero:
         if not term:
-            return "Your answer has a constant term. It does not belong here."
-        return f"Your term with {term} does not belong here."
+            return _("Your answer contains a constant term. The right answer has none.")
+        return _("Your answer contains a term with {term}. The right answer has none.").format(term=term)
     if yours.is_zero:
-        return f"The term with {term} is missing."
+        return _("The term with {term} is missing.").format(term=term)
     ratio = over(yours, right)
-    sign = "negative" if _is_negative(right) else "positive"
+    negative = _is_negative(right)
     if ratio == MINUS_ONE:
-        return f"Your coefficient of {term} should be {sign}."
+        return _should_be_negative(term) if negative else _should_be_positive(term)
     factor = shown_factor(ratio)
     if factor is None:
-        return f"Your coefficient of {term} is wrong."
+        return _("Your coefficient of {term} is wrong.").format(term=term)
     if factor.startswith("−"):
-        size = how_many_times(factor.removeprefix("−"))
-        return f"Your coefficient of {term} should be {sign}, and its size is {size} what it should be."
-    return (
-        _names_off(term, ratio, right) or f"Your coefficient of {term} is {how_many_times(factor)} what it should be."
-    )
+        sign = _should_be_negative(term) if negative else _should_be_positive(term)
+        size = _("Its size is {times} the right one.").format(times=how_many_times(factor.removeprefix("−")))
+        return f"{sign} {size}"
+    times_right = _("Your coefficient of {term} is {times} the right one.")
+    return _names_off(term, ratio, right) or times_right.format(term=term, times=how_many_times(factor))
+
+
+def _should_be_negative(term: str) -> str:
+    return _("Your coefficient of {term} should be negative.").format(term=term)
+
+
+def _should_be_positive(term: str) -> str:
+    return _("Your coefficient of {term} should be positive.").format(term=term)
 
 
 def _names_off(term: str, ratio: NormalForm, right: NormalForm) -> str | None:
-    """Return which names make the difference, if it is made by names alone."""
+    """Return which names differ, if the two coefficients differ by names alone."""
     inverse = over(ONE, ratio)
     if (
         not ratio.names
@@ -132,74 +139,86 @@ def _names_off(term: str, ratio: NormalForm, right: NormalForm) -> str | None:
         return None
     for yours, theirs in (("m", "m'"), ("m'", "m")):
         if theirs in right.names and yours not in right.names and ratio == over(name_form(yours), name_form(theirs)):
-            return f"Your coefficient of {term} contains {shown_name(yours)} instead of {shown_name(theirs)}."
+            instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
+            return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
     if ratio.denominator == 1:
-        return f"Your coefficient of {term} contains a factor {shown_factor(ratio)} too many."
+        extra = _("Your coefficient of {term} contains an extra factor {factor}.")
+        return extra.format(term=term, factor=shown_factor(ratio))
     if inverse.denominator == 1:
-        return f"Your coefficient of {term} lacks a factor {shown_factor(inverse)}."
+        lacks = _("Your coefficient of {term} lacks a factor {factor}.")
+        return lacks.format(term=term, factor=shown_factor(inverse))
     return None
 
 
 def how_many_times(factor: str) -> str:
-    """Return a factor such that it reads well before "what it should be"."""
-    return _WORDS.get(factor, f"{factor} times")
+    """Return a factor in words, such as "twice" or "3/2 times", to be followed by "the right one"."""
+    return _WORDS.get(factor) or _("{factor} times").format(factor=factor)
 
 
 def _is_negative(coefficient: NormalForm) -> bool:
     """Tell whether the leading term of a coefficient is negative."""
-    return any(polynomial.LC < 0 for _, polynomial in coefficient.numerators)
+    return any(polynomial.LC < 0 for _roots, polynomial in coefficient.numerators)
 
 
 # As one fraction
 
 
 def as_fraction(given: NormalForm, right: NormalForm) -> list[str]:
-    """Return sentences on numerator and denominator if one of them is right; else on special masses.
+    """Return sentences about numerator and denominator if one of them is right, else about special masses.
 
-    Over the denominator of the right answer the numerator is given·D, over its numerator the denominator is N/given.
+    With the right denominator D the given numerator is given·D; with the right numerator N the denominator is N/given.
     """
     (above, below), yours = fraction(right), fraction(given)
-    numerator = term_by_term(times(given, below), above, VARIABLES, " in the numerator")
-    if numerator and (len(numerator) == 1 or not over(yours[1], below).names):
-        return ["Written as one fraction, your answer has the right denominator.", *in_short(numerator)]
-    denominator = term_by_term(over(above, given), below, VARIABLES, " in the denominator")
-    if denominator and (len(denominator) == 1 or not over(yours[0], above).names):
-        return ["Written as one fraction, your answer has the right numerator.", *in_short(denominator)]
+    numerator = term_by_term(times(given, below), above, VARIABLES, _("{term} in the numerator"))
+    if numerator and not over(yours[1], below).names:
+        return [_("Written as one fraction, your answer has the right denominator."), *in_short(numerator)]
+    denominator = term_by_term(over(above, given), below, VARIABLES, _("{term} in the denominator"))
+    if denominator and not over(yours[0], above).names:
+        return [_("Written as one fraction, your answer has the right numerator."), *in_short(denominator)]
+    # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
+    if len(numerator) == 1:
+        return [_("Written with the right denominator, your answer differs in one term."), *in_short(numerator)]
+    if len(denominator) == 1:
+        return [_("Written with the right numerator, your answer differs in one term."), *in_short(denominator)]
     return _special_masses(given, right)
 
 
 def _special_masses(given: NormalForm, right: NormalForm) -> list[str]:
-    """Return for which masses the answer is right, or that it is wrong even for equal ones."""
+    """Return for which masses the answer is right, or that it is wrong even for equal masses."""
     try:
         if at(given, {"m'": "m"}) == at(right, {"m'": "m"}):
-            return ["For equal masses, m′ = m, your answer is right, but not for other masses."]
+            return [_("Your answer is right for equal masses, m′ = m, but not for other masses.")]
         for name in ("m'", "m"):
             if at(given, {name: 0}) == at(right, {name: 0}):
-                lost = shown_name(name)
-                return [f"With {lost} = 0 your answer is right, so the error is in a term with {lost}."]
+                vanishing = _("Your answer is right for {mass} = 0, so the error is in a term with {mass}.")
+                return [vanishing.format(mass=shown_name(name))]
     except (ZeroDivisionError, UncertainRootError):
         return []
-    return ["Your answer is wrong even for equal masses, m′ = m."]
+    return [_("Your answer is wrong even for equal masses, m′ = m.")]
 
 
 def in_short(differences: Differences) -> list[str]:
-    """Return the sentences on what differs; of many only the first."""
-    sentences = [sentence for _, sentence in differences]
+    """Return the sentences about what differs; if there are many, their number and the first one."""
+    sentences = [sentence for _term, sentence in differences]
     if len(sentences) <= _MOST_SENTENCES:
         return sentences
-    return [f"There are {len(sentences)} terms that differ from the right ones.", sentences[0]]
+    n = len(sentences)
+    return [
+        ngettext("{n} term differs from the right one.", "{n} terms differ from the right ones.", n).format(n=n),
+        sentences[0],
+    ]
 
 
 # As a number
 
 
 def as_number(given: NormalForm, right: NormalForm) -> list[str]:
-    """Return which part of a number is right: the one without a root or the one with it."""
+    """Return which part of a number is right: the part without a root or the part with one."""
     (rational, irrational), (right_rational, right_irrational) = _parts(given), _parts(right)
     if irrational == right_irrational:
-        return ["The part of your answer with the root is right. The part without it is not."]
+        return [_("The part of your answer with the root is right. The part without the root is not.")]
     if rational == right_rational:
-        return ["The part of your answer without the root is right. The part with the root is not."]
+        return [_("The part of your answer without the root is right. The part with the root is not.")]
     return []
 
 

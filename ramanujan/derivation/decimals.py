@@ -1,7 +1,7 @@
-"""Formulas in 300 decimal digits: for what has no normal form, and for answers that hold a decimal number.
+"""Formulas in 300 decimal digits: for formulas without a normal form, and for answers with a decimal number.
 
-A formula that agrees with another at every point, to two hundred digits, is taken for the same formula; this is the one
-place of the judge where something is sampled. The points are random but always the same, and rates take both signs.
+Two formulas that agree to two hundred digits at every point count as equal; only here does the judge use samples. The
+points are random but always the same, and velocities take both signs.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Energy: no equation of motion at all, only the ratio of the two energies (Rayleigh's quotient).
+"""Energy: the ratio of the two energies (Rayleigh's quotient) gives Ω² without any equation of motion.
 
-While the rollers move by Rφ, block and top cylinder take the share of the motion that costs least kinetic energy:
+In the oscillating mode, block and top cylinder move along so that the kinetic energy for a given φ̇ is least:
 
     M_e = least value of 2T/(Rφ̇)² over Ẋ and Φ̇,    Ω² = [2U/(Rφ)²]/M_e = 4k/M_e.
 
@@ -29,6 +29,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.words import _
 
 xi, eta = sp.symbols("xi eta", real=True)
 """Shares of block and top cylinder in the motion: ξ = Ẋ/(Rφ̇), η = Φ̇/φ̇."""
@@ -36,7 +37,7 @@ xi, eta = sp.symbols("xi eta", real=True)
 
 @dataclass(frozen=True)
 class LeastInertia:
-    """The inertia 2T/(Rφ̇)² as a function of the shares, where it is least, and how large it is there and at rest."""
+    """The inertia 2T/(Rφ̇)² as a function of the shares, the shares where it is least, its value there and at 0."""
 
     inertia: sp.Expr
     shares: dict[sp.Symbol, sp.Expr]
@@ -45,7 +46,7 @@ class LeastInertia:
 
     @property
     def curvature(self) -> sp.ImmutableMatrix:
-        """The second derivatives of the inertia by ξ and η; positive definite, so that the value is a minimum."""
+        """The second derivatives with respect to ξ and η; positive definite, so that the value is a minimum."""
         return sp.ImmutableMatrix(sp.hessian(self.inertia, (xi, eta)))
 
 
@@ -88,7 +89,7 @@ def build() -> Route:
     spin = spin_of_lower_rollers(bodies)
     return Route(
         "energy",
-        "Energy",
+        _("Energy"),
         (*_quotient_steps(bodies, result, stiffness), *_frequency_steps(result, stiffness, frequency, lever, spin)),
         frequency,
         CELLS,
@@ -100,8 +101,11 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
     return (
         Step(
             "energies",
-            "Add up the energies",
-            "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy, $U$.",
+            _("Add up the energies"),
+            _(
+                "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy $U$, "
+                "because no body moves up or down."
+            ),
             (
                 equation("T", gather(bodies.kinetic_energy)),
                 equation("U", bodies.potential_energy),
@@ -109,12 +113,14 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         ),
         Step(
             "quotient",
-            "Compare them",
-            "In a normal mode the largest kinetic energy equals the largest potential energy. With "
-            "$\\dot\\varphi_{\\max}=\\Omega\\,\\varphi_{\\max}$, $\\Omega^2$ is the first quotient below, at the "
-            "largest $\\varphi$, divided by the second, at the largest $\\dot\\varphi$ (Rayleigh’s quotient). The "
-            "second one, the inertia, depends on how far block and top cylinder move along: $\\xi=\\dot "
-            "X/(R\\dot\\varphi)$ and $\\eta=\\dot\\Phi/\\dot\\varphi$.",
+            _("Form Rayleigh’s quotient"),
+            _(
+                "In a normal mode the largest kinetic energy equals the largest potential energy. The largest "
+                "$\\dot\\varphi$ is $\\Omega$ times the largest $\\varphi$. So $\\Omega^2$ is the first ratio below "
+                "divided by the second (Rayleigh’s quotient). The second one, the inertia, depends on how much the "
+                "block and the top cylinder move along: $\\xi=\\dot X/(R\\dot\\varphi)$ and "
+                "$\\eta=\\dot\\Phi/\\dot\\varphi$."
+            ),
             (
                 equation(2 * sp.Symbol("U") / path**2, stiffness),
                 equation(2 * sp.Symbol("T") / speed**2, result.inertia),
@@ -122,11 +128,13 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         ),
         Step(
             "least",
-            "Find how block and top cylinder move along",
-            "In a mode, Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the inertia "
-            "depends on them, so its derivatives must vanish. Its second derivatives form the matrix below. The "
-            "upper left entry and the determinant are positive, so the matrix is positive definite and the inertia "
-            "is least there.",
+            _("Find how block and top cylinder move along"),
+            _(
+                "In a normal mode Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the "
+                "inertia depends on them, so its derivatives must vanish. The matrix of its second derivatives is "
+                "positive definite, since its upper left entry and its determinant are positive. So the inertia is "
+                "least there."
+            ),
             (
                 *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
                 *(equation(share, result.shares[share]) for share in (xi, eta)),
@@ -142,9 +150,11 @@ def _frequency_steps(
     return (
         Step(
             "frequency",
-            "Read off the frequency",
-            "The least inertia is the effective mass $M_e$ for the path $R\\varphi$; $M_eR^2$ is a Schur complement of "
-            "the mass matrix.",
+            _("Read off the frequency"),
+            _(
+                "The least inertia is the effective mass $M_e$ for the displacement $R\\varphi$ of the rollers. In "
+                "terms of the mass matrix, $M_eR^2$ is a Schur complement."
+            ),
             (
                 equation(M_e, result.least),
                 equation(Omega_squared, stiffness / M_e),
@@ -154,9 +164,11 @@ def _frequency_steps(
         _spring_mass_step(result, stiffness, lever, spin),
         Step(
             "bound",
-            "Hold the block",
-            "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
-            "the clamped machine swings more slowly. Its frequency is a lower bound for $\\Omega$.",
+            _("Clamp the block for a lower bound"),
+            _(
+                "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
+                "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
+            ),
             (
                 equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
                 equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
@@ -166,13 +178,14 @@ def _frequency_steps(
 
 
 def _spring_mass_step(result: LeastInertia, stiffness: sp.Expr, lever: sp.Expr, spin: sp.Expr) -> Step:
-    """Return the step to M_x; with numbers its two terms become one, so nothing can be said of one of them."""
+    """Return the step to M_x; with numbers its two terms merge, so the sentence about one of them is left out."""
     spring_mass = sp.factor(result.least / lever)
-    reason = "The spring is deformed by $2R\\varphi$, and for this coordinate the machine acts like one mass $M_x$."
+    reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")
+    spins = _("The term that contains $m'$ alone comes from the rotation of the lower rollers.")
     step = Step(
         "spring_mass",
-        "Find the mass that the spring feels",
-        f"{reason} The term that contains $m'$ alone comes from the rotation of the lower rollers.",
+        _("Find the mass that the spring feels"),
+        f"{reason} {spins}",
         (
             equation(M_x, spin + sp.factor(spring_mass - spin)),
             equation(Omega_squared, stiffness / lever / M_x),
@@ -205,4 +218,4 @@ clamped = sp.factor(stiffness / inertia.subs({xi: 0, eta: 0}))
 assert sp.factor(Omega_squared - clamped).is_positive
 clamped""",
 }
-"""The notebook to take home: step key → plain SymPy that works the step out again."""
+"""The notebook: step key → plain SymPy that repeats the step."""

@@ -1,6 +1,6 @@
-"""Euler–Lagrange, the paper's way: from the Lagrangian to Ω², first for equal masses, then for any, then to 1729.
+"""Euler–Lagrange, the paper's route: Ω² for equal masses, then for any masses, then the condition that leads to 1729.
 
-Both halves of the paper are one computation, run with roller mass m and with roller mass m′.
+The paper derives Ω² twice. Here one computation does both: with roller mass m, then with roller mass m′.
 """
 
 from __future__ import annotations
@@ -29,11 +29,12 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.words import _
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 
 EQUAL_MASSES = equation(m_prime, m)
-"""The case with which the paper begins."""
+"""The special case with which the paper begins."""
 
 
 def euler_lagrange_operator(lagrangian: sp.Expr, q: sp.Expr) -> sp.Expr:
@@ -47,7 +48,7 @@ def euler_lagrange_operator(lagrangian: sp.Expr, q: sp.Expr) -> sp.Expr:
 
 @dataclass(frozen=True)
 class Elimination:
-    """The three equations of motion and what is left of them when X and Φ are expressed by φ.
+    """The three equations of motion, and the one that is left when X and Φ are expressed by φ.
 
     `motion` maps each coordinate to its equation (left side of … = 0, without common factor); the others are
     Φ̈ in terms of Ẍ, Ẍ and Φ̈ in terms of φ̈, the φ equation after insertion, and Ω².
@@ -91,7 +92,7 @@ class UnitCondition:
     @property
     def completed_square(self) -> sp.Eq:
         """(2aε + b)² = b² − 4ac, the quadratic times 4a with the square completed.  Source: paper, section 2.1."""
-        a, b, _ = self.quadratic.all_coeffs()
+        a, b = self.quadratic.all_coeffs()[:2]
         return equation((2 * a * epsilon + b) ** 2, self.discriminant)
 
 
@@ -100,7 +101,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
 
     Raises
     ------
-    ValueError : not exactly one positive mass ratio fulfils it.
+    ValueError : not exactly one positive mass ratio satisfies it.
 
     >>> unit_condition(eliminate(machine()).natural_frequency_squared).completed_square
     Eq((36*varepsilon + 1)**2, 1729)
@@ -110,7 +111,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     quadratic = sp.Poly(denominator - numerator, epsilon).primitive()[1]
     roots = [root for root in sp.roots(quadratic, multiple=True) if root.is_positive]
     if len(roots) != 1:
-        raise ValueError("natural_frequency_squared must be k/m at exactly one positive mass ratio")
+        raise ValueError(_("natural_frequency_squared must be k/m at exactly one positive mass ratio"))
     return UnitCondition(normalized, quadratic, sp.factor(roots[0]), quadratic.discriminant())
 
 
@@ -123,18 +124,22 @@ def build() -> Route:
     steps = (
         Step(
             "velocities",
-            "Follow every body relative to the ground",
-            "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
-            "with $\\dot X$. The angles $\\varphi$ and $\\Phi$ count clockwise, so relative to the block a roller’s "
-            "centre moves to the right by $R$ times its angle. The slab lies on top of the lower rollers and moves "
-            "twice as far.",
+            _("Find the velocity of every body"),
+            _(
+                "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
+                "with $\\dot X$. No roller slips: relative to the block, its centre moves to the right by $R$ times "
+                "its clockwise angle. The top of a lower roller, and with it the slab, moves twice as far."
+            ),
             tuple(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
         ),
         Step(
             "energies",
-            "Add up the energies",
-            "A rolling body has kinetic energy of translation, given by the velocity of its centre, and of rotation. "
-            "The spring is compressed by the slab’s displacement relative to the block.",
+            _("Write down the energies"),
+            _(
+                "The kinetic energy of a rolling body is that of its centre’s motion plus that of its rotation about "
+                "the centre. The spring acts between slab and block, so its compression is the slab’s displacement "
+                "relative to the block."
+            ),
             (
                 *(equation(f"T_{body.name}", body.kinetic_energy) for body in bodies.bodies),
                 equation("U", bodies.potential_energy),
@@ -145,16 +150,18 @@ def build() -> Route:
         *_elimination_steps("", general),
         *_unit_steps(unit),
     )
-    return Route("euler_lagrange", "Euler–Lagrange", steps, general.natural_frequency_squared, CELLS)
+    return Route("euler_lagrange", _("Euler–Lagrange"), steps, general.natural_frequency_squared, CELLS)
 
 
 def _close_to_one(normalized: sp.Expr) -> Step:
-    """Return the paper's remark on equal masses: Ω²m/k is nearly 1."""
+    """Return the paper's remark on equal masses: Ω²m/k is close to 1."""
     step = Step(
         "equal_close",
-        "Nearly one",
-        "What would make the square of the frequency, in units of $k/m$, exactly 1? It is close to 1 for machines "
-        "whose masses are all equal.",
+        _("Compare with the plain mass"),
+        _(
+            "A plain mass $m$ on the same spring has $\\Omega^2=k/m$. For machines whose masses are all equal, $m'=m$, "
+            "the value is close to this one. Which mass ratio makes the two exactly equal?"
+        ),
         (equation(Omega_squared * m / k, normalized),),
         case=EQUAL_MASSES,
     )
@@ -164,7 +171,7 @@ def _close_to_one(normalized: sp.Expr) -> Step:
 
 
 def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
-    """Return the three steps from Ω² to 1729; about one machine they say how far it is from the condition."""
+    """Return the three steps from Ω² to 1729; for one machine they say how far it is from the condition."""
     ratio = m_prime / m
     square = unit.completed_square
     quadratic = unit.quadratic.as_expr()
@@ -174,22 +181,30 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
     )
     only_ratio = Step(
         "ratio",
-        "Only the ratio of the masses matters",
-        "In units of $k/m$, the square of the frequency depends on the mass ratio $\\varepsilon=m'/m$ alone.",
+        _("Use the mass ratio"),
+        _(
+            "Divide numerator and denominator by $m^2$. In units of $k/m$, the square of the frequency then depends "
+            "only on $\\varepsilon=m'/m$. This ratio is the mass of a lower roller divided by the mass of each other "
+            "body."
+        ),
         (equation(epsilon, ratio), equation(Omega_squared * m / k, unit.normalized_frequency_squared)),
     )
     exactly_one = Step(
         "unit",
-        "Ask for exactly one",
-        "Set the right side equal to 1 and clear the fraction. What remains is a quadratic equation for "
-        "$\\varepsilon$ with integer coefficients.",
+        _("Require exactly 1"),
+        _(
+            "Set the right side equal to 1 and multiply by the denominator. This gives a quadratic equation for "
+            "$\\varepsilon$ with integer coefficients."
+        ),
         (equation(quadratic, sp.Integer(0)),),
     )
     root = Step(
         "root",
-        "The number of the taxicab",
-        "A mass ratio is positive, and only one root is; call it $\\varepsilon_*$. Completing the square shows the "
-        "number under its square root.",
+        _("Find the taxicab number"),
+        _(
+            "A mass ratio is positive, and only one of the two roots is; call it $\\varepsilon_*$. Completing the "
+            "square shows the discriminant, the number under its square root."
+        ),
         (equation(epsilon, unit.root), square),
     )
     return (
@@ -198,8 +213,10 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
             exactly_one,
             present=replace(
                 exactly_one,
-                reason="Set the right side equal to 1 and clear the fraction: a quadratic in $\\varepsilon$ must be 0. "
-                "For your $\\varepsilon$ it has this value.",
+                reason=_(
+                    "The condition is that a quadratic in $\\varepsilon$ is zero. For your $\\varepsilon$ it has the "
+                    "value below."
+                ),
                 equations=(equation(quadratic, quadratic.subs(epsilon, ratio)),),
             ),
         ),
@@ -207,8 +224,10 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
             root,
             present=replace(
                 root,
-                reason="The quadratic has one positive root, $\\varepsilon_*$. This is how far your $\\varepsilon$ is "
-                "from it, and what your $\\varepsilon$ makes of the completed square.",
+                reason=_(
+                    "The quadratic has one positive root, $\\varepsilon_*$. The last two lines give the difference "
+                    "between your $\\varepsilon$ and this root, and the completed square for your $\\varepsilon$."
+                ),
                 equations=(
                     *present,
                     equation(epsilon - epsilon_star, ratio - unit.root),
@@ -221,29 +240,37 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
 
 def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None = None) -> tuple[Step, ...]:
     """Return the four steps from ℒ to Ω², the same for equal masses and for any."""
-    here = "" if case is None else " This step is about machines whose masses are all equal, $m'=m$."
+    here = "" if case is None else " " + _("This step is about machines whose masses are all equal, $m'=m$.")
+    lagrange = (
+        "$\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}{\\partial\\dot q}-\\frac{\\partial\\mathcal{L}}{\\partial q}=0$"
+    )
     return (
         Step(
             f"{prefix}lagrangian",
-            "Write the Lagrangian",
-            f"The Lagrangian is $\\mathcal{{L}}=T-U$, with like terms collected.{here}",
+            _("Write down the Lagrangian"),
+            _("The Lagrangian is $\\mathcal L=T-U$. Like terms are collected.") + here,
             (equation("L", result.lagrangian),),
             case,
         ),
         Step(
             f"{prefix}motion",
-            "Write down Lagrange’s equations",
-            "Each coordinate $q$ has its equation of motion, $\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}"
-            "{\\partial\\dot q}-\\frac{\\partial\\mathcal{L}}{\\partial q}=0$. "
-            f"A factor that all its terms share is cancelled.{here}",
+            _("Write down Lagrange’s equations"),
+            _(
+                "Each coordinate $q$ obeys {equation}. The contact forces do not appear: without slip they do no net "
+                "work. A common factor of all terms is cancelled."
+            ).format(equation=lagrange)
+            + here,
             tuple(equation(result.motion[q], sp.Integer(0)) for q in COORDINATES),
             case,
         ),
         Step(
             f"{prefix}elimination",
-            "Express the block and the top cylinder by the rollers",
-            "The potential energy depends on $\\varphi$ alone, so the equations of $X$ and $\\Phi$ contain only "
-            f"accelerations. They give $\\ddot X$ and $\\ddot\\Phi$ in terms of $\\ddot\\varphi$.{here}",
+            _("Eliminate the block and the top cylinder"),
+            _(
+                "The potential energy depends on $\\varphi$ alone, so the equations of $X$ and $\\Phi$ contain only "
+                "accelerations. Solve them for $\\ddot X$ and $\\ddot\\Phi$ in terms of $\\ddot\\varphi$."
+            )
+            + here,
             (
                 equation(Phi_ddot, result.Phi_from_X),
                 equation(X_ddot, result.X_from_phi),
@@ -253,9 +280,12 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None = No
         ),
         Step(
             f"{prefix}frequency",
-            "Read off the frequency",
-            "Insert $\\ddot X$ into the equation of $\\varphi$. What remains is the equation of one oscillator, "
-            f"$\\ddot\\varphi+\\Omega^2\\varphi=0$.{here}",
+            _("Read off the frequency"),
+            _(
+                "Insert $\\ddot X$ into the equation of $\\varphi$. This leaves the equation of a harmonic oscillator, "
+                "$\\ddot\\varphi+\\Omega^2\\varphi=0$, up to a factor."
+            )
+            + here,
             (
                 equation(result.remaining, sp.Integer(0)),
                 equation(Omega_squared, result.natural_frequency_squared),
@@ -301,4 +331,4 @@ sp.Eq(quadratic.as_expr(), 0)""",
 assert sp.radsimp(normalized.subs(epsilon, unit_ratio)) == 1
 unit_ratio, quadratic.discriminant()""",
 }
-"""The notebook to take home: step key → plain SymPy that works the step out again."""
+"""The notebook: step key → plain SymPy that repeats the step."""

@@ -1,4 +1,4 @@
-"""Exact numbers of the form a + b√n with fractions a and b, and how they are written in LaTeX.
+"""Exact numbers of the form a + b√n with fractions a and b, and their LaTeX.
 
 The machine with m′ = ε*m has such numbers in every formula. SymPy's own elements of ℚ(√n) take some 60 µs to multiply,
 these take about 1 µs, so that a page can put them into a whole derivation at once.
@@ -14,13 +14,15 @@ from typing import Any
 
 import sympy as sp
 
+from ramanujan.words import _
+
 _EXACTLY = Context(prec=200)
 
 Rational = Any
 """An element of SymPy's domain ℚ, which has `numerator` and `denominator`; plain integers mix with it."""
 
 LONG = 10**7
-"""From here on, a denominator has too many digits to be read as one."""
+"""A denominator from this size on has too many digits to read; the number is then written as a decimal."""
 
 DIGITS = 8
 """Significant digits of a decimal."""
@@ -78,7 +80,7 @@ class Surd:
 
     def __pow__(self, exponent: int) -> Surd:
         result = self
-        for _ in range(exponent - 1):
+        for _i in range(exponent - 1):
             result = result * self
         return result
 
@@ -101,7 +103,7 @@ def element(value: sp.Expr, n: int | None = None) -> Rational | Surd:
     root = sp.sqrt(n) if n else None
     a, b = (sp.S.NaN, sp.S.NaN) if root is None else (value.expand().coeff(root, power) for power in (0, 1))
     if not (a.is_Rational and b.is_Rational):
-        raise ValueError("value must be a fraction, or a fraction plus a fraction times one square root")
+        raise ValueError(_("value must be a fraction, or a fraction plus a multiple of one square root"))
     d = lcm(int(a.q), int(b.q))
     return Surd(int(a * d), int(b * d), d, n)
 
@@ -118,7 +120,7 @@ def root_in(values: tuple[sp.Expr, ...]) -> int | None:
         return None
     (root, *others) = roots
     if others or root.exp != sp.Rational(1, 2) or not root.base.is_Integer:
-        raise ValueError("values must not contain more than one square root")
+        raise ValueError(_("values must contain no roots except multiples of one square root"))
     return int(root.base)
 
 
@@ -228,7 +230,7 @@ def _digits(value: Decimal, rounding: str, below: Decimal = Decimal(1), digits: 
         text += r"\ldots"
     elif "." in text:
         text = text.rstrip("0").rstrip(".")
-    return rf"{text} \cdot 10^{{{exponent}}}" if has_power else text
+    return rf"{text} \times 10^{{{exponent}}}" if has_power else text
 
 
 def _sign(a: int, b: int, n: int) -> int:

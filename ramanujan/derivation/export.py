@@ -1,6 +1,6 @@
-"""A derivation to take home: a LaTeX article, a Markdown text, or a notebook that derives everything again.
+"""A derivation as a file: a LaTeX article, a Markdown text, or a notebook that derives everything again.
 
-LaTeX and Markdown say what the route says, in symbols or with the numbers of one machine. The notebook is plain SymPy.
+LaTeX and Markdown contain the route in symbols or with the numbers of one machine. The notebook is plain SymPy.
 """
 
 from __future__ import annotations
@@ -16,8 +16,13 @@ from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
 from ramanujan.derivation.numbers import stated
 from ramanujan.derivation.rows import Row, rows
 from ramanujan.derivation.steps import Route, Step
+from ramanujan.words import _
 
-TITLE = "Ramanujan’s oscillator"
+TITLE = _("Ramanujan’s oscillator: {route}")
+_SYMBOLS, _WITH_NUMBERS, _CHECKED = _("Symbols"), _("With numbers"), _("Check the result another way")
+_BODIES = _("The machine has five bodies, three of which roll, and one spring.")
+_CHECK = _("The nonzero root of $\\det(K-\\Lambda M)=0$ must be the same $\\Omega^2$.")
+_DISTANCE = _("How far is this machine from the condition $\\Omega^2=k/m$?")
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage{amsmath}
@@ -43,7 +48,7 @@ _IN_PROSE = {
     "…": r"\dots{}",
 }
 _LINE_WIDTH = 66
-"""Characters of a formula that fit into one line of the article; found by setting all routes with TeX."""
+"""Characters of a formula that fit on one line of the article; found by typesetting all routes with TeX."""
 _MATH = re.compile(r"(\$[^$]*\$)")
 
 Values = Mapping[sp.Symbol, sp.Expr]
@@ -59,9 +64,10 @@ def to_latex(route: Route, values: Values | None = None) -> str:
     values : the machine whose numbers are put in; none for the symbols
     """
     entries = "".join(f"\\item ${entry.latex}$: {prose_to_latex(entry.meaning)}\n" for entry in nomenclature(route))
-    symbols = f"\\section*{{Symbols}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
+    heading = prose_to_latex(_SYMBOLS)
+    symbols = f"\\section*{{{heading}}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
     body = "".join(_latex_section(step, values) for step in route.steps)
-    title = f"\\title{{{prose_to_latex(f'{TITLE}: {route.title}')}}}\n\\author{{}}\n\\date{{}}\n"
+    title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\author{{}}\n\\date{{}}\n"
     opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(values))}{symbols}"
     return f"{_PREAMBLE}{title}{opening}{body}\\end{{document}}\n"
 
@@ -74,7 +80,7 @@ def to_markdown(route: Route, values: Values | None = None) -> str:
     route : one of `ROUTES`, in symbols
     values : the machine whose numbers are put in; none for the symbols
     """
-    opening = f"# {TITLE}: {route.title}\n\n{_numbers_stated(values)}{_symbols(route)}"
+    opening = f"# {TITLE.format(route=route.title)}\n\n{_numbers_stated(values)}{_symbols(route)}"
     return "\n\n".join([opening, *(_markdown_section(n, s, values) for n, s in enumerate(route.steps, start=1))]) + "\n"
 
 
@@ -87,25 +93,19 @@ def to_notebook(route: Route, values: Values | None = None) -> str:
     values : the machine whose numbers the last cells put in; none for the symbols
     """
     cells = [
-        _markdown("title", f"# {TITLE}: {route.title}\n\nFive bodies, three of them rolling, and one spring."),
+        _markdown("title", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
         _markdown("symbols", _symbols(route)),
         _code("bodies", BODIES),
     ]
     for key, code in route.cells.items():
         step = route[key]
         cells += [_markdown(key, f"## {step.heading}\n\n{step.reason}"), _code(key, code)]
-    cells += [
-        _markdown(
-            "check",
-            "## Check it another way\n\nThe root of $\\det(K-\\Lambda M)=0$ other than zero is the same $\\Omega^2$.",
-        ),
-        _code("check", CHECK),
-    ]
+    cells += [_markdown("check", f"## {_CHECKED}\n\n{_CHECK}"), _code("check", CHECK)]
     if values:
         cells += [
-            _markdown("numbers", f"## With numbers\n\n{stated(values)}"),
+            _markdown("numbers", f"## {_WITH_NUMBERS}\n\n{stated(values)}"),
             _code("values", _assigned(values)),
-            _markdown("distance", "How far is this machine from $\\Omega^2=k/m$?"),
+            _markdown("distance", _DISTANCE),
             _code("distance", DISTANCE),
             _code("numbers", FREQUENCY),
         ]
@@ -115,7 +115,7 @@ def to_notebook(route: Route, values: Values | None = None) -> str:
 
 
 def prose_to_latex(text: str) -> str:
-    """Return Markdown prose as LaTeX: what stands between dollar signs is kept, everything else is escaped."""
+    """Return Markdown prose as LaTeX: formulas between dollar signs are kept, everything else is escaped."""
     return "".join(
         part if _MATH.fullmatch(part) else "".join(_IN_PROSE.get(character, character) for character in part)
         for part in _MATH.split(text)
@@ -143,7 +143,8 @@ def _markdown_section(number: int, step: Step, values: Values | None) -> str:
 
 def _symbols(route: Route) -> str:
     """Return the list of symbols as Markdown."""
-    return "\n".join(["**Symbols**", "", *(f"- ${e.latex}$: {e.meaning}" for e in nomenclature(route)), "", DOTS])
+    entries = (f"- ${entry.latex}$: {entry.meaning}" for entry in nomenclature(route))
+    return "\n".join([f"**{_SYMBOLS}**", "", *entries, "", DOTS])
 
 
 def _numbers_stated(values: Values | None) -> str:

@@ -1,7 +1,7 @@
-"""A formula as a tree: what the parser returns and what a derived SymPy expression is turned into for comparison.
+"""A formula as a tree: the parser returns one, and a derived SymPy expression is turned into one for comparison.
 
-A tree keeps what was typed; nothing is evaluated. `typeset` writes it as LaTeX, `length` says how long it is to write.
-What a formula is equal to is the business of `normal_form`.
+A tree keeps the formula as typed; nothing is evaluated. `typeset` writes it as LaTeX, `length` measures how long it is.
+`normal_form` decides which formulas are equal.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import sympy as sp
 
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
+from ramanujan.words import _
 
 NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'", "eps")
 """Every name the grammar knows, as one types it."""
@@ -81,7 +82,8 @@ def spelled(expression: sp.Expr) -> Expression:
     if expression.is_Pow:
         return Power(spelled(expression.base), spelled(expression.exp).value)
     if not (expression.is_Add or expression.is_Mul):
-        raise ValueError(f"expression has no spelling as a formula: {expression}")
+        unknown = _("expression cannot be written in the grammar: {expression}")
+        raise ValueError(unknown.format(expression=expression))
     inside = tuple(map(spelled, expression.args))
     return Sum(inside) if expression.is_Add else Product(inside)
 
@@ -166,7 +168,7 @@ def _typeset(expression: Expression, place: int) -> str:
             return _power(base, exponent)
         case Product(factors):
             return _bracketed(_product(factors), place == _IN_POWER or _negative(expression), place)
-    raise TypeError(f"expression is no formula: {expression!r}")
+    raise TypeError(f"expression is not a formula: {expression!r}")
 
 
 def _bracketed(text: str, needed: bool, place: int) -> str:
@@ -254,7 +256,7 @@ def _divides(factor: Expression) -> bool:
 
 
 def _without_sign(power: Power) -> Expression:
-    """Return what stands below the fraction line."""
+    """Return a power with the opposite exponent: what a divisor looks like below the fraction line."""
     return power.base if power.exponent == -1 else Power(power.base, -power.exponent)
 
 

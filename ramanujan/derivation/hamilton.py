@@ -1,6 +1,6 @@
-"""Hamilton: from the Lagrangian to momenta; two of them are conserved, and one degree of freedom is left.
+"""Hamilton: two of the three canonical momenta are conserved, so that one degree of freedom is left.
 
-H contains neither X nor Φ. With their momenta fixed, the machine is a single mass M_e on the spring:
+H contains neither X nor Φ. For fixed values of their momenta the machine acts like a single mass M_e on the spring:
 
     H = (p_φ + shift)²/(2M_eR²) + 2kR²φ² + H₀,    shift and H₀ constant,    Ω² = 4k/M_e.
 """
@@ -26,10 +26,11 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.words import _
 
-_, p_phi, _ = MOMENTA
+p_phi = MOMENTA[COORDINATES.index(phi)]
 H_0 = sp.Symbol("H_0")
-"""The part of H that no motion changes."""
+"""The part of H that stays constant."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,7 @@ def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
     >>> reduce_to_one_degree(legendre_transform(machine()).hamiltonian).effective_mass
     (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
     """
-    constant, _ = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)
+    constant = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)[0]
     square, linear = (hamiltonian.diff(p_phi, n).subs(p_phi, 0) / n for n in (2, 1))
     return Reduction(
         sp.factor(1 / (2 * square * R**2)),
@@ -94,7 +95,7 @@ def build() -> Route:
     reduced = reduce_to_one_degree(transform.hamiltonian)
     acceleration = transform.hamiltonian.diff(p_phi).diff(t).subs(rates)
     frequency = sp.factor(-acceleration / phi)
-    return Route("hamilton", "Hamilton", _steps(bodies, transform, rates, reduced, frequency), frequency, CELLS)
+    return Route("hamilton", _("Hamilton"), _steps(bodies, transform, rates, reduced, frequency), frequency, CELLS)
 
 
 def _steps(
@@ -106,35 +107,46 @@ def _steps(
     return (
         Step(
             "lagrangian",
-            "Start from the Lagrangian",
-            "The Lagrangian $\\mathcal{L}=T-U$ of the five bodies already contains the rolling constraints.",
+            _("Start from the Lagrangian"),
+            _(
+                "The Lagrangian $\\mathcal L=T-U$ is written in three independent coordinates. The rolling constraints "
+                "are already built in."
+            ),
             (equation("L", bodies.lagrangian),),
         ),
         Step(
             "momenta",
-            "Find the momenta",
-            "Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal{L}/\\partial\\dot q$.",
+            _("Find the momenta"),
+            _("Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
             tuple(equation(p, value) for p, value in transform.momenta.items()),
         ),
         Step(
             "velocities",
-            "Solve for the velocities",
-            "The momenta are linear in the velocities, so these equations can be solved for the velocities.",
+            _("Solve for the velocities"),
+            _(
+                "The momenta are linear in the velocities, and $T$ is positive for every motion. So these equations "
+                "can be solved for the velocities."
+            ),
             tuple(equation(velocity, value) for velocity, value in transform.velocities.items()),
         ),
         Step(
             "hamiltonian",
-            "Write the Hamiltonian",
-            "The Hamiltonian is $\\mathcal{H}=\\sum p_q\\dot q-\\mathcal{L}$, with every velocity expressed by the "
-            "momenta. Here it is the energy $T+U$, because $T$ is quadratic in the velocities and $U$ contains none.",
+            _("Write down the Hamiltonian"),
+            _(
+                "The Hamiltonian is $\\mathcal H=\\sum p_q\\dot q-\\mathcal L$, with the velocities expressed by the "
+                "momenta. Here it is the energy $T+U$, because $T$ is quadratic in the velocities and $U$ contains "
+                "none."
+            ),
             (equation("H", transform.hamiltonian),),
         ),
         Step(
             "motion",
-            "Write down Hamilton’s equations",
-            "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal{H}/\\partial q$ and $\\dot "
-            "q=\\partial\\mathcal{H}/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
-            "$p_\\Phi$ are conserved.",
+            _("Write down Hamilton’s equations"),
+            _(
+                "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal H/\\partial q$ and $\\dot "
+                "q=\\partial\\mathcal H/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
+                "$p_\\Phi$ are conserved."
+            ),
             (
                 *(equation(rate, value) for rate, value in rates.items()),
                 equation(phi.diff(t), transform.velocities[phi.diff(t)]),
@@ -142,10 +154,12 @@ def _steps(
         ),
         Step(
             "reduction",
-            "Complete the square",
-            "Complete the square in $p_\\varphi$. The conserved momenta $p_X$ and $p_\\Phi$ only shift $p_\\varphi$ "
-            "and add a constant $\\mathcal{H}_0$. One degree of freedom is left: a mass $M_e$ that moves by "
-            "$R\\varphi$.",
+            _("Complete the square"),
+            _(
+                "Complete the square in $p_\\varphi$. The conserved momenta $p_X$ and $p_\\Phi$ only shift "
+                "$p_\\varphi$ and add a constant $\\mathcal H_0$. One degree of freedom is left: a mass $M_e$ with the "
+                "displacement $R\\varphi$."
+            ),
             (
                 equation("H", one_degree),
                 equation(M_e, reduced.effective_mass),
@@ -154,9 +168,12 @@ def _steps(
         ),
         Step(
             "frequency",
-            "Read off the frequency",
-            "A constant shift of $p_\\varphi$ does not change the frequency. The spring is deformed by $2R\\varphi$; "
-            "for this coordinate the same motion is that of a mass $M_x$.",
+            _("Read off the frequency"),
+            _(
+                "A constant shift of $p_\\varphi$ does not change the frequency. The spring is deformed by "
+                "$2R\\varphi$, twice the displacement $R\\varphi$. The mass for this deformation, $M_x$, is therefore "
+                "a quarter of $M_e$."
+            ),
             (
                 equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
                 equation(Omega_squared, stiffness / M_e),
@@ -207,4 +224,4 @@ phi_ddot = sum(phi_dot.diff(symbol) * p_dot[symbol] for symbol in p)
 Omega_squared = sp.factor(-phi_ddot / phi)
 Omega_squared""",
 }
-"""The notebook to take home: step key → plain SymPy that works the step out again."""
+"""The notebook: step key → plain SymPy that repeats the step."""

@@ -1,8 +1,8 @@
-"""Matrix: mass and stiffness matrix from the energies, and the three modes from det(K − ΛM) = 0.
+"""Matrix: the energies give the mass and stiffness matrices, and det(K − ΛM) = 0 gives the three modes.
 
     T = ½ q̇ᵀM q̇,    U = ½ qᵀK q,    q = (X, φ, Φ),    M q̈ + K q = 0
 
-K has rank one. So there are two zero-frequency modes, and the third needs no determinant: Ω² = 4kR²(M⁻¹)_φφ.
+K has rank one, so two modes have zero frequency. The third can be found without a determinant: Ω² = 4kR²(M⁻¹)_φφ.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from ramanujan.derivation.symbols import (
     machine,
     phi,
 )
+from ramanujan.words import _
 
 Lambda = sp.Symbol("Lambda", real=True)
 """Λ, an eigenvalue of K relative to M: the square of a mode's angular frequency."""
@@ -83,20 +84,22 @@ def build() -> Route:
     bodies = machine()
     result = modes(bodies)
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
-    return Route("matrix", "Matrix", _steps(bodies, result, oscillating), oscillating, CELLS)
+    return Route("matrix", _("Matrix"), _steps(bodies, result, oscillating), oscillating, CELLS)
 
 
 def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, ...]:
     q_ddot = sp.ImmutableMatrix(ACCELERATIONS)
     q = sp.ImmutableMatrix(COORDINATES)
-    eigenvalues = sp.Tuple(*(root for root, count in result.eigenvalues.items() for _ in range(count)))
+    eigenvalues = sp.Tuple(*(root for root, count in result.eigenvalues.items() for _i in range(count)))
     stiffness = result.stiffness_matrix[_PHI, _PHI]
     return (
         Step(
             "energies",
-            "Add up the energies",
-            "The kinetic energy $T$ is a quadratic form in the velocities, the potential energy $U$ is one in the "
-            "coordinates.",
+            _("Add up the energies"),
+            _(
+                "The kinetic energy $T$ is a quadratic form in the velocities. The potential energy $U$ is a quadratic "
+                "form in the coordinates."
+            ),
             (
                 equation("T", gather(bodies.kinetic_energy)),
                 equation("U", bodies.potential_energy),
@@ -104,15 +107,20 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "matrices",
-            "Take the second derivatives",
-            "In the order $X$, $\\varphi$, $\\Phi$, the second derivatives of $T$ with respect to the velocities are "
-            "the mass matrix $M$. Those of $U$ with respect to the coordinates are the stiffness matrix $K$.",
+            _("Take the second derivatives"),
+            _(
+                "The second derivatives of $T$ with respect to the velocities form the mass matrix $M$, in the order "
+                "$X$, $\\varphi$, $\\Phi$. Those of $U$ with respect to the coordinates form the stiffness matrix $K$."
+            ),
             (equation(_M, result.mass_matrix), equation(_K, result.stiffness_matrix)),
         ),
         Step(
             "motion",
-            "Write the equations of motion",
-            "All three equations fit in one line, $M\\ddot q=-Kq$: inertia on the left, restoring force on the right.",
+            _("Write down the equations of motion"),
+            _(
+                "Since $M$ and $K$ are constant, Lagrange’s three equations are one matrix equation, $M\\ddot q=-Kq$. "
+                "The inertia is on the left, the restoring force on the right."
+            ),
             (
                 equation(
                     sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
@@ -122,9 +130,12 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "determinant",
-            "Look for the modes",
-            "Insert $q=v\\cos\\Omega t$ and write $\\Lambda=\\Omega^2$. This gives $(K-\\Lambda M)v=0$, which has a "
-            "solution other than $v=0$ only if the determinant vanishes.",
+            _("Look for the modes"),
+            _(
+                "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\Omega t$ and write "
+                "$\\Lambda=\\Omega^2$. This gives $(K-\\Lambda M)v=0$, which has a solution other than $v=0$ only if "
+                "the determinant vanishes."
+            ),
             (
                 equation(sp.Determinant(result.pencil), sp.S.Zero),
                 equation(result.determinant, sp.S.Zero),
@@ -132,16 +143,20 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "spectrum",
-            "Find the three roots",
-            "Zero is a double root, so two modes have no restoring force. The third root is the square of the "
-            "natural frequency.",
+            _("Find the three roots"),
+            _(
+                "Zero is a double root: two modes have no restoring force. The third root is the square of the natural "
+                "frequency."
+            ),
             (equation(sp.Tuple(*sp.symbols("Lambda_1:4")), eigenvalues), equation(Omega_squared, oscillating)),
         ),
         Step(
             "zero_modes",
-            "Look at the two zero modes",
-            "They are the vectors $v$ with $Kv=0$. In the first one the whole machine glides; in the second the top "
-            "cylinder rolls freely.",
+            _("Look at the two zero modes"),
+            _(
+                "They are the vectors $v$ with $Kv=0$: these motions do not stretch the spring. In the first one the "
+                "whole machine glides. In the second one the top cylinder rolls freely."
+            ),
             tuple(
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
                 for mode in result.zero_modes
@@ -149,10 +164,15 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "shortcut",
-            "Take the shortcut",
-            "The matrix $K$ has rank one: it maps every vector to a multiple of $e_\\varphi$, the unit vector of "
-            "$\\varphi$. So an oscillating mode is a multiple of $M^{-1}e_\\varphi$, and no determinant is needed: "
-            "$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$.",
+            _("Avoid the determinant"),
+            _(
+                "The matrix $K$ has rank one: it maps every vector to a multiple of $e_\\varphi$, the unit vector of "
+                "$\\varphi$. So the oscillating mode is a multiple of {vector}, and its frequency needs no "
+                "determinant: {shortcut}."
+            ).format(
+                vector="$M^{-1}e_\\varphi$",
+                shortcut="$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$",
+            ),
             (
                 equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
                 equation(_M.I, result.inverse_mass_matrix),
@@ -161,8 +181,11 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
         ),
         Step(
             "mode_shape",
-            "Read off the mode shape",
-            "The entry of the rollers is set to one. Block and top cylinder swing in proportion to it.",
+            _("Read off the mode shape"),
+            _(
+                "A mode is determined up to a factor, so the entry of $\\varphi$ may be set to 1. Block and top "
+                "cylinder oscillate in proportion to it."
+            ),
             (equation("v", result.mode_shape),),
         ),
     )
@@ -206,4 +229,4 @@ residual = (stiffness_matrix - Omega_squared * mass_matrix) * mode_shape
 assert residual.applyfunc(sp.simplify).is_zero_matrix
 mode_shape""",
 }
-"""The notebook to take home: step key → plain SymPy that works the step out again."""
+"""The notebook: step key → plain SymPy that repeats the step."""

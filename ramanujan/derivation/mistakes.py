@@ -1,7 +1,7 @@
-"""What a student may have overlooked, and the result that follows: the same derivation for an altered machine.
+"""Common mistakes, and the results that follow from them: the same derivation for an altered machine.
 
-A mistake changes bodies or terms, never a result. Its hint says what leads to the result, which is always true, and
-asks the question that leads on; whether the student really did that, nobody can know.
+A mistake changes bodies or terms, never a result. Its hint names one way to this result and asks the next question. It
+does not claim that the student went this way.
 """
 
 from __future__ import annotations
@@ -41,6 +41,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.words import _
 
 ROLLING = ("hoop", "cylinder", "top")
 LOWER_ROLLERS = ("hoop", "cylinder")
@@ -49,25 +50,25 @@ RIDERS = ("hoop", "cylinder", "slab", "top")
 _COORDINATES = tuple(SPELLING[q] for q in COORDINATES)
 
 CALLED = {
-    "block": "the block",
-    "hoop": "the hoop",
-    "cylinder": "the lower cylinder",
-    "slab": "the slab",
-    "top": "the top cylinder",
+    "block": _("the block"),
+    "hoop": _("the hoop"),
+    "cylinder": _("the lower cylinder"),
+    "slab": _("the slab"),
+    "top": _("the top cylinder"),
 }
-"""What a sentence calls a body."""
+"""The name of each body in a sentence."""
 
 _SHAPES = {
-    "a hoop": HOOP,
-    "a spherical shell": sp.Rational(2, 3),
-    "a solid cylinder": SOLID_CYLINDER,
-    "a solid sphere": sp.Rational(2, 5),
+    _("a hoop"): HOOP,
+    _("a spherical shell"): sp.Rational(2, 3),
+    _("a solid cylinder"): SOLID_CYLINDER,
+    _("a solid sphere"): sp.Rational(2, 5),
 }
 
 
 @dataclass(frozen=True)
 class Mistake:
-    """What was overlooked, in one sentence, then a question; and the machine as it would be if that were right."""
+    """A hint (one sentence, then a question), and the machine for which the mistake would be right."""
 
     hint: str
     bodies: Machine
@@ -80,16 +81,16 @@ class Mistake:
 
 @cache
 def mistakes() -> tuple[Mistake, ...]:
-    """Return every mistake that is one of the bodies; the more common ones come first."""
+    """Return every mistake that changes bodies; the more common ones come first."""
     return tuple(Mistake(hint, bodies) for family in _FAMILIES for hint, bodies in family())
 
 
 def single_mass(bodies: Machine, name: str) -> NormalForm | None:
-    """Return what the elimination makes of a machine: the factors of φ̈ in Ẍ, in Φ̈ and in the φ equation, or Ω².
+    """Return one result of the elimination for a machine: the factor of φ̈ in Ẍ, in Φ̈ or in the φ equation, or Ω².
 
-    With the mass matrix M, the X and Φ equations are solved for Ẍ and Φ̈, and these put into the φ equation, as in
-    `euler_lagrange.eliminate`, whose result it has for the right machine; polynomials make it quick enough for many
-    machines. The spring's deformation counts as one of φ alone.
+    The X and Φ equations are solved for Ẍ and Φ̈, which are inserted into the φ equation, as in
+    `euler_lagrange.eliminate`. The mass matrix and polynomials make this fast enough for many machines. The spring's
+    deformation is taken to depend on φ alone.
 
     Parameters
     ----------
@@ -116,7 +117,7 @@ def _eliminated(bodies: Machine) -> tuple[NormalForm, NormalForm, NormalForm, No
     """Return D, B, T and J of Ẍ = (B/D)φ̈, Φ̈ = (T/D)φ̈ and Ω² = stiffness·D/J."""
     M = {(i, j): _inertia(bodies, _COORDINATES[i], _COORDINATES[j]) for i in range(3) for j in range(i, 3)}
     if M[2, 2].is_zero:
-        # Nothing rolls on top: the Φ equation is empty.
+        # Without a top cylinder the Φ equation is empty.
         determinant, block, top = M[0, 0], times(MINUS_ONE, M[0, 1]), ZERO
     else:
         determinant = minus(times(M[0, 0], M[2, 2]), times(M[0, 2], M[0, 2]))
@@ -131,33 +132,39 @@ def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
     mixed = [term for term in sp.Add.make_args(sp.expand(body.kinetic_energy)) if len(_rates(term)) > 1]
     if mixed:
         yield (
-            "You get this result if you square a sum term by term. What is the mixed term of (a + b)²?",
+            _("You get this result if you square a sum term by term. What is the mixed term of (a + b)²?"),
             sp.expand(body.kinetic_energy) - sp.Add(*mixed),
         )
-    # One who forgets the square may count the speed to either side.
+    # A student who forgets the square may count the velocity positive to either side.
     for velocity in (body.velocity, -body.velocity):
         unsquared = (body.mass * velocity + body.moment_of_inertia * body.angle.diff(t)) / 2
         yield (
-            "You get this result if you do not square the speed. How does a kinetic energy grow with the speed?",
+            _("You get this result if you do not square the velocity. How does kinetic energy depend on velocity?"),
             unsquared,
         )
     if body.rotation:
         yield (
-            "You get this result if you leave out the ½ in the energy of translation. "
-            "What is the kinetic energy of a point mass?",
+            _(
+                "You get this result if you leave out the ½ in the energy of translation. What is the kinetic energy "
+                "of a point mass?"
+            ),
             2 * body.translation + body.rotation,
         )
         yield (
-            "You get this result if you leave out the ½ in the energy of rotation. "
-            "What is the energy of a body that spins in place?",
+            _(
+                "You get this result if you leave out the ½ in the energy of rotation. What is the energy of a body "
+                "that rotates about a fixed axis?"
+            ),
             body.translation + 2 * body.rotation,
         )
         yield (
-            f"This is only the energy of rotation of {CALLED[body.name]}. How fast does its centre move?",
+            _("This is only the energy of rotation of {body}. How fast does its centre move?").format(
+                body=CALLED[body.name]
+            ),
             body.rotation,
         )
     yield (
-        "You get this result if you leave out the ½. What is the kinetic energy of a point mass?",
+        _("You get this result if you leave out the ½. What is the kinetic energy of a point mass?"),
         2 * body.kinetic_energy,
     )
 
@@ -176,7 +183,7 @@ def _inertia(bodies: Machine, q: str, other: str) -> NormalForm:
 
 @cache
 def _share(body: Body, q: str, other: str) -> NormalForm:
-    """Return what a body adds to an entry of the mass matrix."""
+    """Return the contribution of a body to an entry of the mass matrix."""
     moved, turned = _rates_of(body.displacement), _rates_of(body.angle)
     translation = times(_form(body.mass), moved.get(q, ZERO), moved.get(other, ZERO))
     rotation = times(_form(body.moment_of_inertia), turned.get(q, ZERO), turned.get(other, ZERO))
@@ -185,7 +192,7 @@ def _share(body: Body, q: str, other: str) -> NormalForm:
 
 @cache
 def _rates_of(displacement: sp.Expr) -> dict[str, NormalForm]:
-    """Return what multiplies each coordinate in a displacement or an angle."""
+    """Return the factor of each coordinate in a displacement or an angle."""
     by_product = coefficients(_form(displacement), _COORDINATES)
     return {VARIABLES[product.index(1)]: coefficient for product, coefficient in by_product.items()}
 
@@ -203,15 +210,17 @@ def _moved(names: tuple[str, ...], old: sp.Expr, new: sp.Expr) -> Machine:
 
 
 def _called(names: tuple[str, ...]) -> str:
-    groups = {LOWER_ROLLERS: "the lower rollers", ROLLING: "all rollers", RIDERS: "everything on the block"}
+    groups = {LOWER_ROLLERS: _("the lower rollers"), ROLLING: _("all rollers"), RIDERS: _("everything on the block")}
     return groups.get(names) or CALLED[names[0]]
 
 
 def _rotation_forgotten() -> Iterator[tuple[str, Machine]]:
     for names in (*((name,) for name in ROLLING), LOWER_ROLLERS, ROLLING):
         yield (
-            f"You get this result if you leave out the rotation of {_called(names)}. "
-            "What energy does a body have because it spins?",
+            _(
+                "You get this result if you leave out the rotation of {bodies}. Which energy does a body have because "
+                "it rotates?"
+            ).format(bodies=_called(names)),
             _altered(names, lambda body: replace(body, shape_factor=sp.S.Zero)),
         )
 
@@ -219,8 +228,10 @@ def _rotation_forgotten() -> Iterator[tuple[str, Machine]]:
 def _spin_from_the_ground() -> Iterator[tuple[str, Machine]]:
     for names in (*((name,) for name in ROLLING), LOWER_ROLLERS, ROLLING):
         yield (
-            f"You get this result if you divide the speed of {_called(names)} relative to the ground by R "
-            "to find the angular velocity. Relative to which surface does a roller roll?",
+            _(
+                "You get this result if you divide the velocity of {bodies} relative to the ground by R to find the "
+                "angular velocity. On which surface does a roller roll?"
+            ).format(bodies=_called(names)),
             _altered(names, lambda body: replace(body, angle=sp.expand(body.displacement / R))),
         )
 
@@ -230,21 +241,25 @@ def _wrong_inertia() -> Iterator[tuple[str, Machine]]:
         for shape, factor in _SHAPES.items():
             if factor != _right()[name].shape_factor:
                 yield (
-                    f"You get this result if {CALLED[name]} has the moment of inertia of {shape}. "
-                    f"What is the moment of inertia of {CALLED[name]}?",
+                    _(
+                        "You get this result if {body} has the moment of inertia of {shape}. What is the moment of "
+                        "inertia of {body}?"
+                    ).format(body=CALLED[name], shape=shape),
                     _altered((name,), lambda body, factor=factor: replace(body, shape_factor=factor)),
                 )
 
 
 def _wrong_mass() -> Iterator[tuple[str, Machine]]:
     yield (
-        "You get this result if the lower rollers have the mass m. Which mass do they have?",
+        _("You get this result if the lower rollers have the mass m. Which mass do they have?"),
         _with_other_mass(LOWER_ROLLERS),
     )
     for name in CALLED:
         wrong = "m" if name in LOWER_ROLLERS else "m′"
         yield (
-            f"You get this result if {CALLED[name]} has the mass {wrong}. Which mass does it have?",
+            _("You get this result if {body} has the mass {mass}. Which mass does it have?").format(
+                body=CALLED[name], mass=wrong
+            ),
             _with_other_mass((name,)),
         )
 
@@ -256,29 +271,37 @@ def _with_other_mass(names: tuple[str, ...]) -> Machine:
 def _wrong_rolling() -> Iterator[tuple[str, Machine]]:
     for names in (*((name,) for name in RIDERS), LOWER_ROLLERS):
         yield (
-            f"You get this result if you add X′ to the speed of {_called(names)} instead of subtracting it. "
-            "In which direction does the block move when X grows?",
+            _(
+                "You get this result if you add X′ to the velocity of {bodies} instead of subtracting it. In which "
+                "direction does the block move when X grows?"
+            ).format(bodies=_called(names)),
             _moved(names, X, -X),
         )
     for names in (*((name,) for name in RIDERS), LOWER_ROLLERS, RIDERS):
         yield (
-            f"You get this result if you take the speed of {_called(names)} relative to the block. "
-            "How does the block itself move?",
+            _(
+                "You get this result if you take the velocity of {bodies} relative to the block. How does the block "
+                "itself move?"
+            ).format(bodies=_called(names)),
             _moved(names, X, sp.S.Zero),
         )
 
 
 def _wrong_travel() -> Iterator[tuple[str, Machine]]:
-    # Where the slab is, the centres of its rollers are not: the two displacements are exchanged.
+    # The displacements of the slab and of the centres of its rollers are confused.
     yield (
-        "You get this result if the slab moves only as far as the centres of its rollers. "
-        "How fast does the top of a rolling body move?",
+        _(
+            "You get this result if the slab moves only as far as the centres of its rollers. How fast does the top of "
+            "a rolling body move?"
+        ),
         _altered(("slab",), lambda body: replace(body, displacement=_right()["hoop"].displacement)),
     )
     for names in (*((name,) for name in LOWER_ROLLERS), LOWER_ROLLERS):
         yield (
-            f"You get this result if you give {_called(names)} the displacement of the slab. "
-            "How far does the centre of a roller move when its top moves by 2Rφ?",
+            _(
+                "You get this result if you give {bodies} the displacement of the slab. How far does the centre of a "
+                "roller move when its top moves by 2Rφ?"
+            ).format(bodies=_called(names)),
             _altered(names, lambda body: replace(body, displacement=_right()["slab"].displacement)),
         )
     for name, own, other, wrong in (
@@ -288,8 +311,10 @@ def _wrong_travel() -> Iterator[tuple[str, Machine]]:
         ("top", Phi, phi, "φ"),
     ):
         yield (
-            f"You get this result if you use the angle {wrong} for {CALLED[name]}. "
-            f"Which angle describes the motion of {CALLED[name]}?",
+            _(
+                "You get this result if you use the angle {angle} for {body}. Which angle describes the motion of "
+                "{body}?"
+            ).format(angle=wrong, body=CALLED[name]),
             _altered(
                 (name,),
                 lambda body, own=own, other=other: replace(
@@ -302,7 +327,9 @@ def _wrong_travel() -> Iterator[tuple[str, Machine]]:
 def _left_out() -> Iterator[tuple[str, Machine]]:
     for name in CALLED:
         yield (
-            f"You get this result if you leave out {CALLED[name]}. Which bodies have a kinetic energy?",
+            _("You get this result if you leave out {body}. Which bodies have kinetic energy?").format(
+                body=CALLED[name]
+            ),
             _altered((name,), lambda body: replace(body, mass=sp.S.Zero)),
         )
 

@@ -1,4 +1,4 @@
-r"""Newton: cut the machine into its five bodies and write down every horizontal force between them.
+r"""Newton: draw the five bodies apart and write down every horizontal force between them.
 
     on a lower roller                    on slab and block                       on the top cylinder
 
@@ -16,7 +16,7 @@ Thirteen equations for thirteen unknowns: five accelerations, three angular acce
     force     mass·a = Σ contact forces + spring        (positive to the right)           5
     torque    I·α    = Σ ±R·contact force               (positive clockwise)              3
 
-Weights and normal forces are vertical and act along lines through the axes, so they appear in none of these.
+Weights and normal forces are vertical, and their lines of action pass through the axes: they appear in no equation.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ import sympy as sp
 
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import Body, Machine, Omega_squared, R, k, machine, phi, t
+from ramanujan.words import _
 
 TOP, BOTTOM = 1, -1
 
@@ -37,7 +38,7 @@ def _in_time(name: str) -> sp.Expr:
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a roller touches another body, and the friction there.
+    """A contact of a roller with another body, and the friction force there.
 
     Parameters
     ----------
@@ -68,7 +69,7 @@ CONTACTS = (
 
 @dataclass(frozen=True)
 class FreeBodies:
-    """The thirteen equations in three groups, and their solution: each unknown by the rollers' angle φ."""
+    """The thirteen equations in three groups, and their solution: each unknown in terms of the angle φ."""
 
     rollers: tuple[Body, ...]
     forces: tuple[sp.Eq, ...]
@@ -136,51 +137,66 @@ def build() -> Route:
     steps = (
         Step(
             "rolling",
-            "Let nothing slip",
-            "No contact slips: where two bodies touch, their velocities are equal, and so are their accelerations "
-            "along the surface. A roller whose centre has the acceleration $a$ has $a+R\\alpha$ at its top and "
-            "$a-R\\alpha$ at its bottom. Its angular acceleration $\\alpha$ is the second derivative of its angle.",
+            _("Write down the rolling conditions"),
+            _(
+                "No contact slips: where two bodies touch, their velocities are equal at every moment, and so are "
+                "their accelerations along the surface. A roller whose centre has the acceleration $a$ has "
+                "$a+R\\alpha$ at its top and $a-R\\alpha$ at its bottom. Its angular acceleration $\\alpha$ is the "
+                "second derivative of its angle."
+            ),
             (*cut.rolling, *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers)),
         ),
         Step(
             "forces",
-            "Balance the forces on each body",
-            "Take the horizontal forces on each body, positive to the right. On a roller the slab acts with the "
-            "friction $S$ and the block with the friction $F$; the opposite forces act on slab and block. When the "
-            "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
-            "compresses the spring, which pushes the two apart.",
+            _("Apply Newton’s second law to each body"),
+            _(
+                "Count horizontal forces positive to the right. The slab exerts the friction force $S$ on a roller, "
+                "the block exerts $F$. By Newton’s third law the opposite forces act on slab and block. When the "
+                "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
+                "compresses the spring, which pushes the two apart."
+            ),
             cut.forces,
         ),
         Step(
             "torques",
-            "Balance the torques on each roller",
-            "Torques count clockwise. A force to the right turns a roller clockwise at its top and anticlockwise at "
-            "its bottom. Weights and normal forces act along lines through its axis, so they have no torque.",
+            _("Apply the law of torques to each roller"),
+            _(
+                "Count torques about a roller’s axis positive clockwise. A force to the right at its top turns it "
+                "clockwise, at its bottom anticlockwise. Weights and normal forces act along lines through the axis, "
+                "so they have no torque."
+            ),
             cut.torques,
         ),
         Step(
             "solution",
-            "Solve thirteen equations for thirteen unknowns",
-            "Five balances of forces, three of torques and five rolling conditions are linear in five accelerations, "
-            "three angular accelerations and five forces. Every acceleration comes out proportional to $\\varphi$.",
+            _("Solve thirteen equations for thirteen unknowns"),
+            _(
+                "There are five equations for forces, three for torques and five rolling conditions. They are linear "
+                "in the unknowns: five accelerations, three angular accelerations and five friction forces. Every "
+                "acceleration is proportional to $\\varphi$, because only the spring drives the machine."
+            ),
             tuple(equation(unknown, value) for unknown, value in motion.items()),
         ),
         Step(
             "contact",
-            "Look at the friction",
-            "Each contact force is proportional to $\\ddot\\varphi$, so all five are largest at the turning points "
-            "of $\\varphi$.",
+            _("Look at the friction forces"),
+            _(
+                "Each friction force is proportional to $\\ddot\\varphi$. So all five are largest at the turning "
+                "points of $\\varphi$."
+            ),
             tuple(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
         ),
         Step(
             "frequency",
-            "Read off the frequency",
-            "The angular acceleration of the hoop is $\\ddot\\varphi$, so its equation is that of one oscillator, "
-            "$\\ddot\\varphi+\\Omega^2\\varphi=0$.",
+            _("Read off the frequency"),
+            _(
+                "The angular acceleration of the hoop is $\\ddot\\varphi$. Its solution is the equation of a harmonic "
+                "oscillator, $\\ddot\\varphi+\\Omega^2\\varphi=0$."
+            ),
             (equation(phi.diff(t, 2), cut.solution[roller]), equation(Omega_squared, frequency)),
         ),
     )
-    return Route("newton", "Newton", steps, frequency, CELLS)
+    return Route("newton", _("Newton"), steps, frequency, CELLS)
 
 
 def _force_balance(body: Body, bodies: Machine) -> sp.Eq:
@@ -250,4 +266,4 @@ assert sp.simplify(solution[alpha["hoop"]] - solution[alpha["cylinder"]]) == 0
 Omega_squared = sp.factor(-solution[alpha["hoop"]] / phi)
 Omega_squared""",
 }
-"""The notebook to take home: step key → plain SymPy that works the step out again."""
+"""The notebook: step key → plain SymPy that repeats the step."""

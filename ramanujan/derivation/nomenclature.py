@@ -1,4 +1,4 @@
-"""What each symbol means, in which unit, and which way it counts: the list that goes with every route."""
+"""The list of symbols of a route: what each one means, its unit, and its positive direction."""
 
 from __future__ import annotations
 
@@ -26,15 +26,16 @@ from ramanujan.derivation.symbols import (
     m_prime,
     phi,
 )
+from ramanujan.words import _
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A symbol, or a letter with the name of a body as its subscript, and what it means.
+    """A symbol, or a letter whose subscript is the name of a body, and its meaning.
 
     Parameters
     ----------
-    symbol : as it occurs in equations; of a letter with a subscript, one of them
+    symbol : as in the equations; for a letter with a body as its subscript, one such symbol
     meaning : a phrase, Markdown with $…$
     """
 
@@ -43,57 +44,65 @@ class Entry:
 
     @property
     def latex(self) -> str:
-        """The symbol as LaTeX, the name of a body written as $\\mathrm{body}$."""
+        """The symbol as LaTeX, the name of a body written as the word “body”."""
         return latex(self.symbol)
 
 
 _MACHINE = (
-    Entry(X, "displacement of the block relative to the ground, positive to the left [m]"),
-    Entry(phi, "angle of the hoop and of the lower cylinder, positive clockwise [rad]"),
-    Entry(Phi, "angle of the top cylinder, positive clockwise [rad]"),
-    Entry(m, "mass of the block, of the slab and of the top cylinder [kg]"),
-    Entry(m_prime, "mass of the hoop, and mass of the lower cylinder [kg]"),
-    Entry(k, "stiffness of the spring [N/m]"),
-    Entry(R, "radius of the three rolling bodies [m]"),
+    Entry(X, _("displacement of the block relative to the ground, positive to the left [m]")),
+    Entry(phi, _("angle of the hoop and of the lower cylinder, positive clockwise [rad]")),
+    Entry(Phi, _("angle of the top cylinder, positive clockwise [rad]")),
+    Entry(m, _("mass of the block, of the slab and of the top cylinder [kg]")),
+    Entry(m_prime, _("mass of the hoop, and mass of the lower cylinder [kg]")),
+    Entry(k, _("stiffness of the spring [N/m]")),
+    Entry(R, _("radius of the three rolling bodies [m]")),
 )
-"""What every route speaks of."""
+"""The symbols of every route."""
 
 _OTHERS = (
-    Entry(sp.Symbol("v_body"), "velocity of the centre of a body relative to the ground, positive to the right [m/s]"),
-    Entry(sp.Symbol("a_body"), "acceleration of the centre of a body, positive to the right [m/s²]"),
-    Entry(sp.Symbol("alpha_body"), "angular acceleration of a rolling body, positive clockwise [rad/s²]"),
-    Entry(sp.Symbol("S_body"), "friction force of the slab on a roller, positive to the right [N]"),
-    Entry(sp.Symbol("F_body"), "friction force of the block on a roller, positive to the right [N]"),
-    Entry(sp.Symbol("T_body"), "kinetic energy of a body [J]"),
-    Entry(sp.Symbol("T"), "kinetic energy of the machine [J]"),
-    Entry(sp.Symbol("U"), "potential energy of the spring [J]"),
-    Entry(sp.Symbol("L"), "Lagrangian $T-U$ [J]"),
-    Entry(sp.Symbol("H"), "Hamiltonian, the energy in terms of coordinates and momenta [J]"),
-    Entry(sp.Symbol("H_0"), "the part of the Hamiltonian that stays constant [J]"),
+    Entry(
+        sp.Symbol("v_body"), _("velocity of the centre of a body relative to the ground, positive to the right [m/s]")
+    ),
+    Entry(sp.Symbol("a_body"), _("acceleration of the centre of a body, positive to the right [m/s²]")),
+    Entry(sp.Symbol("alpha_body"), _("angular acceleration of a rolling body, positive clockwise [rad/s²]")),
+    Entry(sp.Symbol("S_body"), _("friction force that the slab exerts on a roller, positive to the right [N]")),
+    Entry(sp.Symbol("F_body"), _("friction force that the block exerts on a roller, positive to the right [N]")),
+    Entry(sp.Symbol("T_body"), _("kinetic energy of a body [J]")),
+    Entry(sp.Symbol("T"), _("kinetic energy of the machine [J]")),
+    Entry(sp.Symbol("U"), _("potential energy of the spring [J]")),
+    Entry(sp.Symbol("L"), _("Lagrangian $T-U$ [J]")),
+    Entry(sp.Symbol("H"), _("Hamiltonian, the energy in terms of coordinates and momenta [J]")),
+    Entry(sp.Symbol("H_0"), _("constant part of the Hamiltonian [J]")),
     *(
-        Entry(p, f"momentum that belongs to ${latex(q)}$ [{unit}]")
+        Entry(p, _("canonical momentum of {coordinate} [{unit}]").format(coordinate=f"${latex(q)}$", unit=unit))
         for p, q, unit in zip(MOMENTA, (X, phi, Phi), ("kg·m/s", "kg·m²/s", "kg·m²/s"), strict=True)
     ),
-    Entry(Omega_squared, "square of the natural angular frequency [rad²/s²]"),
-    Entry(Omega_clamped_squared, "the same for the machine whose block and top cylinder are held [rad²/s²]"),
-    Entry(epsilon, "mass ratio $m'/m$"),
-    Entry(epsilon_star, "mass ratio at which $\\Omega^2=k/m$"),
-    Entry(M_e, "effective mass for the path $R\\varphi$ [kg]"),
-    Entry(M_x, "effective mass for the deformation $2R\\varphi$ of the spring [kg]"),
-    Entry(sp.Symbol("M_clamped"), "effective mass for $R\\varphi$ while block and top cylinder are held [kg]"),
-    Entry(sp.Symbol("xi"), "share of the block, $\\dot X/(R\\dot\\varphi)$"),
-    Entry(sp.Symbol("eta"), "share of the top cylinder, $\\dot\\Phi/\\dot\\varphi$"),
-    Entry(sp.Symbol("M"), "mass matrix, in the order $X$, $\\varphi$, $\\Phi$"),
-    Entry(sp.Symbol("K"), "stiffness matrix, in the same order"),
-    Entry(sp.Symbol("Lambda"), "eigenvalue of $K$ relative to $M$, a squared angular frequency [rad²/s²]"),
-    Entry(sp.Symbol("v"), "mode shape: how far $X$, $\\varphi$ and $\\Phi$ move together"),
+    Entry(Omega_squared, _("square of the natural angular frequency [rad²/s²]")),
+    Entry(
+        Omega_clamped_squared,
+        _("square of the natural angular frequency while block and top cylinder are held still [rad²/s²]"),
+    ),
+    Entry(epsilon, _("mass ratio $m'/m$: a lower roller’s mass divided by the mass of each other body")),
+    Entry(epsilon_star, _("mass ratio at which $\\Omega^2=k/m$")),
+    Entry(M_e, _("effective mass for the displacement $R\\varphi$ of the lower rollers [kg]")),
+    Entry(M_x, _("effective mass for the deformation $2R\\varphi$ of the spring [kg]")),
+    Entry(sp.Symbol("M_clamped"), _("effective mass for $R\\varphi$ while block and top cylinder are held still [kg]")),
+    Entry(sp.Symbol("xi"), _("motion of the block relative to that of the lower rollers, $\\dot X/(R\\dot\\varphi)$")),
+    Entry(
+        sp.Symbol("eta"),
+        _("rotation of the top cylinder relative to that of the lower rollers, $\\dot\\Phi/\\dot\\varphi$"),
+    ),
+    Entry(sp.Symbol("M"), _("mass matrix, in the order $X$, $\\varphi$, $\\Phi$")),
+    Entry(sp.Symbol("K"), _("stiffness matrix, in the order $X$, $\\varphi$, $\\Phi$")),
+    Entry(sp.Symbol("Lambda"), _("eigenvalue of $K$ relative to $M$, a squared angular frequency [rad²/s²]")),
+    Entry(sp.Symbol("v"), _("mode shape: the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion")),
 )
 
-DOTS = "A dot is a derivative with respect to time."
+DOTS = _("A dot denotes the derivative with respect to time.")
 
 
 def nomenclature(route: Route) -> tuple[Entry, ...]:
-    """Return the symbols of a route in a fixed order: those of the machine, then the others that its steps contain.
+    """Return the symbols of a route: those of the machine, then the others that occur in its steps.
 
     >>> from ramanujan.derivation import ROUTES
     >>> [entry.latex for entry in nomenclature(ROUTES["energy"])][:4]
@@ -112,9 +121,9 @@ def _names(equations: Iterable[tuple[sp.Eq, ...]]) -> Iterable[str]:
 
 
 def _name(atom: sp.Basic) -> str:
-    """Return a symbol's name, in which the names of all bodies become one word, and the three roots Λ one letter."""
+    """Return a symbol's name, with every body's name replaced by the word body, and the three roots Λ by one letter."""
     name = atom.func.__name__ if isinstance(atom, AppliedUndef) else atom.name
-    letter, _, subscript = name.partition("_")
+    letter, _bar, subscript = name.partition("_")
     if subscript in ("block", "hoop", "cylinder", "slab", "top"):
         return f"{letter}_body"
     return letter if subscript.isdigit() and letter == "Lambda" else name

@@ -3,8 +3,8 @@
     Σ_S N_S √(∏S) / D,     N_S and D polynomials with integer coefficients in m, m′, k, R and the motion
 
 Each S is a set of radicands, pairwise coprime and none of them a square, so that their roots are independent: two
-formulas are equal exactly if their normal forms are. ε is written as m′/m. Nothing is sampled and nothing simplified;
-each multiplication is counted before it is done, so that the time for any formula is bounded.
+formulas are equal exactly if their normal forms are. ε is written as m′/m. Nothing is sampled or simplified. Each
+multiplication is counted before it is carried out, so that the time for any formula is bounded.
 """
 
 from __future__ import annotations
@@ -261,7 +261,7 @@ class _Expansion:
                     power = self.root(power)
                 power = reduce(self.product, [power] * abs(exponent.numerator), constant(Fraction(1)))
                 return self.inverse(power) if exponent < 0 else power
-        raise TypeError(f"expression is no formula: {expression!r}")
+        raise TypeError(f"expression is not a formula: {expression!r}")
 
     def sum(self, left: NormalForm, right: NormalForm) -> NormalForm:
         if left.is_zero or right.is_zero:

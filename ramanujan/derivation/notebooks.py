@@ -1,8 +1,8 @@
 """The code that all notebooks share: plain SymPy that starts from the bodies.
 
-Nothing here is run by the app, and no result is written down. Each notebook opens with `BODIES`, goes through the cells
-of its route, and closes with `CHECK`, which compares its Ω² with the root of det(K − ΛM) = 0. With the numbers of a
-machine it then asks how far that machine is from Ω² = k/m (`DISTANCE`), and ends in its `FREQUENCY`.
+The app does not run this code, and it contains no result. Each notebook begins with `BODIES` and goes through the cells
+of its route. `CHECK` then compares its Ω² with the root of det(K − ΛM) = 0. With the numbers of a machine it also
+computes how far that machine is from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
 q = (X, phi, Phi)
 q_dot = tuple(x.diff(t) for x in q)
 
-# Displacements relative to the ground, positive to the right; X is counted to the left, the angles clockwise.
+# Displacements relative to the ground are positive to the right, X is positive to the left, angles are clockwise.
 x_block = -X
 x_roller = x_block + R * phi
 x_slab = x_roller + R * phi

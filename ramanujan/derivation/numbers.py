@@ -1,7 +1,7 @@
-"""The present masses as exact numbers, so that a derivation can be read with them.
+"""The present masses as exact numbers, for a derivation with numbers.
 
-A float stands for the decimal that a person sees: 0.1 is 1/10. One value has no decimal: where m′ is the float nearest
-to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. Whether Ω² is k/m then is worked out, not assumed.
+A float is read as the decimal that a person sees: 0.1 is 1/10. There is one exception: if m′ is the float nearest to
+ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from ramanujan.derivation.euler_lagrange import UnitCondition, unit_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime
+from ramanujan.words import _
 
 
 def exact_values(mass: float, roller_mass: float, stiffness: float) -> dict[sp.Symbol, sp.Expr]:
@@ -42,7 +43,7 @@ def exact_values(mass: float, roller_mass: float, stiffness: float) -> dict[sp.S
 def stands_for_the_root(mass: float, roller_mass: float) -> bool:
     """Tell whether m′ is the float nearest to ε*m, or the product of m and the float nearest to ε*.
 
-    These two floats are one or two units in the last place apart at most. It counts, too, if m was set to m′/ε*.
+    These two floats differ by at most two units in the last place. The answer is also yes if m is m′/ε*, rounded.
 
     Parameters
     ----------
@@ -59,28 +60,30 @@ def stands_for_the_root(mass: float, roller_mass: float) -> bool:
 
 @cache
 def _root() -> Fraction:
-    """Return ε* to fifty digits, so that no float, and no point halfway between two, lies between it and ε*."""
+    """Return ε* to fifty digits: no float, and no midpoint of two floats, lies between that number and ε*."""
     return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
 
 
 def stated(values: Mapping[sp.Symbol, sp.Expr]) -> str:
-    """Return the sentence that says for which masses and stiffness a derivation has its numbers; Markdown with $…$.
+    """Return the sentence that names the masses and the stiffness of a derivation with numbers; Markdown with $…$.
 
     >>> print(stated(exact_values(1.85, 0.86, 33.5)))
     The numbers are for $m=1.85\\,\\mathrm{kg}$, $m'=0.86\\,\\mathrm{kg}$ and $k=33.5\\,\\mathrm{N/m}$, in SI units.
     """
     mass, roller_mass, stiffness = (_short(values[symbol]) for symbol in (m, m_prime, k))
-    sentence = (
-        rf"The numbers are for $m={mass}\,\mathrm{{kg}}$, $m'={roller_mass}\,\mathrm{{kg}}$ and "
-        rf"$k={stiffness}\,\mathrm{{N/m}}$, in SI units."
+    sentence = _("The numbers are for {mass}, {roller_mass} and {stiffness}, in SI units.").format(
+        mass=rf"$m={mass}\,\mathrm{{kg}}$",
+        roller_mass=rf"$m'={roller_mass}\,\mathrm{{kg}}$",
+        stiffness=rf"$k={stiffness}\,\mathrm{{N/m}}$",
     )
     if values[m_prime].is_Rational:
         return sentence
-    return sentence + " The $m'$ that was set is the floating-point number nearest to this one."
+    nearest = _("The computer stores $m'$ as the floating-point number nearest to this value.")
+    return f"{sentence} {nearest}"
 
 
 def _short(value: sp.Expr) -> str:
-    """Return a number as LaTeX, as a decimal if it ends after a few places."""
+    """Return a number as LaTeX, as a decimal if that has only a few places."""
     if value.is_Rational and value.q > 1 and 10**15 % value.q == 0:
         return f"{Decimal(value.p) / Decimal(value.q):f}"
     return latex(value)

@@ -5,8 +5,7 @@
     factor   = { + | − } primary [ ^ exponent ]
     primary  = number | name | √ primary | ( sum )
 
-The text is only ever compared with this grammar; nothing in it is executed or looked up anywhere else. What an
-expression means, and whether it is right, is decided in other files.
+The text is only compared with this grammar. Nothing in it is executed or passed to SymPy's own parser.
 """
 
 from __future__ import annotations
@@ -18,13 +17,15 @@ from fractions import Fraction
 from math import prod
 
 from ramanujan.derivation.expressions import NAMES, Expression, Name, Number, Power, Product, Sum, weight
+from ramanujan.numerals import FROM_SUPERSCRIPTS
+from ramanujan.words import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_DIGITS, MAX_EXPONENT, MAX_WEIGHT = 300, 20, 20, 12, 120
 """Limits on characters, nested brackets, digits of a number, |exponent| and `weight`: they bound all later work."""
 
 
 class UnreadableError(ValueError):
-    """The text is no formula of the grammar; the message is one sentence for the student."""
+    """The text is not a formula of the grammar; the message tells the student why."""
 
 
 def parse(text: str) -> Expression:
@@ -36,22 +37,22 @@ def parse(text: str) -> Expression:
 
     Raises
     ------
-    UnreadableError : the text is no such formula, is ambiguous or exceeds a limit; the message says which.
+    UnreadableError : the text is not such a formula, is ambiguous, or exceeds a limit; the message says which.
     """
     if not isinstance(text, str):
-        raise UnreadableError("Type your answer as text.")
+        raise UnreadableError(_("Type your answer as text."))
     if len(text) > MAX_LENGTH:
-        raise UnreadableError(f"That is too long. Use at most {MAX_LENGTH} characters.")
+        raise UnreadableError(_("The formula is too long. Use at most {most} characters.").format(most=MAX_LENGTH))
     plain = _plain(text)
     if "=" in plain or "≈" in plain:
-        raise UnreadableError("Type only what comes to the right of the equals sign, without the equals sign.")
+        raise UnreadableError(_("Type only the right side of the equation, without the equals sign."))
     tokens = list(_tokens(plain))
     if not tokens:
-        raise UnreadableError("Type a formula first.")
+        raise UnreadableError(_("Type a formula first."))
     reader = _Reader(tokens)
     expression = reader.sum()
     if reader.next is not None:
-        raise UnreadableError("A bracket is closed that was never opened.")
+        raise UnreadableError(_("There is a closing bracket without an opening bracket."))
     return expression
 
 
@@ -71,7 +72,6 @@ _SPELLINGS = str.maketrans(
         "√": "sqrt",
     }
 )
-_SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _DOT = re.compile("(?<=[XφϕΦ])\u0307")
 _LEIBNIZ = re.compile(r"\bd ?(X|phi|Phi) ?/ ?dt\b")
 _TOKEN = re.compile(
@@ -92,7 +92,7 @@ def _plain(text: str) -> str:
     """Return the text in ASCII spelling, except for the fractions that are one character."""
     # Decomposed, the Ẋ of a textbook is X and a dot above; composed again, nothing else is changed by this.
     text = _DOT.sub("'", unicodedata.normalize("NFD", text))
-    text = re.sub("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"^({found[0].translate(_SUPERSCRIPTS)})", text)
+    text = re.sub("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"^({found[0].translate(FROM_SUPERSCRIPTS)})", text)
     return _LEIBNIZ.sub(r"\1'", text.translate(_SPELLINGS).replace("**", "^"))
 
 
@@ -122,22 +122,22 @@ def _tokens(text: str) -> Iterator[tuple[str | Number, bool]]:
 
 def _strange(character: str) -> str:
     if character in "Ωω":
-        return "Type only what comes to the right of the equals sign: a formula without Ω."
+        return _("Type only the right side of the equation: a formula without Ω.")
     if character in "<>":
-        return "Type only a formula, without a sign of comparison."
+        return _("Type a formula, not a comparison.")
     if character == ",":
-        return "Write decimals with a point, and no comma."
+        return _("Write decimals with a point, not with a comma.")
     # The Unicode name has only capitals, digits and hyphens: safe to show wherever the character itself is not.
     name = unicodedata.name(character, "")
     if not name:
-        return "One character does not belong in a formula."
-    return f"This character does not belong in a formula: {name.lower()}."
+        return _("One character does not belong in a formula.")
+    return _("This character does not belong in a formula: {name}.").format(name=name.lower())
 
 
 def _number(digits: str) -> Number:
     whole, point, decimals = digits.partition(".")
     if len(whole) + len(decimals) > MAX_DIGITS:
-        raise UnreadableError(f"A number may have at most {MAX_DIGITS} digits.")
+        raise UnreadableError(_("A number may have at most {most} digits.").format(most=MAX_DIGITS))
     return Number(Fraction(digits), len(decimals) if point else None)
 
 
@@ -148,7 +148,8 @@ def _names(word: str) -> list[str]:
         found = _NAME.match(word, position)
         if found is None:
             shown = re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS]
-            raise UnreadableError(f"The name “{shown}” is not known here. You may use {', '.join(NAMES)} and sqrt( ).")
+            unknown = _("“{name}” is not known here. You may use {names} and sqrt( ).")
+            raise UnreadableError(unknown.format(name=shown, names=", ".join(NAMES)))
         names.append(_ALIASES.get(found[0], found[0]))
         position = found.end()
     return names
@@ -201,7 +202,10 @@ class _Reader:
             elif self._starts_a_factor():
                 if not reach_is_clear:
                     raise UnreadableError(
-                        "How far does the denominator reach? Put it in brackets, or write a * after it."
+                        _(
+                            "Where does the denominator end? Put it in brackets, or write a multiplication sign after "
+                            "it."
+                        )
                     )
                 factors.append(self.factor())
             else:
@@ -220,14 +224,15 @@ class _Reader:
     def exponent(self) -> Fraction:
         exponent = _constant(self._nested(self.factor))
         if exponent is None or abs(exponent) > MAX_EXPONENT or exponent.denominator > 2:
-            raise UnreadableError(f"An exponent has to be a whole number up to {MAX_EXPONENT}, or half of one.")
+            limits = _("An exponent must be an integer or half an integer, from −{most} to {most}.")
+            raise UnreadableError(limits.format(most=MAX_EXPONENT))
         return exponent
 
     def primary(self) -> Expression:
         token = self.take()
         if isinstance(token, Number):
             if isinstance(self.next, Number):
-                raise UnreadableError("There are two numbers side by side. Put a sign between them.")
+                raise UnreadableError(_("Two numbers follow each other. Write a sign between them."))
             return token
         if token == "sqrt":
             return self.root()
@@ -235,31 +240,32 @@ class _Reader:
             return self.bracket()
         if token in NAMES:
             if isinstance(self.next, Number):
-                raise UnreadableError("A number comes right after a name. Put it in front, or write ^ for a power.")
+                raise UnreadableError(_("A number follows a name. Put it in front, or write ^ for a power."))
             return Name(token)
         if token is None:
-            raise UnreadableError("The formula stops too early. Something is missing at its end.")
-        raise UnreadableError("Something is missing between two signs or brackets.")
+            raise UnreadableError(_("The formula is not complete: something is missing at its end."))
+        raise UnreadableError(_("Something is missing between two signs or brackets."))
 
     def root(self) -> Expression:
         bracketed = self.next == "("
         root = _power(self._nested(self.primary), Fraction(1, 2))
         if not bracketed and not self.spaced and self._starts_a_factor():
-            raise UnreadableError("How far does the root reach? Put what is under it in brackets.")
+            raise UnreadableError(_("Where does the root end? Put what is under it in brackets."))
         return root
 
     def bracket(self) -> Expression:
         inside = self._nested(self.sum)
         if self.take() != ")":
-            raise UnreadableError("A bracket is opened but not closed.")
+            raise UnreadableError(_("There is an opening bracket without a closing bracket."))
         if isinstance(self.next, Number):
-            raise UnreadableError("A number comes right after a bracket. Put it in front, or write ^ for a power.")
+            raise UnreadableError(_("A number follows a bracket. Put it in front, or write ^ for a power."))
         return inside
 
     def _nested(self, read: Callable[[], Expression]) -> Expression:
         self._depth += 1
         if self._depth > MAX_DEPTH:
-            raise UnreadableError(f"Brackets, roots and exponents may be nested at most {MAX_DEPTH} deep.")
+            levels = _("Brackets, roots and exponents may be nested at most {most} levels deep.")
+            raise UnreadableError(levels.format(most=MAX_DEPTH))
         inside = read()
         self._depth -= 1
         return inside
@@ -281,7 +287,7 @@ def _power(base: Expression, exponent: Fraction) -> Expression:
 def _is_fraction(factors: list[Expression]) -> bool:
     """Tell whether the last factors are a number over a number: 1/2 m is a half of m, but k/2m may be two things."""
     match factors:
-        case [*_, Number(), Power(Number(), _)]:
+        case [*_others, Number(), Power(Number(), _exponent)]:
             return True
     return False
 
@@ -303,5 +309,5 @@ def _constant(expression: Expression) -> Fraction | None:
 
 def _bounded(expression: Expression) -> Expression:
     if weight(expression) > MAX_WEIGHT:
-        raise UnreadableError("That is too large to check here. Write it shorter or with smaller exponents.")
+        raise UnreadableError(_("This is too large to check here. Write it shorter or with smaller exponents."))
     return expression

@@ -28,7 +28,7 @@ _NAMES = {
     m_prime: "m'",
     epsilon_star: r"\varepsilon_{*}",
     Omega_squared: r"\Omega^{2}",
-    Omega_clamped_squared: r"\Omega_{\mathrm{clamped}}^{2}",
+    Omega_clamped_squared: r"\Omega_{\text{clamped}}^{2}",
     normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
     sp.Symbol("L"): r"\mathcal{L}",
     sp.Symbol("H"): r"\mathcal{H}",
@@ -43,7 +43,7 @@ _PLAIN = {
 
 
 class LatexPrinter(VectorLatexPrinter):
-    """SymPy's printer for mechanics, with words as subscripts set upright, and chosen names in a colour."""
+    """SymPy's printer for mechanics, with words as subscripts set as text, and chosen names in a colour."""
 
     def __init__(self, highlight: Mapping[sp.Basic, str]) -> None:
         super().__init__({"symbol_names": _NAMES, "mul_symbol": r"\,"})
@@ -80,7 +80,7 @@ class LatexPrinter(VectorLatexPrinter):
         letter, _, word = expr.name.partition("_")
         is_word = len(word) > 2 and translate(word) == word
         if is_word and expr not in self._settings["symbol_names"]:
-            return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\mathrm{{{word}}}}}"
+            return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\text{{{word}}}}}"
         return super()._print_Symbol(expr, style)
 
 

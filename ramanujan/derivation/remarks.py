@@ -1,7 +1,7 @@
-"""Marginal notes to the paper: what its last section means, and the few places where a line of it slips.
+"""Remarks on the paper: the few lines that contain a slip, and what they should say. Its main result is right.
 
-Its main result is right. Each remark carries a check, worked out from the bodies by SymPy: it is true when the printed
-line is off and the corrected one holds. Lives here too: the momenta that the two zero-frequency modes conserve.
+Each remark carries a check that SymPy computes from the bodies: it is true when the printed line is wrong and the
+corrected one holds. `conserved_momenta` returns the momenta that belong to the two zero modes.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, Machine, Omega_squared, X, k, m, machine, phi, t
+from ramanujan.words import _
 
 
 @dataclass(frozen=True)
@@ -27,9 +28,9 @@ class Remark:
     Parameters
     ----------
     where : the place in the paper
-    printed, correct : the line as it stands and as it should stand, Markdown with $…$
-    note : why, in one or two sentences
-    check : computes whether the printed line is off and the corrected one holds
+    printed, correct : the line as printed and as it should be, Markdown with $…$
+    note : the reason, in one or two sentences
+    check : computes whether the printed line is wrong and the corrected one holds
     """
 
     where: str
@@ -47,7 +48,7 @@ def conserved_momenta(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
     """Return p_q = ∂ℒ/∂q̇ for each coordinate q that ℒ does not contain.
 
     Shifting such a coordinate costs no energy: it is the direction of a zero-frequency mode, and by Noether's theorem
-    its momentum stays as it is. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
+    its momentum is conserved. Keys are X (the whole machine glides) and Φ (the top cylinder rolls freely).
     """
     lagrangian = (bodies or machine()).lagrangian
     return {q: lagrangian.diff(q.diff(t)) for q in COORDINATES if lagrangian.diff(q) == 0}
@@ -72,10 +73,10 @@ def _taxicab() -> Remark:
     n, ways = counterexample
     shown = "=".join([str(n), *("+".join(_cube(a) for a in sorted(way, reverse=True)) for way in ways)])
     return Remark(
-        "Introduction",
-        "“the smallest number representable in two ways as a sum of two cubes”",
-        "the smallest number that is a sum of two *positive* cubes in two ways",
-        f"Were negative cubes allowed, a smaller number would do: ${shown}$.",
+        _("Introduction"),
+        _("“the smallest number representable in two ways as a sum of two cubes”"),
+        _("the smallest number that is a sum of two *positive* cubes in two ways"),
+        _("If negative cubes are allowed, there is a smaller one: {number}.").format(number=f"${shown}$"),
         lambda: taxicab[0] == 1729 and n < taxicab[0] and all(sum(a**3 for a in way) == n for way in ways),
     )
 
@@ -85,10 +86,10 @@ def _rounding(equal_masses: Elimination) -> Remark:
     printed, digits = sp.Rational("1.0506"), 4
     rounded = sp.floor(ratio * 10**digits + sp.Rational(1, 2)) / sp.Integer(10**digits)
     return Remark(
-        "Section 1, last equation",
+        _("Section 1, last equation"),
         f"${latex(ratio)}\\approx{float(printed):.{digits}f}$",
         f"${latex(ratio)}\\approx{float(rounded):.{digits}f}$",
-        "The last printed digit is one too high; nothing depends on it.",
+        _("The last printed digit is one too high. No other result depends on it."),
         lambda: abs(ratio - rounded) < abs(ratio - printed),
     )
 
@@ -98,10 +99,12 @@ def _coefficients(result: Elimination) -> Remark:
     printed = result.Phi_from_phi / phi_ddot
     left = sp.Symbol("c_1") / sp.Symbol("c_2")
     return Remark(
-        "Section 3, the constants $c_1$ and $c_2$",
-        "$c_2$ is identified from the relation between $\\ddot\\Phi$ and $\\ddot\\varphi$",
-        f"${latex(equation('c_2', c_2))}$, and that relation has ${latex(equation(left, printed))}$",
-        "With $\\ddot X=c_2\\ddot\\Phi$ the constant comes from the equation of motion of the top cylinder.",
+        _("Section 3, the constants $c_1$ and $c_2$"),
+        _("$c_2$ is identified from the relation between $\\ddot\\Phi$ and $\\ddot\\varphi$"),
+        _("{constant}; the coefficient in that relation is {ratio}").format(
+            constant=f"${latex(equation('c_2', c_2))}$", ratio=f"${latex(equation(left, printed))}$"
+        ),
+        _("With $\\ddot X=c_2\\ddot\\Phi$, the constant $c_2$ follows from the top cylinder’s equation of motion."),
         lambda: sp.simplify(printed - c_1 / c_2) == 0 and sp.simplify(printed - c_2) != 0,
     )
 
@@ -113,11 +116,13 @@ def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
     drifting = (X_0 + V * t + c_1 * oscillation, oscillation, Phi_0 + W * t + c_1 / c_2 * oscillation)
     general = sp.Symbol("X_0") + sp.Symbol("V") * t + sp.Symbol("c_1") * phi
     return Remark(
-        "Section 3, replacing $\\varphi$",
+        _("Section 3, replacing $\\varphi$"),
         "$\\varphi=X/c_1$",
         f"${latex(equation(X, general))}$",
-        "The accelerations are proportional, the coordinates only up to a steady drift; released at rest, the machine "
-        "has none, but $X$ then swings about a shifted middle.",
+        _(
+            "The accelerations are proportional. The coordinates may differ in addition by a constant and a steady "
+            "drift. After a release from rest there is no drift, but $X$ oscillates about a shifted centre."
+        ),
         lambda: _solves(spectrum, drifting) and sp.expand(drifting[0] - c_1 * drifting[1]) != 0,
     )
 
@@ -125,11 +130,12 @@ def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
 def _sign(spectrum: Modes) -> Remark:
     Omega2 = spectrum.natural_frequency_squared
     mode = tuple(share * _oscillation(spectrum) for share in spectrum.mode_shape)
+    likewise = _("{equation}, and likewise for $\\Phi$")
     return Remark(
-        "Section 3, the four equations",
-        f"${latex(equation(X_ddot, Omega_squared * X))}$, and likewise for $\\Phi$",
-        f"${latex(equation(X_ddot, -Omega_squared * X))}$, and likewise for $\\Phi$",
-        "A minus sign is missing in each; without it the motion would grow instead of swinging.",
+        _("Section 3, the four equations"),
+        likewise.format(equation=f"${latex(equation(X_ddot, Omega_squared * X))}$"),
+        likewise.format(equation=f"${latex(equation(X_ddot, -Omega_squared * X))}$"),
+        _("Each of them lacks a minus sign. Without it the motion would grow exponentially instead of oscillating."),
         lambda: (
             _solves(spectrum, mode)
             and all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 != sp.expand(q.diff(t, 2) - Omega2 * q) for q in mode)
@@ -138,15 +144,17 @@ def _sign(spectrum: Modes) -> Remark:
 
 
 def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
-    eigenvalues = sp.Tuple(*(root for root, count in spectrum.eigenvalues.items() for _ in range(count)))
+    eigenvalues = sp.Tuple(*(root for root, count in spectrum.eigenvalues.items() for _i in range(count)))
     names = sp.Tuple(*sp.symbols("Lambda_1:4"))
     shown = eigenvalues.xreplace({result.natural_frequency_squared: Omega_squared})
     return Remark(
-        "Section 3, last sentence",
-        "“all three modes have the same natural frequency”",
-        "all three *coordinates* share the frequency of the one oscillating mode; the squared frequencies of the three "
-        f"modes are ${latex(equation(names, shown))}$",
-        "The other two modes have frequency zero: the whole machine glides, or the top cylinder rolls freely.",
+        _("Section 3, last sentence"),
+        _("“all three modes have the same natural frequency”"),
+        _(
+            "all three *coordinates* share the frequency of the one oscillating mode; the squared frequencies of the "
+            "three modes are {values}"
+        ).format(values=f"${latex(equation(names, shown))}$"),
+        _("The other two modes have frequency zero: the whole machine glides, or the top cylinder rolls freely."),
         lambda: spectrum.eigenvalues == {sp.S.Zero: 2, result.natural_frequency_squared: 1},
     )
 

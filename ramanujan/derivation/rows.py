@@ -22,7 +22,7 @@ _UNITS = {
 }
 """The unit of a left side whose right side may become a number."""
 
-_COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|mathcal|d?dot)[a-zA-Z]+")
+_COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
 
 Highlight = tuple[tuple[sp.Basic, str], ...]

@@ -1,6 +1,6 @@
-"""Which terms belong to which part: what each body and the spring contribute to T and ℒ, and which symbols name them.
+"""What each body and the spring contribute to T and ℒ, and which symbols belong to each of these parts.
 
-What is derived comes from the routes; how it looks is decided by `printers` and the pages.
+The routes derive the energies; `printers` and the pages decide how they look.
 """
 
 from __future__ import annotations
@@ -10,16 +10,17 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.symbols import m, m_prime, machine
+from ramanujan.words import _
 
 PARTS = {
-    "block": "block",
-    "hoop": "hoop",
-    "cylinder": "lower cylinder",
-    "slab": "slab",
-    "spring": "spring",
-    "top": "top cylinder",
+    "block": _("block"),
+    "hoop": _("hoop"),
+    "cylinder": _("lower cylinder"),
+    "slab": _("slab"),
+    "spring": _("spring"),
+    "top": _("top cylinder"),
 }
-"""The five bodies and the spring, and what one calls them."""
+"""The five bodies and the spring: id → label."""
 
 _KINETIC, _POTENTIAL, _LAGRANGIAN = sp.symbols("T U L")
 

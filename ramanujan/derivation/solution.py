@@ -1,7 +1,7 @@
 """The motion in closed form: q(t) = a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, from any initial state.
 
-The shape of the solution is the spectrum: one oscillating mode (its shape from the elimination) and two zero modes,
-which let X and Φ drift. Its six constants are solved from the six initial values.
+The form follows from the spectrum: one oscillating mode, whose shape comes from the elimination, and two zero modes, in
+which X and Φ drift. The six initial values determine the six constants.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, X, machine, 
 Omega = sp.Symbol("Omega", positive=True)
 INITIAL = {q: sp.Symbol(name) for q, name in zip(COORDINATES, ("X", "phi", "Phi"), strict=True)}
 INITIAL_RATE = {q: sp.Symbol(f"{symbol.name}_dot") for q, symbol in INITIAL.items()}
-"""The initial values of the coordinates and of their rates."""
+"""The initial values of the coordinates and of their time derivatives."""
 
 
 @cache
 def mode_shape(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
-    """Return how far each coordinate swings for one radian of φ in the oscillating mode: κR, 1, λ.
+    """Return the amplitude of each coordinate for an amplitude of one radian in φ in the oscillating mode: κR, 1, λ.
 
     >>> mode_shape()[X]
     6*R*(m + m_prime)/(7*m + 6*m_prime)

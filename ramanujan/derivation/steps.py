@@ -1,6 +1,6 @@
-"""What a derivation is made of: steps with a heading, a reason and equations, and the route they form.
+"""The parts of a derivation: steps with a heading, a reason and equations, and the route that they form.
 
-An equation is always a SymPy object. Prose may name a symbol, never a result.
+An equation is always a SymPy object. Prose may name a symbol, but it never states a result.
 """
 
 from __future__ import annotations
@@ -13,19 +13,18 @@ import sympy as sp
 
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.substitution import put_in
-
-_OTHER_CASE = " Your masses are not, so the step stays in symbols."
+from ramanujan.words import _
 
 
 @dataclass(frozen=True)
 class Step:
-    """One move of a derivation.
+    """One step of a derivation.
 
     Parameters
     ----------
-    key : short name, unique in its route, by which a page or a test finds the step
+    key : short name, unique in its route, by which pages and tests find the step
     heading : what is done
-    reason : one sentence or a few that say why, Markdown with $…$
+    reason : why the step is allowed, in one sentence or a few, Markdown with $…$
     equations : relations that hold for every machine or for those of the case, or state a condition on ε
     case : a relation such as m′ = m if the step is about special machines only, else None
     present : what the step says about one given machine where its own equations state a condition; they hold for
@@ -49,7 +48,8 @@ class Step:
         left, right = (side.xreplace(dict(values)) for side in self.case.args)
         if left == right:
             return self.present or replace(self, case=None)
-        return replace(self, reason=self.reason + _OTHER_CASE)
+        other_case = _("Your masses are not all equal, so this step stays in symbols.")
+        return replace(self, reason=f"{self.reason} {other_case}")
 
     def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
         """Return the step for given exact values of m, m′ and k; every equation holds for that machine.
@@ -70,15 +70,15 @@ class Step:
 
 @dataclass(frozen=True)
 class Route:
-    """An ordered way from the bodies to Ω².
+    """An ordered derivation of Ω² from the bodies.
 
     Parameters
     ----------
     name : the key in `ROUTES`
     title : what a page calls it
-    steps : in their order
-    natural_frequency_squared : where the route ends, an expression in m, m′ and k
-    cells : step key → plain SymPy code that works this step out again, for the notebook to take home
+    steps : the steps in their order
+    natural_frequency_squared : the result, an expression in m, m′ and k
+    cells : step key → plain SymPy code that repeats the step, for the notebook
     """
 
     name: str
@@ -97,7 +97,8 @@ class Route:
         for step in self.steps:
             if step.key == key:
                 return step
-        raise ValueError(f"key must be one of {', '.join(step.key for step in self.steps)}, not {key!r}")
+        known = ", ".join(step.key for step in self.steps)
+        raise ValueError(_("key must be one of {known}, not {key}").format(known=known, key=repr(key)))
 
     def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Route:
         """Return the same route for given exact values of m, m′ and k, Ω² included."""

@@ -45,7 +45,7 @@ def gather_numbers(expression: sp.Basic, given: frozenset[sp.Symbol], number: Ca
     ----------
     expression : an expression, a relation or a matrix
     given : the symbols that have a value
-    number : part → what stands for its value
+    number : part → the expression that replaces it
     """
     if given.isdisjoint(expression.free_symbols):
         return expression

@@ -1,11 +1,11 @@
 """The machine as symbols: its bodies, the rolling constraints between them, and the energies that follow.
 
-Every route starts here and nowhere else. Names, geometry and energies belong here, equations of motion do not.
+Every route starts from these bodies. The equations of motion are derived in the routes.
 
-A body is what it weighs, how it is shaped and where it is. Where it is follows from what it rolls on:
+A body has a mass, a shape factor and a position. Its position follows from the surface on which it rolls:
 
     rolling on a surface       x_centre = x_surface + Rθ     (θ clockwise, x to the right)
-    lying on top of a roller   x_slab   = x_centre  + Rθ
+    resting on a roller        x_slab   = x_centre  + Rθ
 """
 
 from __future__ import annotations
@@ -15,11 +15,13 @@ from typing import Any
 
 import sympy as sp
 
+from ramanujan.words import _
+
 m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
 epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)
 """ε = m′/m, and ε*, the mass ratio at which Ω² = k/m."""
 Omega_squared, Omega_clamped_squared = sp.symbols("Omega_squared Omega_clamped_squared", positive=True)
-"""Ω² of the machine, and of the machine whose block and top cylinder are held."""
+"""Ω² of the machine, and of the machine whose block and top cylinder are held still."""
 normalized_frequency_squared = sp.Symbol("normalized_frequency_squared", positive=True)
 """Ω²m/k as one quantity, for a step that gives its value."""
 
@@ -32,7 +34,7 @@ MOMENTA = tuple(sp.Function(name)(t) for name in ("p_X", "p_varphi", "p_Phi"))
 """Canonical momenta, in the order of the coordinates."""
 
 M_e, M_x, M_clamped = sp.symbols("M_e M_x M_clamped", positive=True)
-"""Effective mass for the rollers' path Rφ, for the spring's deformation 2Rφ, and for Rφ of the clamped machine."""
+"""Effective mass for the rollers' displacement Rφ, for the spring's deformation 2Rφ, and for Rφ when clamped."""
 
 HOOP, SOLID_CYLINDER = sp.Integer(1), sp.Rational(1, 2)
 """Shape factors β = I/(mass·R²)."""
@@ -99,7 +101,8 @@ class Machine:
         for body in self.bodies:
             if body.name == name:
                 return body
-        raise ValueError(f"name must be one of {', '.join(body.name for body in self.bodies)}, not {name!r}")
+        known = ", ".join(body.name for body in self.bodies)
+        raise ValueError(_("name must be one of {known}, not {name}").format(known=known, name=repr(name)))
 
     @property
     def deformation(self) -> sp.Expr:
@@ -128,7 +131,7 @@ def machine(
     cylinder: Any = SOLID_CYLINDER,
     top: Any = SOLID_CYLINDER,
 ) -> Machine:
-    """Return the machine with its rolling constraints worked in.
+    """Return the machine whose positions obey the rolling constraints.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The unit of a formula, found by scaling: what a change of the units of mass, length and time does to each term."""
+"""The unit of a formula: the powers of kg, m and s in each of its terms."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from fractions import Fraction
 from sympy.polys.rings import PolyElement
 
 from ramanujan.derivation.normal_form import VARIABLES, Monomial, NormalForm
+from ramanujan.numerals import superscript
 
 _UNITS = {
     "m": (1, 0, 0),
@@ -23,8 +24,6 @@ _UNITS = {
 """Exponents of kg, m and s; angles are plain numbers."""
 
 _COLUMNS = tuple(zip(*(_UNITS[name] for name in VARIABLES), strict=True))
-
-_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 Unit = tuple[Fraction, Fraction, Fraction]
 
@@ -49,7 +48,7 @@ def units(form: NormalForm) -> tuple[Unit, ...] | None:
 
 
 def unit_text(unit: Unit) -> str:
-    """Return a unit as text, kg·m²/s², empty for a plain number."""
+    """Return a unit as text, such as kg·m²/s²; empty for a plain number."""
     above = [_factor(name, n) for name, n in zip(("kg", "m", "s"), unit, strict=True) if n > 0]
     below = [_factor(name, -n) for name, n in zip(("kg", "m", "s"), unit, strict=True) if n < 0]
     if not below:
@@ -66,5 +65,5 @@ def _factor(name: str, exponent: Fraction) -> str:
     if exponent == 1:
         return name
     if exponent.denominator == 1:
-        return f"{name}{str(exponent).translate(_SUPERSCRIPTS)}"
+        return f"{name}{superscript(exponent.numerator)}"
     return f"{name}^({exponent})"

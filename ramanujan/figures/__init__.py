@@ -1,7 +1,7 @@
-"""Arrays in, Plotly figures out: one function for each figure, one file for each page, and the look they share.
+"""Plotly figures from arrays: one function for each figure, one file for each page, and the look that they share.
 
-A figure gets its numbers and its colours from the caller; it computes neither physics nor themes. Every figure fits
-a phone: labels are anchored inside the axes and never lie on each other.
+The caller gives the numbers and the colours; the functions here compute neither physics nor themes. Every figure fits a
+phone: labels are anchored inside the axes and do not overlap.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
     Parameters
     ----------
     colors : ink, faint and paper
-    hover : what hovering over a point says, where a trace does not say otherwise
+    hover : the text for a point under the pointer, unless a trace has its own
     """
     axis = {
         "showgrid": True,
@@ -41,7 +41,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "yaxis": axis,
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
     }
-    # Choosing a point must not dim the others.
+    # A click on one point must not dim the others.
     keep = {"marker": {"opacity": 1}}
     scatter: dict[str, Any] = {"type": "scatter", "selected": keep, "unselected": keep}
     if hover:

@@ -1,8 +1,8 @@
-"""A figure as Plotly's own dictionary: what a page sends, without the checks of `go.Figure`.
+"""A figure as the dictionary that a page sends, without the checks of `go.Figure`.
 
-Plotly checks every property that a figure is given, and again when the figure is sent: tens of milliseconds for a
-figure of two panels, many times what the numbers in it cost. A figure that changes with a slider is therefore written
-as the dictionary that Plotly would make of it, and a test has Plotly check each of them.
+Plotly checks every property when a figure is made, and again when it is sent. For two panels that takes tens of
+milliseconds, many times as long as computing the numbers. A figure that changes with a slider is therefore written as
+the dictionary that Plotly would produce. A test lets Plotly check each of them.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _TYPES = {"float32": "f4", "float64": "f8", "int8": "i1", "uint8": "u1", "int16"
 
 
 class Drawn(BaseFigure):
-    """A finished figure: `to_dict` returns what is sent. Streamlit takes it for what it is, a figure of Plotly's."""
+    """A finished figure: `to_dict` returns what is sent. Streamlit accepts it as a figure of Plotly's."""
 
     def __init__(self, sent: dict[str, Any]) -> None:
         # The base class would check, copy and index every property.
@@ -45,7 +45,7 @@ def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Dra
 
 
 def kept(figure: go.Figure) -> Drawn:
-    """Return a figure that is drawn once and sent many times: it is checked now, not whenever it is sent."""
+    """Return a figure that is drawn once and sent many times, so that Plotly checks it only once."""
     return Drawn(figure.to_dict())
 
 

@@ -1,4 +1,4 @@
-"""The figures of the motion page: panels over one time axis, the phase plane, and the friction that contacts need."""
+"""The figures of the motion page: panels with one time axis, the phase plane, and the friction that contacts need."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 
 from ramanujan.figures import Drawn, drawn, template
+from ramanujan.numerals import fixed, number
+from ramanujan.words import _
 
 _HEIGHT = {1: 330, 2: 370}
-"""Number of panels → height that they and the gaps between them get [px]."""
+"""Number of panels → height of all panels and the gaps between them [px]."""
 
 _GAP = 0.12
 _BELOW = 100
@@ -20,10 +22,10 @@ _ABOVE = 26
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve over time: its name in the legend, its values at equal steps, and how it is drawn.
+    """A curve against time: its name in the legend, its values at equal steps, and how it is drawn.
 
-    Curves that share a `group` are switched together and named once. `stacked` curves are filled, one on the other,
-    hatched if they are `hatched`.
+    Curves of one `group` are switched together and have one name in the legend. `stacked` curves are filled and lie on
+    top of each other, hatched if they are `hatched`.
     """
 
     name: str
@@ -38,16 +40,20 @@ class Curve:
 
 @dataclass(frozen=True)
 class Panel:
-    """Curves over one axis: the axis's title and unit, and the least range that it shows."""
+    """Curves with one vertical axis: its title, its unit, and the range that it shows.
+
+    `short` names the panel where there is little room; without it, the title does.
+    """
 
     title: str
     unit: str
     curves: Sequence[Curve]
     range: tuple[float, float]
+    short: str = ""
 
 
 def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> Drawn:
-    """Draw panels above each other over one time axis that starts at release.
+    """Draw panels above each other with one time axis that starts at release.
 
     Parameters
     ----------
@@ -60,28 +66,28 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     layout = _layout(colors, _HEIGHT[len(panels)])
     traces: list[dict[str, Any]] = []
     named: set[str] = set()
-    for number, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
-        axis = "y" if number == 1 else f"y{number}"
+    for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
+        axis = "y" if place == 1 else f"y{place}"
         traces += [_trace(curve, panel, axis, end, named, several=len(panels) > 1) for curve in panel.curves]
         layout[f"yaxis{axis[1:]}"] = {
             "domain": domain,
-            "title": {"text": f"{panel.title} [{panel.unit}]"},
+            "title": {"text": _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)},
             "automargin": True,
             "range": list(panel.range),
             "nticks": 6,
             **_zero_line(colors),
         }
     layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
-    layout["annotations"] = [_above(period, "one period", font={"size": 12})]
+    layout["annotations"] = [_above(period, _("one period"), font={"size": 12})]
     layout["xaxis"] = {
-        "title": {"text": "time after release t [s]"},
+        "title": {"text": _("time after release t [s]")},
         "automargin": True,
         "range": [0, end],
         "anchor": "free",
         "position": 0,
         "unifiedhovertitle": {"text": "t = %{x:.4~g} s"},
     }
-    # One small box for all panels, which must not hide what it describes.
+    # One small box for all panels, which must not hide the curves.
     layout |= {
         "hovermode": "x unified",
         "hoversubplots": "axis",
@@ -93,13 +99,13 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
 def phase_plane(
     orbits: Sequence[Curve], velocities: Sequence[np.ndarray], *, period: float, periods: int, colors: Mapping[str, str]
 ) -> Drawn:
-    """Draw velocity over displacement for coordinates that share one scale.
+    """Draw velocity against displacement for coordinates with one scale.
 
     Parameters
     ----------
     orbits : each with the displacements [cm] at n equal steps of time
     velocities : of the same coordinates at the same times [cm/s]
-    period, periods : the stretch of time that the steps divide [s], for the cursor
+    period, periods : the steps divide this time [s], for the cursor
     colors : ink, faint and paper
     """
     traces = [
@@ -117,8 +123,8 @@ def phase_plane(
     centred = {**_zero_line(colors), "nticks": 7}
     places = list(roomy([orbit.values for orbit in orbits]))
     layout = _layout(colors, _HEIGHT[2]) | {
-        "xaxis": {**centred, "title": {"text": "displacement [cm]"}, "automargin": True, "range": places},
-        "yaxis": {**centred, "title": {"text": "velocity [cm/s]"}, "range": list(roomy(velocities))},
+        "xaxis": {**centred, "title": {"text": _("displacement [cm]")}, "automargin": True, "range": places},
+        "yaxis": {**centred, "title": {"text": _("velocity [cm/s]")}, "range": list(roomy(velocities))},
         "hovermode": "closest",
         "meta": {"cursor": "orbit", "period": period, "periods": periods},
     }
@@ -146,26 +152,26 @@ def friction_bars(
     bars = {
         "type": "bar",
         "x": list(needed.values()),
-        "y": [f"{contact}<br><b>{value:.3g}</b>" for contact, value in needed.items()],
+        "y": [f"{contact}<br><b>{number(value, 3)}</b>" for contact, value in needed.items()],
         "orientation": "h",
         "marker": {
             "color": list(body_colors),
             "line": {"color": colors["ink"], "width": [2.5 if slip else 0 for slip in slips]},
         },
-        "text": ["<b>slips</b>" if slip else "" for slip in slips],
+        "text": [_("<b>slips</b>") if slip else "" for slip in slips],
         "textposition": "outside",
         "cliponaxis": False,
         "width": 0.62,
         "hovertemplate": "%{x:.4~g}<extra></extra>",
     }
-    present = f"<b>μ = {friction_coefficient:.2f}</b>"
+    present = f"<b>μ = {fixed(friction_coefficient, 2)}</b>"
     layout = _layout(colors, 250)
     layout |= {
         "shapes": [_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
         "annotations": [_above(friction_coefficient, present, font={"color": colors["primary"]})],
         "yaxis": {"autorange": "reversed", "ticks": "", "showgrid": False, "automargin": True, "fixedrange": True},
-        # What stands at the end of the longest bar needs room, on a phone too.
-        "xaxis": {"title": {"text": "friction coefficient needed"}, "range": [0, 1.4 * longest], "nticks": 5},
+        # The word at the end of the longest bar needs room, also on a phone.
+        "xaxis": {"title": {"text": _("friction coefficient needed")}, "range": [0, 1.4 * longest], "nticks": 5},
         "showlegend": False,
         "height": 250 + _ABOVE + 56,
         "margin": layout["margin"] | {"b": 56},
@@ -192,7 +198,7 @@ def _layout(colors: Mapping[str, str], height: int) -> dict[str, Any]:
 
 
 def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:
-    """Return what draws the zero of an axis as a thin line."""
+    """Return the properties of an axis that draw its zero as a thin line."""
     return {"zeroline": True, "zerolinecolor": colors["ink"], "zerolinewidth": 0.5}
 
 
@@ -208,15 +214,14 @@ def _above(x: float, text: str, **more: Any) -> dict[str, Any]:
 
 
 def _domains(panels: int) -> list[list[float]]:
-    """Return where each panel stands, from top to bottom, as fractions of the plotting area."""
+    """Return the place of each panel, from top to bottom, as fractions of the plotting area."""
     share = (1 - _GAP * (panels - 1)) / panels
     lowest_first = [[number * (share + _GAP), number * (share + _GAP) + share] for number in range(panels)]
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
 def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str], *, several: bool) -> dict[str, Any]:
-    # The last word tells two panels apart: "over the ground", "over the block".
-    where = f", {panel.title.split()[-1]}" if several else ""
+    hover = _("{value} {unit}, {panel}") if several else _("{value} {unit}")
     group = curve.group or curve.name
     trace = {
         "type": "scatter",
@@ -230,7 +235,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str], *
         "showlegend": group not in named,
         "mode": "lines",
         "line": {"color": curve.color, "width": curve.width, "dash": curve.dash},
-        "hovertemplate": f"%{{y:.3~g}} {panel.unit}{where}",
+        "hovertemplate": hover.format(value="%{y:.3~g}", unit=panel.unit, panel=panel.short or panel.title),
     }
     named.add(group)
     if curve.stacked:

@@ -1,4 +1,4 @@
-"""The figure of page 1: Ω²m/k over the mass ratio."""
+"""The figure of the first page: Ω²m/k against the mass ratio."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ import numpy as np
 import plotly.graph_objects as go
 
 from ramanujan.figures import template
+from ramanujan.words import _
 
 
 @dataclass(frozen=True)
 class Mark:
-    """A labelled point of the curve: ε, Ω²m/k, and what stands beside it (Plotly's own small HTML)."""
+    """A labelled point of the curve: ε, Ω²m/k, and its label (in Plotly's small HTML)."""
 
     ratio: float
     value: float
@@ -31,29 +32,29 @@ def frequency_curve(
     unit: Mark,
     colors: Mapping[str, str],
 ) -> go.Figure:
-    """Draw Ω²m/k over ε: the curve, its two limits, the two marked ratios, and the line “in step” at 1.
+    """Draw Ω²m/k against ε: the curve, its two limits, the two marked ratios, and the line “in step” at 1.
 
-    A ring that the page moves over the figure follows the present machine.
+    The page moves a ring over the figure, which marks the present machine.
 
     Parameters
     ----------
     ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
     light_limit : the value for ε → 0
-    heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where the curve comes near it
-    limit_labels : what stands beside the two limits
+    heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where the curve is close to it
+    limit_labels : labels of the two limits
     equal, unit : the marked machines
     colors : ink, faint, paper, primary, marker, accent
     """
-    hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<br>(both without unit)<extra>%{fullData.name}</extra>"
+    hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<extra>%{fullData.name}</extra>"
     # Single precision is a thousand times finer than a pixel, and half the bytes.
     ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
-    # Further up the asymptote says nothing about the curve, and would run through a label.
+    # Further up the asymptote is far from the curve and would cross a label.
     below = heavy_limit <= 0.75 * light_limit
     layout = {"template": template(colors, hover), "height": 340, "showlegend": False}
     figure = go.Figure(layout={**layout, "meta": {"ring": colors["primary"]}})
     limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     figure.add_scatter(
-        x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name="limit"
+        x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name=_("limit")
     )
     figure.add_scatter(
         x=ratios[below],
@@ -61,15 +62,19 @@ def frequency_curve(
         mode="lines",
         line=limit_line,
         hoverinfo="skip",
-        name="limit",
+        name=_("limit"),
     )
     figure.add_scatter(
-        x=ratios, y=values, mode="lines", line={"color": colors["primary"], "width": 3}, name="any machine"
+        x=ratios,
+        y=values,
+        mode="lines",
+        line={"color": colors["primary"], "width": 3},
+        name=_("any machine"),
     )
     figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")
     shown = (
-        (equal, "equal masses", "circle", 11, colors["marker"]),
-        (unit, "unit frequency", "star", 15, colors["accent"]),
+        (equal, _("equal masses"), "circle", 11, colors["marker"]),
+        (unit, _("unit frequency"), "star", 15, colors["accent"]),
     )
     for mark, name, symbol, size, color in shown:
         figure.add_scatter(
@@ -81,7 +86,7 @@ def frequency_curve(
         )
     label = {"xref": "x", "yref": "y", "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
     label |= {"bgcolor": colors["paper"], "align": "left"}
-    # Leaders part to opposite sides of the curve, so the two labels are apart however narrow the page.
+    # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
     figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=20, ay=-66, xanchor="left")
     figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-16, ay=62, xanchor="right")
     beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
@@ -91,23 +96,23 @@ def frequency_curve(
         beside,
         x=_log(ratios[0]),
         y=unit.value,
-        text="in step",
+        text=_("in step"),
         yanchor="bottom",
         xshift=6,
         font={"color": colors["primary"]},
     )
-    # There is nothing to the right of the asymptote here, above the line “in step”.
+    # Here the space to the right of the asymptote is empty, above the line “in step”.
     there = int(np.argmin(np.abs(heavy_limit - 0.65 * light_limit)))
     figure.add_annotation(
         beside, x=_log(ratios[there]), y=heavy_limit[there], text=heavy_label, yanchor="bottom", xshift=8
     )
     figure.update_xaxes(
-        type="log", title="mass ratio ε = m′/m", range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
+        type="log", title=_("mass ratio ε = m′/m"), range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
     )
     figure.update_yaxes(title="Ω²m/k", range=[0, 1.16 * light_limit], fixedrange=True)
     return figure
 
 
 def _log(value: float) -> float:
-    """Plotly places annotations on a logarithmic axis by the exponent of ten."""
+    """Return the exponent of ten, by which Plotly places annotations on a logarithmic axis."""
     return float(np.log10(value))

@@ -1,4 +1,4 @@
-"""The figures of page 4: where the curve takes its target, stacks of cubes, the 40 machines, how often cubes occur."""
+"""The figures of the page 1729: the target on the Ω² curve, stacks of cubes, the 40 machines, counts of sums."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from ramanujan.figures import Drawn, drawn, template
+from ramanujan.words import _
 
 
 def level_crossing(
@@ -21,16 +22,17 @@ def level_crossing(
     present: tuple[float, float],
     colors: Mapping[str, str],
 ) -> Drawn:
-    """Draw Ω²m/k over ε, the level that is asked for, and the one mass ratio at which the curve takes it.
+    """Draw Ω²m/k against ε, the target level, and the one mass ratio at which the curve has that value.
 
     Parameters
     ----------
     ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
-    level, level_label : the target w and what stands on its line
-    root, root_label : the mass ratio with Ω²m/k = w and what stands beside it
+    level, level_label : the target w and its label
+    root, root_label : the mass ratio with Ω²m/k = w and its label
     present : ε and Ω²m/k of the present machine
     colors : ink, faint, paper, primary, top
     """
+    yours = _("your machine")
     traces = [
         {
             "x": [ratios[0], ratios[-1]],
@@ -49,7 +51,7 @@ def level_crossing(
             "y": [present[1]],
             "mode": "markers",
             "marker": {"symbol": "circle-open", "size": 20, "color": colors["primary"], "line": {"width": 3}},
-            "hovertemplate": "your machine<br>ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>",
+            "hovertemplate": f"{yours}<br>ε = %{{x:.6g}}<br>Ω²m/k = %{{y:.6g}}<extra></extra>",
         },
         {
             "x": [root],
@@ -60,8 +62,8 @@ def level_crossing(
     ]
     left, right = float(np.log10(ratios[0])), float(np.log10(ratios[-1]))
     at = float(np.log10(root))
-    # The label goes where the falling curve is not: right above it near its flat start, left above its flat end, else
-    # left below it.
+    # The label avoids the falling curve: to the right above its flat start, to the left above its flat end, else to
+    # the left below it.
     at_start = at < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
     root_note = {
@@ -87,7 +89,7 @@ def level_crossing(
         "xshift": -6 if at_start else 6,
         "font": {"size": 13},
     }
-    ratio_axis = {"type": "log", "title": {"text": "mass ratio ε = m′/m"}, "range": [left, right], "dtick": 1}
+    ratio_axis = {"type": "log", "title": {"text": _("mass ratio ε = m′/m")}, "range": [left, right], "dtick": 1}
     layout = {
         "template": template(colors, "ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>"),
         "height": 330,
@@ -100,18 +102,18 @@ def level_crossing(
 
 
 _UNIT = 2
-"""Length of a unit cube's edge in the figure, so that half an edge is an integer, too, and one byte holds it."""
+"""Length of a unit cube's edge in the figure: half an edge is then an integer, too, and fits into one byte."""
 
 
 def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> go.Figure:
-    """Draw cubes made of unit cubes side by side: faces as one mesh, the edges of the unit cubes as one line for each.
+    """Draw cubes of unit cubes side by side: the faces as one mesh, the edges as one line for each cube.
 
     Parameters
     ----------
-    sides : how many unit cubes stand along an edge of each cube
-    widest : what two such figures share as the sum of the sides, so that a unit cube has one size in both
+    sides : number of unit cubes along an edge of each cube
+    widest : common sum of the sides of several figures, so that a unit cube has the same size in all of them
     apart : whether the layers are pulled apart for counting
-    turn : the direction from which one looks [degrees]
+    turn : direction of view [degrees]
     colors : ink, paper, primary
     """
     gap = _UNIT // 2 if apart else 0
@@ -156,7 +158,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
     hidden = {"visible": False, "showspikes": False}
     figure.update_layout(
         margin={"l": 0, "r": 0, "t": 0, "b": 0},
-        # A new direction from the slider counts; without one, what the hand has turned stays turned.
+        # A new direction from the slider is taken over; otherwise the view that a person has turned stays.
         uirevision=f"{turn:g}",
         scene={
             **{
@@ -217,7 +219,7 @@ def machine_grid(
     chosen: tuple[int, int],
     colors: Mapping[str, str],
 ) -> go.Figure:
-    """Draw the discriminants of all machines as a table that can be clicked; sums of two cubes stand out.
+    """Draw the discriminants of all machines as a table that can be clicked; sums of two cubes are highlighted.
 
     Parameters
     ----------
@@ -249,12 +251,13 @@ def machine_grid(
         showscale=False,
         hoverinfo="skip",
     )
-    # A heatmap cannot be clicked: the numbers stand on markers that can.
+    # A heatmap cannot be clicked, so the numbers are on markers, which can.
+    hover = _("{lower} below, {top} on top<br>discriminant {number}")
     inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
     unseen = {"marker": {"opacity": 0}}
     figure.add_scatter(
-        x=[x for x, _ in cells],
-        y=[y for _, y in cells],
+        x=[x for x, _y in cells],
+        y=[y for _x, y in cells],
         mode="markers+text",
         text=[f"<b>{n}</b>" if way else str(n) for n, way in zip(flat_numbers, flat_ways, strict=True)],
         textfont={"size": 13, "color": [inks[way] for way in flat_ways]},
@@ -262,7 +265,8 @@ def machine_grid(
         selected=unseen,
         unselected=unseen,
         customdata=[[rows[y], columns[x]] for x, y in cells],
-        hovertemplate="%{customdata[0]} below, %{customdata[1]} on top<br>discriminant %{text}<extra></extra>",
+        hovertemplate=hover.format(lower="%{customdata[0]}", top="%{customdata[1]}", number="%{text}")
+        + "<extra></extra>",
     )
     row, column = chosen
     around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
@@ -273,7 +277,7 @@ def machine_grid(
         tickvals=list(range(len(columns))),
         ticktext=columns,
         side="top",
-        title="on top",
+        title=_("on top"),
         range=[-0.55, len(columns) - 0.45],
     )
     figure.update_yaxes(
@@ -301,10 +305,10 @@ def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, c
         textposition="outside",
         cliponaxis=False,
         customdata=list(pairs),
-        hovertemplate="%{customdata} below: %{x}<extra></extra>",
+        hovertemplate=_("{lower} below: {number}").format(lower="%{customdata}", number="%{x}") + "<extra></extra>",
     )
     figure.update_layout(margin={"l": 128, "r": 30, "t": 4, "b": 44}, bargap=0.3)
-    figure.update_xaxes(title="sums of two cubes", fixedrange=True, rangemode="tozero")
+    figure.update_xaxes(title=_("number of sums of two cubes"), fixedrange=True, rangemode="tozero")
     figure.update_yaxes(
         tickvals=list(range(len(pairs))),
         ticktext=pairs,

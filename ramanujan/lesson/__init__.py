@@ -5,7 +5,7 @@
     task        what a task is: what a student has set, and the verdict on it
     settings, answers                         the tasks
     notes       the lecturer's notes
-    written     numbers as text
+    classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_file)
 
 >>> from ramanujan import lesson
 >>> lesson.stop("stiffness").answer()
@@ -18,6 +18,7 @@ from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, s
 from ramanujan.lesson.notes import NOTES, SOURCES, Note
 from ramanujan.lesson.stop import Option, Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict
+from ramanujan.words import _
 
 STOPS: tuple[Stop, ...] = (*clocks.STOPS, *bodies.STOPS, *modes.STOPS, *ratio.STOPS, *computing.STOPS)
 """The stops in their order: two clocks, who is faster, what can move, where the energy is, the ratio, computers."""
@@ -44,16 +45,16 @@ __all__ = [
 
 def stop(name: str) -> Stop:
     """Return the stop with this id; ValueError if there is none."""
-    return _with_id("stop", name, STOPS)
+    return _with_id(name, STOPS, _("there is no stop {name}"))
 
 
 def task(name: str) -> Task:
     """Return the task with this id; ValueError if there is none."""
-    return _with_id("task", name, TASKS)
+    return _with_id(name, TASKS, _("there is no task {name}"))
 
 
-def _with_id(kind: str, name: str, entries: tuple) -> Stop | Task:
+def _with_id(name: str, entries: tuple, otherwise: str) -> Stop | Task:
     for entry in entries:
         if entry.id == name:
             return entry
-    raise ValueError(f"there is no {kind} {name!r}")
+    raise ValueError(otherwise.format(name=name))

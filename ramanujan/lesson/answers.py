@@ -13,9 +13,9 @@ from ramanujan.energy import energies
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict
-from ramanujan.lesson.written import number, percent
 from ramanujan.motion import motion, released
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
+from ramanujan.numerals import number, percent
 from ramanujan.words import _
 
 TOLERANCE, PERIODS = 1e-3, 10

@@ -6,7 +6,6 @@ import numpy as np
 
 from ramanujan.energy import energies
 from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
-from ramanujan.lesson.written import percent, quantity
 from ramanujan.motion import (
     ground_positions,
     ground_velocities,
@@ -15,6 +14,7 @@ from ramanujan.motion import (
     relative_velocities,
     released,
 )
+from ramanujan.numerals import percent, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
 
@@ -47,7 +47,7 @@ def _why_block() -> str:
         "The floor has no friction, so nothing outside pushes the machine to either side. Its momentum stays zero. "
         "The slab moves right at {slab} relative to the block, so the block moves left at {block}. The centre of "
         "mass stays where it is."
-    ).format(slab=quantity(_CM * slab, "cm/s"), block=quantity(-_CM * block, "cm/s"))
+    ).format(slab=quantity(_CM * slab, "cm/s", 3), block=quantity(-_CM * block, "cm/s", 3))
 
 
 def _paths() -> tuple[float, float]:
@@ -71,9 +71,9 @@ def _why_rollers() -> str:
         "A centre moves {over_block} to the left relative to the block. Meanwhile the block moves {block} to the "
         "right. Relative to the ground, only {over_ground} is left. The lower rollers spin almost on the spot."
     ).format(
-        over_block=quantity(_CM * over_block, "cm"),
-        block=quantity(_CM * (over_block - over_ground), "cm"),
-        over_ground=quantity(_CM * over_ground, "cm"),
+        over_block=quantity(_CM * over_block, "cm", 3),
+        block=quantity(_CM * (over_block - over_ground), "cm", 3),
+        over_ground=quantity(_CM * over_ground, "cm", 3),
     )
 
 
@@ -134,7 +134,7 @@ STOPS = (
         runs=(Run(EQUAL),),
         layers=("arrows",),
         page="motion",
-        link={"figure": "Momentum"},
+        link={"figure": "momentum"},
         link_label=_("See the momenta on the page Motion"),
     ),
     Stop(
@@ -162,7 +162,7 @@ STOPS = (
         runs=(Run(EQUAL),),
         layers=("traces",),
         page="motion",
-        link={"figure": "Displacements"},
+        link={"figure": "displacements"},
         link_label=_("Compare the displacements on the page Motion"),
     ),
     Stop(
@@ -184,7 +184,7 @@ STOPS = (
         runs=(Run(EQUAL),),
         layers=("energy",),
         page="motion",
-        link={"figure": "Energy"},
+        link={"figure": "energy"},
         link_label=_("See the energies on the page Motion"),
     ),
     Stop(
@@ -210,7 +210,7 @@ STOPS = (
         hides=(*FREQUENCY, "energy", "arrows"),
         layers=("energy",),
         page="motion",
-        link={"figure": "Energy"},
+        link={"figure": "energy"},
         link_label=_("See the energies on the page Motion"),
     ),
 )

@@ -6,8 +6,8 @@ import math
 
 from ramanujan.energy import energies
 from ramanujan.lesson.stop import Run, Stop, options
-from ramanujan.lesson.written import number, percent, quantity
 from ramanujan.motion import motion, released
+from ramanujan.numerals import number, percent, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
 
@@ -63,7 +63,7 @@ def _why_ahead() -> str:
     ).format(
         turns=number(lead(EQUAL), 2),
         total=_kilograms(_total(EQUAL)),
-        felt=quantity(EQUAL.effective_mass, "kg"),
+        felt=quantity(EQUAL.effective_mass, "kg", 3),
     )
 
 
@@ -96,8 +96,8 @@ def _why_heavy() -> str:
         "behind. At ε = {equal} the machine was faster, at ε = {heavy} it is slower. Somewhere between these "
         "ratios the two are in step."
     ).format(
-        value=number(HEAVY.normalized_frequency_squared),
-        turns=number(-lead(HEAVY)),
+        value=number(HEAVY.normalized_frequency_squared, 3),
+        turns=number(-lead(HEAVY), 3),
         equal=number(EQUAL.mass_ratio, 1),
         heavy=number(HEAVY.mass_ratio, 1),
     )
@@ -114,8 +114,8 @@ def _why_stiffness() -> str:
         "k/m both contain k exactly once, so k drops out of their quotient. It is {value} for every spring. Who is "
         "faster is decided by the masses alone."
     ).format(
-        soft=quantity(EQUAL.period, "s"),
-        stiff=quantity(STIFF.period, "s"),
+        soft=quantity(EQUAL.period, "s", 3),
+        stiff=quantity(STIFF.period, "s", 3),
         value=number(STIFF.normalized_frequency_squared, 4),
     )
 
@@ -131,8 +131,8 @@ def _why_radius() -> str:
         "four times the moment of inertia. But it turns half as fast when it rolls the same distance. Its energy "
         "of rotation is the same, and so is the frequency."
     ).format(
-        before=quantity(EQUAL.period, "s"),
-        after=quantity(LARGE.period, "s"),
+        before=quantity(EQUAL.period, "s", 3),
+        after=quantity(LARGE.period, "s", 3),
         small=quantity(100 * EQUAL.radius, "cm", 2),
         large=quantity(100 * LARGE.radius, "cm", 2),
     )

@@ -11,8 +11,8 @@ import numpy as np
 from ramanujan.accuracy import FORMS
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
-from ramanujan.lesson.written import number, percent
 from ramanujan.motion import released
+from ramanujan.numerals import number, percent
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
 
@@ -109,7 +109,7 @@ def _why_huge() -> str:
         "without trouble."
     ).format(
         ratio=_RATIO,
-        truth=number(Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared),
+        truth=number(Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared, 3),
     )
 
 
@@ -146,7 +146,7 @@ STOPS = (
             ),
         ),
         page="speed",
-        link={"method": "explicit_euler", "steps": str(STEPS["explicit_euler"])},
+        link={"method": "explicit_euler"},
         link_label=_("Measure the methods on the page Speed and accuracy"),
     ),
     Stop(

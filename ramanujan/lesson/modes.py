@@ -6,7 +6,7 @@ import numpy as np
 
 from ramanujan.contact import drawn_spacing, first_to_slip, required_friction
 from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
-from ramanujan.lesson.written import number
+from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
 
@@ -48,10 +48,12 @@ def _why_contact() -> str:
     needed = required_friction(EQUAL, COMPRESSION, spacing=drawn_spacing(EQUAL.radius))
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     return _(
-        "To roll without slipping, {first} needs μ = {most}. The next is {second} with μ = {next}. The hoop has "
+        "To roll without slipping, {first} needs μ = {most}. The next is {second} with μ = {next}. The hoop has "
         "the largest moment of inertia, so it needs the largest force to spin it up. Only about half of the slab’s "
         "weight presses on it."
-    ).format(first=_CONTACTS[first], most=number(needed[first]), second=_CONTACTS[second], next=number(needed[second]))
+    ).format(
+        first=_CONTACTS[first], most=number(needed[first], 3), second=_CONTACTS[second], next=number(needed[second], 3)
+    )
 
 
 STOPS = (
@@ -97,7 +99,7 @@ STOPS = (
         hides=(*FREQUENCY, "forces", "motion"),
         layers=("forces",),
         page="motion",
-        link={"figure": "Contact forces"},
+        link={"figure": "forces"},
         link_label=_("Change the friction on the page Motion"),
     ),
 )

@@ -10,8 +10,8 @@ from ramanujan import number_theory
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
 from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
-from ramanujan.lesson.written import number
 from ramanujan.number_theory import BodyChoice
+from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
 

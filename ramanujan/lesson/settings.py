@@ -11,8 +11,8 @@ from ramanujan.contact import drawn_spacing, first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict
-from ramanujan.lesson.written import number, percent, quantity
 from ramanujan.motion import ground_positions, ground_velocities, motion, pushed, released
+from ramanujan.numerals import number, percent, quantity
 from ramanujan.words import _
 
 IN_STEP = 1e-3
@@ -101,7 +101,7 @@ def parting(setting: Setting) -> Verdict:
         if periods > PARTING
         else _("The hands are one full turn apart after {periods} periods. That is {off} periods too early.")
     )
-    return Verdict(False, sentence.format(periods=number(periods), off=number(abs(periods - PARTING), 2)))
+    return Verdict(False, sentence.format(periods=number(periods, 3), off=number(abs(periods - PARTING), 2)))
 
 
 def two_seconds(setting: Setting) -> Verdict:
@@ -167,7 +167,8 @@ TASKS = (
             _("Heavier lower rollers make the machine slower."),
             _("At ε = 1 it is too fast. Increase m′ a little and watch Ω²m/k."),
             _("The goal lies between ε = {low} and ε = {high}.").format(
-                low=number(math.floor(100 * UNIT_MASS_RATIO) / 100), high=number(math.ceil(100 * UNIT_MASS_RATIO) / 100)
+                low=number(math.floor(100 * UNIT_MASS_RATIO) / 100, 3),
+                high=number(math.ceil(100 * UNIT_MASS_RATIO) / 100, 3),
             ),
         ),
         in_step,
@@ -210,7 +211,7 @@ TASKS = (
             _("There are two solutions: the machine may be faster or slower."),
             _("In one period the hands must part by a tenth of a turn. By which factor must Ω differ from √(k/m)?"),
             _("Look for Ω²m/k = {fast} or {slow} on the curve of the page Oscillator.").format(
-                fast=number((1 + 1 / PARTING) ** 2), slow=number((1 - 1 / PARTING) ** 2, 2)
+                fast=number((1 + 1 / PARTING) ** 2, 3), slow=number((1 - 1 / PARTING) ** 2, 2)
             ),
         ),
         parting,

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from ramanujan.oscillator import Oscillator
+from ramanujan.words import _
 
 FREQUENCY = ("clocks", "numbers")
 """Parts of the stage that tell how fast the machine is."""
@@ -113,7 +114,7 @@ class Stop:
         for option in self.options:
             if option.id == name:
                 return option
-        raise ValueError(f"the stop {self.id} has no option {name!r}")
+        raise ValueError(_("the stop {stop} has no option {name}").format(stop=self.id, name=name))
 
 
 def options(**labels: str) -> tuple[Option, ...]:

@@ -17,7 +17,7 @@ from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import epsilon, k, m, m_prime
 from ramanujan.lesson import STOPS, Stop
-from ramanujan.lesson.written import number, quantity
+from ramanujan.numerals import number, quantity
 from ramanujan.number_theory import BodyChoice
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
@@ -122,4 +122,4 @@ def _parting(machine: Oscillator, normalized: sp.Expr) -> str:
             "Slower: $\\Omega<\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass."
         )
     )
-    return sentence.format(periods=number(1 / abs(gained)))
+    return sentence.format(periods=number(1 / abs(gained), 3))

@@ -1,6 +1,6 @@
-"""Rolling bodies and the numbers they lead to: the quadratic for the mass ratio, its discriminant, the 40 machines.
+"""Rolling bodies and their numbers: the quadratic for the mass ratio, its discriminant, the 40 machines.
 
-This module makes an exact quadratic of a choice of rolling bodies; `integers` does the arithmetic.
+This module derives the exact quadratic from a choice of rolling bodies; `integers` does the arithmetic.
 
 A rolling body of mass M and radius R has the moment of inertia βMR², where β is its shape factor. With β_a, β_b for the
 two lower rollers, β_c for the top body, s = β_a + β_b and γ = β_c/(1 + β_c), the machine of mass ratio ε = m′/m has
@@ -25,6 +25,7 @@ from types import MappingProxyType
 
 from ramanujan.number_theory import integers
 from ramanujan.quantities import one_of, rational
+from ramanujan.words import _
 
 BODIES = MappingProxyType(
     {"hoop": Fraction(1), "shell": Fraction(2, 3), "cylinder": Fraction(1, 2), "sphere": Fraction(2, 5)}
@@ -58,7 +59,7 @@ def normalized_frequency_squared_exact(
 
     Raises
     ------
-    ValueError : a shape factor is neither a name nor an exact number from 0 to 1, or the ratio is no exact number ≥ 0.
+    ValueError : a shape factor is neither a name nor an exact number from 0 to 1, or the ratio is not exact and ≥ 0.
 
     Source: paper, section 2, with general shape factors; module docstring.
 
@@ -68,7 +69,7 @@ def normalized_frequency_squared_exact(
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     epsilon = rational("ratio", ratio, LARGEST_RATIO_PART)
     if epsilon < 0:
-        raise ValueError("ratio must not be negative")
+        raise ValueError(_("ratio must not be negative"))
     return _normalized_frequency_squared(s, gamma, epsilon)
 
 
@@ -102,11 +103,12 @@ def unit_quadratic(
     """
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     if s == 0:
-        raise ValueError("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear")
+        raise ValueError(_("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear"))
     w = rational("target", target, LARGEST_PART)
     limit = (2 + gamma) / (1 + gamma)
     if not 0 < w < limit:
-        raise ValueError(f"target must lie strictly between 0 and {limit}, the value for very light rollers")
+        sentence = _("target must lie strictly between 0 and {limit}, the limit for very light rollers")
+        raise ValueError(sentence.format(limit=limit))
     return _primitive(2 * w * s, w * (2 + gamma) * (2 + s) - 8, 4 * (w * (1 + gamma) - (2 + gamma)))
 
 
@@ -137,8 +139,8 @@ class BodyChoice:
         for place in ("left", "right", "top"):
             _shape_factor(place, getattr(self, place))
         object.__setattr__(self, "target", rational("target", self.target, LARGEST_PART))
-        # Asking for it here lets no machine exist that has no quadratic.
-        _ = self.quadratic
+        # Computed here, so that a machine without a quadratic cannot be made.
+        self.quadratic  # noqa: B018
 
     @property
     def bodies(self) -> tuple[ShapeFactor, ShapeFactor, ShapeFactor]:
@@ -271,7 +273,7 @@ def practical_ratios(
 
     Raises
     ------
-    ValueError : as in `unit_quadratic`, or for a number of terms that is no such integer.
+    ValueError : as in `unit_quadratic`, or the number of terms is not such an integer.
 
     >>> practical_ratios(terms=3)[-1].ratio
     Fraction(9, 8)
@@ -301,7 +303,7 @@ def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
         return BODIES[one_of(name, body, BODIES)]
     beta = rational(name, body, LARGEST_PART)
     if not 0 <= beta <= 1:
-        raise ValueError(f"{name} must lie between 0 and 1")
+        raise ValueError(_("{name} must lie between 0 and 1").format(name=name))
     return beta
 
 

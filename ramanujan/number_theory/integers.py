@@ -1,9 +1,9 @@
 """Integers and quadratics with integer coefficients: factors, sums of cubes, and the exact digits of a root.
 
-Nothing here knows a machine. Integers, `Fraction`s and decimal text only; no float enters, none leaves.
+All arguments and results are integers, `Fraction`s or decimal text; this module does not depend on the machine.
 
 A quadratic aε² + bε + c with a > 0 > c has exactly one positive root, ε = (√D − b)/(2a) with D = b² − 4ac. Its digits
-and its continued fraction need nothing but the integer square root of D.
+and its continued fraction follow from the integer square root of D.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from math import isqrt, prod
 from sympy.ntheory import factorint
 
 from ramanujan.quantities import integer, sequence
+from ramanujan.words import _
 
 LARGEST_NUMBER = 10**12
 """The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""
@@ -33,7 +34,7 @@ _LARGEST_QUOTIENT = 10**31
 """No partial quotient exceeds √D, which permitted coefficients keep below this."""
 
 _CUBE_ROOTS = {root**3: root for root in range(1, 10**4 + 1)}
-"""Each cube up to LARGEST_NUMBER with its root: looking a number up here needs no root and no rounding."""
+"""Each cube up to LARGEST_NUMBER with its root: a look-up needs no root and no rounding."""
 
 Quadratic = tuple[int, int, int]
 
@@ -272,7 +273,7 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
 
     Raises
     ------
-    ValueError : quotients is no such list.
+    ValueError : quotients is not such a list.
 
     Source: H. Davenport, The Higher Arithmetic, chapter IV.
 
@@ -281,7 +282,7 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
     """
     quotients = sequence("quotients", quotients)
     if len(quotients) > MOST_TERMS:
-        raise ValueError(f"quotients must be a list of at most {MOST_TERMS} integers")
+        raise ValueError(_("quotients must be a list of at most {most} integers").format(most=MOST_TERMS))
     fractions: list[Fraction] = []
     before, last = (0, 1), (1, 0)
     for position, value in enumerate(quotients):
@@ -295,16 +296,16 @@ def _one_positive_root(a: int, b: int, c: int) -> Quadratic:
     """Return the coefficients, or raise ValueError unless a > 0 > c."""
     a, b, c = _coefficients(a, b, c)
     if not a > 0 > c:
-        raise ValueError("a must be positive and c negative, so that exactly one root is positive")
+        raise ValueError(_("a must be positive and c negative, so that exactly one root is positive"))
     return a, b, c
 
 
 def _coefficients(a: int, b: int, c: int) -> Quadratic:
-    """Return a, b, c, or raise ValueError naming the one that is no integer of permitted size."""
+    """Return a, b, c, or raise ValueError naming the one that is not an integer of permitted size."""
     bound = LARGEST_COEFFICIENT
     a, b, c = integer("a", a, -bound, bound), integer("b", b, -bound, bound), integer("c", c, -bound, bound)
     if a == 0:
-        raise ValueError("a must not be 0 in a quadratic")
+        raise ValueError(_("a must not be 0 in a quadratic"))
     return a, b, c
 
 

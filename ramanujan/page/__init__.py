@@ -1,7 +1,8 @@
-"""The page's side: what runs in the browser beside the machine, and all that knows Streamlit's and Plotly's pages.
+"""The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
 
-bus.js carries the news between the components, hosts.js holds every selector into the host pages, page.css every style
-rule for them. The other files belong to one component each. No physics here.
+bus.js carries messages between the components, hosts.js holds every selector into the host pages, page.css every style
+rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
+component each. No physics here.
 
 Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
 message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
@@ -11,7 +12,6 @@ The topics of the bus, where NAME is the name of a stage:
     machine/NAME      what `stage.payload` returns; published by the stage's feed, forgotten when the page is left
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
-                      (normalized is left out while the stage hides its numbers)
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
@@ -25,6 +25,7 @@ import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,7 @@ _PARTS = {
     "moment": ("moment.js",),
     "pager": ("pager.js",),
     "pick": ("pick.js",),
+    "reach": ("reach.js",),
     "receipt": ("receipt.js",),
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
@@ -51,20 +53,40 @@ _PARTS = {
     "turn": ("turn.js",),
     "voice": ("voice.js",),
 }
-"""Component → its script's files; its HTML and CSS are the files of its name, or of another's look, if there are any."""
+"""Component → its script's files; its HTML and CSS are the files of its name, or of its look, if there are any."""
 _LOOKS = {"turn": "steps"}
+"""Component → the one that it looks like."""
+
+_TEXTS = {
+    "cursor": {"cursor": _("Time cursor")},
+    "link": {"copy": _("Copy link"), "link": _("Link")},
+    "sheet": {"handle": _("Sliders and presets")},
+    "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
+    "stopwatch": {"stopwatch": _("Stopwatch")},
+    "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},
+}
+"""Component → the texts for the slots of its HTML."""
 
 _ASK = (_HERE / "ask.js").read_text(encoding="utf-8")
 
 
 def script(*paths: Path | str) -> str:
-    """Return one script: bus.js, hosts.js, then these files (names are of this folder), without comments."""
-    return "\n".join(map(_bare, ("bus.js", "hosts.js", *paths)))
+    """Return one script: the shared files, then these (names are of this folder), without comments."""
+    return "\n".join(map(_bare, ("bus.js", "hosts.js", "sentences.js", *paths)))
 
 
-def bring() -> None:
-    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn."""
-    _library()(key="library")
+def bring(theme: str) -> None:
+    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn.
+
+    With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
+    that scroll sideways; and a new run of the page when the visitor switches the theme, so that figures follow.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    """
+    data = {"theme": theme, "label": _("Wide content, the arrow keys scroll it")}
+    _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
 def style(name: str = "page.css") -> str:
@@ -74,18 +96,18 @@ def style(name: str = "page.css") -> str:
 
 
 def feed(key: str, topics: Mapping[str, Any]) -> Any:
-    """Bring values to the bus of the page; only they travel at a change.
+    """Publish values on the bus of the page; after a change only these values are sent.
 
     Parameters
     ----------
     key : of the element
-    topics : topic → value; what has not changed since the last run is not published again
+    topics : topic → value; a value that has not changed since the last run is not published again
     """
     return _component("feed")(key=key, data=dict(topics))
 
 
 def ring(stage: str) -> Any:
-    """Let a ring around the present machine follow a stage on a curve; call it once, beside the figure.
+    """Mark the machine of a stage on a curve by a ring that follows it; call it once, beside the figure.
 
     A figure takes part by its layout's `meta`: ring is the colour. Its axes are the mass ratio ε and Ω²m/k.
 
@@ -93,24 +115,26 @@ def ring(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("ring")(key="ring", data={"stage": stage})
+    label = _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")
+    return _component("ring")(key="ring", data={"stage": stage, "label": label})
 
 
 def cursor(stage: str) -> Any:
-    """Put the time cursor on the page: one instant, marked in every figure, moved without the server.
+    """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
 
     A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
-    time), period [s] and periods, the number of them that it shows. What is marked is the figure's own data.
+    time), period [s] and periods, the number of them that it shows. The marks are computed from the figure's own data.
 
     Parameters
     ----------
     stage : the name of the stage that shares the cursor's clock
     """
-    return _component("cursor")(key="cursor", data={"stage": stage})
+    place = _("t = {time}, {periods} periods")
+    return _component("cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
 def moment(stage: str) -> Any:
-    """Put a button on the page that takes a stage, and all figures over time, to one instant and holds them there.
+    """Put a button on the page that moves a stage and all figures against time to one moment and stops them there.
 
     The topic moment/NAME says which: {time [s], label}.
 
@@ -122,37 +146,28 @@ def moment(stage: str) -> Any:
 
 
 def give_back(*keys: str) -> None:
-    """Let the choices under these widget keys give the keyboard back to the page when they are clicked."""
+    """After a click on one of these widgets, return the keyboard focus to the page."""
     _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
-def voice() -> Any:
-    """Put the live region on the page, the only one: it says what the topic `say` brings."""
-    return _component("voice")(key="voice")
-
-
-def follow_theme(theme: str) -> Any:
-    """Run the page again when the visitor switches the theme, so that figures follow.
-
-    Parameters
-    ----------
-    theme : the one that this run draws with, light or dark
-    """
-    return _component("theme")(key="theme", data={"theme": theme}, on_switched_change=lambda: None)
-
-
 def sheet() -> Any:
-    """Put the handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers may scroll over it."""
+    """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
     return _component("sheet")(key="sheet")
 
 
-def link() -> Any:
-    """Put a button on the page that copies its address, in which everything stands that is set."""
-    return _component("link")(key="link")
+def link(private: Sequence[str] = ()) -> Any:
+    """Put a button on the page that copies its address, which contains every setting.
+
+    Parameters
+    ----------
+    private : keys of the address that are left out of the copy
+    """
+    told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
+    return _component("link")(key="link", data={**told, "private": list(private)})
 
 
 def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
-    """Put the head of a slider on the page, with a box that shows its value in full and takes any text.
+    """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
 
     Parameters
     ----------
@@ -171,7 +186,7 @@ def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) ->
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
-    """Hear of every click on a point of a figure, also of a second one on the same point.
+    """Call a function at every click on a point of a figure, also at a second click on the same point.
 
     Parameters
     ----------
@@ -188,33 +203,33 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
 
 
 def receipt(key: str, number: int) -> Any:
-    """Let the page tell the highest number that has reached it: it stands in the state of this key as `received`.
+    """Let the page report the highest number that has reached it, as `received` in the state of this key.
 
     Parameters
     ----------
     key : of the element
-    number : what the page is to receive
+    number : the number to be received
     """
     return _component("receipt")(key=key, data={"number": number}, on_received_change=lambda: None)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
-    """Turn the steps of a lecture on the page: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+    """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
 
-    The lecture begins at the step that the address names, any further route at its first.
+    The lecture begins at the step that the address names, every further route at its first step.
 
     Parameters
     ----------
-    route : name of what is lectured
+    route : name of the route
     headings : of the steps in their order, for screen readers
-    on_turned : called with the route and the step, some time after the last turn
+    on_turned : called with the route and the step, some time after the last change
     """
 
     def turned() -> None:
         at = st.session_state["steps"].at
         on_turned(at["route"], at["step"])
 
-    data = {"route": route, "headings": list(headings), "place": "Step {now} of {count}:"}
+    data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
@@ -232,13 +247,7 @@ def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) ->
         if (to := st.session_state["turn"].to) is not None:
             on_turned(to)
 
-    words = {
-        "label": _("Stops of the lesson"),
-        "place": _("Stop {now} of {count}:"),
-        "back": _("Back"),
-        "next": _("Next"),
-    }
-    data = {"headings": list(headings), "now": now, **words}
+    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
     return _component("turn")(key="turn", data=data, on_to_change=turned)
 
 
@@ -255,14 +264,8 @@ def stopwatch(key: str) -> float | None:
     ----------
     key : of the element
     """
-    data = {
-        "label": _("Stopwatch"),
-        "start": _("Start"),
-        "stop": _("Stop"),
-        "seconds": _("{seconds}\u202fs"),
-    }
-    watch = _component("stopwatch")
-    return watch(key=key, data=data, on_seconds_change=lambda: None).seconds
+    data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
+    return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
 
 
 def _component(name: str) -> Any:
@@ -284,11 +287,10 @@ def _library() -> Any:
 
 def _part(name: str, files: tuple[str, ...]) -> str:
     """Return the text of `parts.NAME`: the component's look, and the function that its script exports."""
-    look = "".join(
-        text if kind == "html" else f"<style>{text}</style>"
-        for kind in ("css", "html")
-        if (text := _text(_HERE / f"{_LOOKS.get(name, name)}.{kind}"))
-    )
+    style, html = (_text(_HERE / f"{_LOOKS.get(name, name)}.{kind}") for kind in ("css", "html"))
+    if name in _TEXTS:
+        html = html.format(**{slot: escape(text) for slot, text in _TEXTS[name].items()})
+    look = (f"<style>{style}</style>" if style else "") + html
     body = "\n".join(map(_bare, files)).replace("export default", "const begin =")
     return f"parts.{name} = {{ look: {json.dumps(look)}, begin: (() => {{\n{body}\nreturn begin;\n}})() }};"
 

@@ -1,7 +1,7 @@
-export default (component) => {
+export default (c) => {
 const app = (globalThis.ramanujan ??= {});
 let end, left;
-const begin = () => left || (end = app.begin(NAME, component));
+const begin = () => left || (end = app.begin(NAME, c));
 app.begin ? begin() : (app.waiting ??= []).push(begin);
-return () => ((left = true), end?.());
+return () => ((left = 1), end?.());
 };

@@ -8,15 +8,15 @@ const GRIP = 14; // px, the width in which a pointer gets hold of the line
 const STILL = 5; // px that a click may move
 
 export default function ({ data, parentElement }) {
-  return live(parentElement, (signal) => new Cursor(parentElement, data.stage, signal)).end;
+  return live(parentElement, (signal) => new Cursor(parentElement, data, signal)).end;
 }
 
 class Cursor {
   share = 0; // of the time shown; it stays when the machine changes
   graphs = new Set();
 
-  constructor(root, stage, signal) {
-    this.stage = stage;
+  constructor(root, { stage, place }, signal) {
+    Object.assign(this, { stage, place });
     this.slider = root.querySelector("input");
     this.output = root.querySelector("output");
     const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
@@ -66,7 +66,8 @@ class Cursor {
     const panels = hosts.panels(graph).map((panel) => panel.getBoundingClientRect());
     if (panels.length) mark(graph, graph.layout.meta, this.share, panels);
     const { period, periods } = this.meta;
-    const text = `t = ${(this.share * period * periods).toFixed(2)} s, ${(this.share * periods).toFixed(2)} periods`;
+    const time = withUnit(fixed(this.share * period * periods, 2), "s");
+    const text = fill(this.place, { time, periods: fixed(this.share * periods, 2) });
     if (this.output.textContent === text) return;
     this.output.textContent = text;
     this.slider.setAttribute("aria-valuetext", text);

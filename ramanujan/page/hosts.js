@@ -70,8 +70,14 @@ const hosts = {
   isPanel: (node) => node.matches?.(".nsewdrag") ?? false,
 
   /** What needs the arrow and page keys for itself when it has the focus, and what needs the space bar. */
-  TAKES_KEYS: "input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *, .stage",
+  TAKES_KEYS: "input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *, [data-scrolls], .stage",
   TAKES_SPACE: "input, textarea, select, button, summary, a[href], [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=button], [role=option], .stage",
+
+  /** What may be wider than its place: formulas, paragraphs with formulas, tables and their boxes. */
+  boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), .st-key-results, [class*='st-key-table_']")],
+
+  /** Whether a box can be scrolled sideways. */
+  scrollsAside: (box) => box.scrollWidth > box.clientWidth && /auto|scroll/.test(getComputedStyle(box).overflowX),
 
   /** The box in which a lecture's steps are drawn. */
   lecture: () => document.querySelector(".st-key-lecture"),

@@ -23,4 +23,15 @@ fitPaper();
 
 for (const begin of bus.waiting?.splice(0) ?? []) begin();
 
-export default function () {}
+// The parts that every page has live in this one element, each in a room of its own.
+const rooms = new WeakMap(); // parentElement → part → its room
+
+export default (component) => {
+  const { parentElement } = component;
+  if (!rooms.has(parentElement)) {
+    const own = ["theme", "voice", "reach"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
+    rooms.set(parentElement, own);
+  }
+  const ends = rooms.get(parentElement).map(([name, room]) => bus.begin(name, { ...component, parentElement: room }));
+  return () => ends.forEach((end) => end());
+};

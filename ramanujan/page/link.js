@@ -1,7 +1,14 @@
 // The button that copies the address of the page. Browsers keep the clipboard from pages that are not served securely:
 // there the text itself is offered.
 
-export default ({ parentElement }) => {
+/** The address as others may have it. */
+function shared(secret) {
+  const url = new URL(location.href);
+  for (const key of secret) if (url.searchParams.has(key)) url.searchParams.delete(key);
+  return url.href;
+}
+
+export default ({ data, parentElement }) => {
   const [button, told, input] = parentElement.querySelectorAll("button, .told, input");
   const tell = (sentence) => {
     told.textContent = sentence;
@@ -9,12 +16,12 @@ export default ({ parentElement }) => {
   };
   button.onclick = async () => {
     try {
-      await navigator.clipboard.writeText(location.href);
-      tell("Copied.");
+      await navigator.clipboard.writeText(shared(data.private));
+      tell(data.copied);
     } catch {
-      tell("Copy it from here:");
+      tell(data.by_hand);
       input.hidden = false;
-      input.value = location.href;
+      input.value = shared(data.private);
       input.select();
     }
   };

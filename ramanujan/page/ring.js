@@ -11,7 +11,7 @@ export default function ({ data, parentElement }) {
       const machine = bus.last(`present/${data.stage}`);
       const panel = graph && hosts.panels(graph)[0];
       if (!machine || machine.normalized === undefined) graph && erase(graph, RING);
-      else if (panel) mark(machine, graph, panel.getBoundingClientRect());
+      else if (panel) mark(machine, graph, panel.getBoundingClientRect(), data.label);
     };
     const drawn = (each) => {
       if (!each.layout?.meta?.ring) return;
@@ -24,7 +24,7 @@ export default function ({ data, parentElement }) {
   }).end;
 }
 
-function mark({ ratio, normalized }, graph, panel) {
+function mark({ ratio, normalized }, graph, panel, label) {
   const home = graph.getBoundingClientRect();
   const x = along(graph.layout.xaxis, ratio);
   const y = along(graph.layout.yaxis, normalized);
@@ -38,7 +38,7 @@ function mark({ ratio, normalized }, graph, panel) {
     borderRadius: "50%",
   });
   node.setAttribute("role", "img");
-  node.setAttribute("aria-label", `this machine: ε = ${ratio.toPrecision(4)}, Ω²m/k = ${normalized.toPrecision(6)}`);
+  node.setAttribute("aria-label", fill(label, { ratio: number(ratio, 4), normalized: number(normalized, 6) }));
 }
 
 /** Where a value lies on an axis, as a share of its length; a logarithmic axis counts in powers of ten. */

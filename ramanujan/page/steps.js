@@ -24,13 +24,13 @@ function lecture(root, signal) {
     // The server draws the steps; which one is seen is decided here alone.
     sheet.textContent = `.st-key-lecture [class*="st-key-step_"] { display: none !important; }
       .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex !important; }`;
-    const place = data.place.replace("{now}", now).replace("{count}", data.headings.length);
+    const place = fill(data.place, { now, count: data.headings.length, heading: data.headings[now - 1] });
     slider.value = now;
-    slider.setAttribute("aria-valuetext", `${place} ${data.headings[now - 1]}`);
+    slider.setAttribute("aria-valuetext", place);
     root.querySelector("output").textContent = `${now}/${data.headings.length}`;
     back.setAttribute("aria-disabled", String(now === 1));
     next.setAttribute("aria-disabled", String(now === data.headings.length));
-    if (speak) bus.publish("say", { sentence: `${place} ${data.headings[now - 1]}`, urgent: true });
+    if (speak) bus.publish("say", { sentence: place, urgent: true });
   };
 
   /** Go to a step, and return whether there was one to go to. */

@@ -12,7 +12,7 @@ function watch(root, signal) {
 
   const write = () => {
     button.textContent = started === null ? data.start : data.stop;
-    output.textContent = data.seconds.replace("{seconds}", shown.toFixed(started === null ? 2 : 1));
+    output.textContent = fill(data.seconds, { seconds: shown.toFixed(started === null ? 2 : 1) });
   };
   const tick = () => {
     shown = (performance.now() - started) / 1000;
@@ -37,7 +37,6 @@ function watch(root, signal) {
 
   const receive = (given, sender) => {
     [data, send] = [given, sender];
-    root.querySelector("[role=group]").setAttribute("aria-label", data.label);
     if (started === null) write();
   };
   return { receive };

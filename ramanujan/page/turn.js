@@ -15,14 +15,13 @@ function turner(root, signal) {
   let data, send, now, asked = null;
 
   const show = (speak) => {
-    const place = data.place.replace("{now}", now).replace("{count}", data.headings.length);
-    const said = `${place} ${data.headings[now - 1]}`;
+    const said = fill(data.place, { now, count: data.headings.length, heading: data.headings[now - 1] });
     slider.value = now;
     slider.setAttribute("aria-valuetext", said);
     root.querySelector("output").textContent = `${now}/${data.headings.length}`;
     back.setAttribute("aria-disabled", String(now === 1));
     next.setAttribute("aria-disabled", String(now === data.headings.length));
-    if (speak) root.querySelector("[role=status]").textContent = said;
+    if (speak) bus.publish("say", { sentence: said, urgent: true });
   };
 
   /** Go to a stop, and return whether there was one to go to. */
@@ -47,18 +46,13 @@ function turner(root, signal) {
   });
 
   const receive = (given, sender) => {
-    const first = !data;
     [data, send] = [given, sender];
-    back.textContent = data.back;
-    next.textContent = data.next;
     slider.max = data.headings.length;
-    slider.setAttribute("aria-label", data.label);
     // An older answer cannot take back what was asked for since.
     if (asked && data.now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
     asked = null;
     now = data.now;
     show(false);
-    if (first) root.querySelector("[role=group]").setAttribute("aria-label", data.label);
   };
   return { receive };
 }

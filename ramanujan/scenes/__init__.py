@@ -1,1 +1,1 @@
-"""The pages: one file each, run by Streamlit, and what they share (`controls`, `cached`, `look`)."""
+"""The pages: one file each (`pages` lists them), run by Streamlit, and what they share."""

@@ -5,6 +5,10 @@ from __future__ import annotations
 from base64 import b64encode
 
 from ramanujan.number_theory import BODIES
+from ramanujan.words import _
+
+WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
+"""Body → what one calls it."""
 
 
 def legend(color: str) -> str:
@@ -12,7 +16,7 @@ def legend(color: str) -> str:
     figures = (
         f'<figure style="margin:0;display:flex;gap:.4rem;align-items:center">'
         f'<img width="38" height="38" alt="" src="{_address(body, color)}">'
-        f"<figcaption>{body}<br>β = {beta}</figcaption></figure>"
+        f"<figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>"
         for body, beta in BODIES.items()
     )
     return f'<div style="display:flex;flex-wrap:wrap;gap:.6rem 1rem">{"".join(figures)}</div>'

@@ -1,7 +1,7 @@
 """Experiments on a page: taken piece by piece while the page is open, what they find shared by all visitors.
 
-Lives here: `Record`, what an experiment has found; `Job`, one visitor's experiment under way; `work`, which takes
-pieces, shows progress and lets go whenever the visitor does something. Does not live here: any experiment.
+`Record` is what an experiment has found, `Job` one visitor's experiment under way. `work` takes pieces, shows progress
+and lets go whenever the visitor does something.
 
 `work` stands at the end of a page's script. Streamlit breaks a script off where it next speaks to the browser, so each
 report of progress is also the place where a moved slider, a Stop button or a closed tab ends the work; the job stays in
@@ -19,7 +19,8 @@ from typing import Any, Generic, TypeVar
 import streamlit as st
 
 from ramanujan.accuracy import Piece
-from ramanujan.scenes import controls
+from ramanujan.scenes import complaints
+from ramanujan.words import ngettext
 
 T = TypeVar("T")
 
@@ -33,11 +34,6 @@ _SHOW = 0.8
 """Seconds between two drawings of what is there so far."""
 _GONE = 5.0
 """Seconds after which a visitor who is no longer heard of has left the line."""
-
-_WAITING = (
-    "Another visitor is measuring. Your measurement begins when theirs has ended.",
-    "{before} measurements come before yours. They are taken one after the other, so that none disturbs another.",
-)
 
 
 @dataclass(eq=False)
@@ -124,18 +120,27 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
         shown = len(task.results)
         while task.wanted:
             if task.timed and (before := _LINE.before(task)):
-                place.progress(task.done, _WAITING[before > 1].format(before=before))
+                place.progress(task.done, _waiting(before))
                 time.sleep(_REPORT)
                 continue
             _take(task, _REPORT)
             place.progress(task.done, task.title)
             if len(task.results) > shown and time.monotonic() - start > _SHOW and not task.complete:
-                controls.run_again()
+                complaints.run_again()
         drop(key)
         if time.monotonic() - start > _SHOW:
-            controls.run_again()
+            complaints.run_again()
     if worked:
-        controls.run_again()
+        complaints.run_again()
+
+
+def _waiting(before: int) -> str:
+    """Return the sentence for a visitor who waits for so many others."""
+    return ngettext(
+        "{n} measurement comes before yours. Measurements run one after the other, so that none disturbs another.",
+        "{n} measurements come before yours. Measurements run one after the other, so that none disturbs another.",
+        before,
+    ).format(n=before)
 
 
 def _take(task: Job, seconds: float) -> None:

@@ -1,7 +1,6 @@
 """Page 6: the lesson. One stop at a time: predict, observe, explain; tasks; the lecturer's notes.
 
-Where a reader is, and what they have chosen, stands in the address and is kept while they look at other pages
-(`progress`). Before a prediction nothing of the answer is on the page: it is not drawn, not said, and not sent.
+Before a prediction nothing of the answer is on the page: it is not drawn, not said, and not sent (`stops`).
 """
 
 from __future__ import annotations
@@ -11,51 +10,60 @@ import streamlit as st
 from ramanujan import lesson, page
 from ramanujan.lesson import Stop
 from ramanujan.lesson.notes import INTRODUCTION
-from ramanujan.scenes import controls, links, progress, stops, tasks
+from ramanujan.scenes import class_session, classroom, links, progress, stops, tasks, widgets
+from ramanujan.scenes.cached import lesson as cached
 from ramanujan.words import _, ngettext
 
-PARTS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
+KEYS = (*progress.KEYS, *tasks.KEYS, *class_session.KEYS)
+PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
 
 
-def choose_part() -> str:
-    """Draw the choice between stops, tasks and notes, and return the id of the part that is chosen."""
-    now = progress.kept("part", PARTS, "stops")
-    st.session_state["lesson_part_choice"] = now
-    st.segmented_control(
-        _("Part of the lesson"),
-        PARTS,
-        format_func=PARTS.get,
-        required=True,
-        key="lesson_part_choice",
-        label_visibility="collapsed",
-        on_change=lambda: progress.keep("part", st.session_state["lesson_part_choice"]),
-    )
-    return now
+def show() -> None:
+    """Draw the page."""
+    classroom.guests()
+    with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
+        part = widgets.chips(progress.PART, _("Part of the lesson"), PART_WORDS, label_visibility="collapsed")
+        head = st.container(key="turner")
+        classroom.door()
+    {"stops": walk, "tasks": work, "notes": notes}[part](head)
+    keep_address()
+    page.give_back("part")
 
 
-def walk() -> None:
-    """Draw the present stop."""
-    names = [stop.id for stop in lesson.STOPS]
-    now = progress.kept("stop", names, names[0])
+def keep_address() -> None:
+    """Keep in the address also what the present part of the page does not draw, and drop what it cannot use."""
+    for key in KEYS:
+        if not key.bound:
+            links.keep(key)
+        elif not links.fits(key):
+            st.query_params.pop(key.name, None)
+
+
+def walk(head: st.delta_generator.DeltaGenerator) -> None:
+    """Draw the present stop, and in the head what turns to another one."""
+    now = lesson.stop(links.held(progress.STOP))
+    number = lesson.STOPS.index(now) + 1
     with head:
-        page.turn([stop.heading for stop in lesson.STOPS], names.index(now) + 1, lambda to: turn(lesson.STOPS[to - 1]))
-    stops.draw(lesson.stop(now), names.index(now) + 1)
+        page.turn([stop.heading for stop in lesson.STOPS], number, lambda to: turn(lesson.STOPS[to - 1]))
+    stops.draw(now, number)
 
 
 def turn(stop: Stop) -> None:
-    """Go to a stop."""
-    progress.keep("stop", stop.id)
+    """Go to a stop, in a callback."""
+    st.session_state[progress.STOP.name] = stop.id
     stops.load(stop, stop.id in progress.predictions())
 
 
-def work() -> None:
-    """Draw the present task."""
+def work(head: st.delta_generator.DeltaGenerator) -> None:
+    """Draw the present task, and in the head the choice of another one."""
     with head:
-        name = tasks.choose()
+        name = widgets.menu(
+            progress.TASK, _("Task"), {task.id: task.heading for task in lesson.TASKS}, label_visibility="collapsed"
+        )
     tasks.draw(lesson.task(name))
 
 
-def notes() -> None:
+def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the lecturer's notes."""
     st.title(_("Lecturer’s notes"), anchor=False)
     minutes = sum(stop.minutes for stop in lesson.STOPS)
@@ -67,16 +75,10 @@ def notes() -> None:
     st.markdown(INTRODUCTION)
     for number, (stop, note) in enumerate(zip(lesson.STOPS, lesson.NOTES, strict=True), start=1):
         time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
-        right = _("Right: {label}").format(label=stop.option(stop.answer()).label)
+        right = _("Right answer: {label}").format(label=cached.solution(stop.id).label)
         st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{note.purpose} {note.expect}  \n:small[{right}]")
     st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
 
 
-offered = {"part": PARTS, "stop": [stop.id for stop in lesson.STOPS], "task": [task.id for task in lesson.TASKS]}
-keys = [links.one_of(key, texts) for key, texts in offered.items()]
-controls.complain(links.complaints([*keys, progress.PREDICTIONS, *tasks.LINK]))
-with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
-    part = choose_part()
-    head = st.container(key="turner")
-{"stops": walk, "tasks": work, "notes": notes}[part]()
-page.give_back("lesson_part_choice")
+if __name__ == "__main__":
+    show()

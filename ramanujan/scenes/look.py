@@ -53,21 +53,20 @@ def _colors(shown: str) -> dict[str, str]:
 
 
 def dress() -> None:
-    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its one live region."""
+    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its live region."""
     shown = theme()
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
-    # On paper, which is white, the light lines of a dark figure would not be seen.
-    printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
-    own = f":root{{--paper:{colors()['paper']};--faint:{colors()['faint']};--under:{under}}}"
+    kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
+    own = f":root{{{kept}--under:{under}}}"
     # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
     first = "" if st.session_state.get(_DRESSED) else page.style()
     st.session_state[_DRESSED] = True
     if view.is_projector():
         first += page.style("projector.css")
+    # On paper, which is white, the light lines of a dark figure would not be seen.
+    printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
     # As Markdown, they come with the headings; st.html loads a script first.
     st.markdown(f"<style>{own}{first}{printed}</style>", unsafe_allow_html=True)
-    page.bring()
+    page.bring(shown)
     if view.is_projector():
         page.pager()
-    page.follow_theme(shown)
-    page.voice()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import streamlit as st
 
@@ -10,14 +12,300 @@ from ramanujan.contact import first_to_slip, largest_compression, required_frict
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
+from ramanujan.numerals import number, quantity
 from ramanujan.record import Record, table
-from ramanujan.scenes import controls, links, look, view
+from ramanujan.scenes import controls, links, look, stages, widgets
 from ramanujan.scenes.cached import motion as cached
-from ramanujan.scenes.controls import Control
+from ramanujan.scenes.quantities import Quantity
+from ramanujan.words import _
 
-GLIDE = Control("glide", "−Ẋ₀", "Push of the whole machine", "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
-SPIN = Control("spin", "Φ̇₀", "Push of the top cylinder", "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f", "")
-MU = Control("mu", "μ", "Static friction", "", 0.01, 1.5, 0.2, 0.01, "%.2f", "")
+GLIDE = Quantity("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
+SPIN = Quantity("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+MU = Quantity("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
+FIGURE = links.Choice(
+    "figure",
+    tuple(cached.VIEWS),
+    "displacements",
+    old={
+        "Displacements": "displacements",
+        "Energy": "energy",
+        "Momentum": "momentum",
+        "Contact forces": "forces",
+    },
+)
+KEYS = (GLIDE.in_links, SPIN.in_links, MU.in_links, FIGURE)
+VIEW_WORDS = {
+    "displacements": _("Displacements"),
+    "energy": _("Energy"),
+    "momentum": _("Momentum"),
+    "forces": _("Contact forces"),
+}
+
+
+@dataclass(frozen=True)
+class Friction:
+    """What a coefficient of static friction allows: the largest compression [m] without slip, and what slips first."""
+
+    coefficient: float
+    largest: float
+    first: str
+
+
+def show() -> None:
+    """Draw the page."""
+    st.title(_("Motion"), anchor=False)
+    scene = st.container(key="without_dials")
+    glide, spin, mu = the_sliders()
+    machine, compression = controls.oscillator(), controls.compression()
+    setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
+    motion = cached.record(*setting)
+    largest = largest_compression(machine, mu, spacing=motion.spacing)
+    friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
+    with scene:
+        the_machine(motion, friction)
+    with st.container(key="verdict"):
+        verdict(friction, compression)
+    freeze(motion)
+    cursor_and_download(motion, mu)
+    the_figures(motion, friction, setting)
+
+
+def the_sliders() -> tuple[float, float, float]:
+    """Draw the sliders of this page and return their values in SI units."""
+    values = []
+    for column, each in zip(st.columns(3, gap="medium"), (GLIDE, SPIN, MU), strict=True):
+        with column:
+            values.append(widgets.page_slider(each))
+    return tuple(values)
+
+
+def the_machine(motion: Record, friction: Friction) -> None:
+    """Draw the machine in motion; a contact that slips is marked."""
+    slips = motion.compression > friction.largest
+    stages.mount(
+        stage.payload(
+            motion.oscillator,
+            motion.compression,
+            initial=motion.initial,
+            slipping=friction.first if slips else None,
+        ),
+        name="motion",
+        layers=("forces",),
+        dials=False,
+        periods=cached.PERIODS,
+        on_released=controls.set_compression,
+    )
+
+
+def verdict(friction: Friction, compression: float) -> None:
+    """Say whether every contact rolls, in sentences of about the same length."""
+    holds = compression <= friction.largest
+    sentence = (
+        _(
+            ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ = {mu} this is true up "
+            "to x₀ = {largest}. Beyond that, the contact between **{contact}** slips first."
+        )
+        if holds
+        else _(
+            ":red[:material/error: **The model no longer holds.**] With μ = {mu}, the contact between **{contact}** "
+            "slips from x₀ = {largest} on. The picture still shows rolling."
+        )
+    )
+    # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
+    st.container(border=True).markdown(
+        sentence.format(
+            mu=f"{friction.coefficient:.2f}",
+            largest=centimetres(friction.largest),
+            contact=cached.CONTACTS[friction.first],
+        )
+    )
+
+
+def freeze(motion: Record) -> None:
+    """Offer to stop at the instant at which a contact needs the most friction."""
+    instant, contact = greatest_friction(motion)
+    label = _("Stop where friction is greatest: {contact}, t = {time}").format(
+        contact=cached.CONTACTS[contact], time=quantity(instant, "s", 3)
+    )
+    page.feed("moment_feed", {"moment/motion": {"time": instant, "label": label}})
+    page.moment("motion")
+
+
+def greatest_friction(motion: Record) -> tuple[float, str]:
+    """Return when within the first period a contact needs the most friction [s], and which contact that is."""
+    first_period = motion.t <= motion.oscillator.period
+    needed = {
+        name: (np.abs(motion.forces[name]) / normal)[first_period] for name, normal in motion.normal_forces.items()
+    }
+    first = max(needed, key=lambda name: needed[name].max())
+    return float(motion.t[needed[first].argmax()]), first
+
+
+def cursor_and_download(motion: Record, mu: float) -> None:
+    """Draw the time cursor over all figures, and the download of their numbers."""
+    marker, download = st.columns([5, 1], vertical_alignment="center")
+    with marker:
+        page.cursor("motion")
+    download.download_button(
+        _("CSV"),
+        lambda: table(motion, mu),
+        "ramanujan motion.csv",
+        "text/csv",
+        icon=":material/download:",
+        help=_("All numbers of this page, in SI units"),
+        on_click="ignore",
+        width="stretch",
+    )
+
+
+def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) -> None:
+    """Draw the figures of the view that is open."""
+    shows = {
+        "displacements": show_displacements,
+        "energy": show_energy,
+        "momentum": show_momentum,
+        "forces": lambda motion, drawn: show_forces(motion, drawn, friction),
+    }
+    for view, tab in widgets.tabs(FIGURE, VIEW_WORDS).items():
+        if tab.open:
+            with tab:
+                shows[view](motion, cached.figures(view, look.theme(), *setting))
+
+
+def show_displacements(motion: Record, drawn: tuple) -> None:
+    """Draw displacements over time beside the phase plane, and say what the two initial velocities do."""
+    time, plane = st.columns([3, 2])
+    farthest = {
+        body: 100 * abs(motion.over_ground[body] - motion.over_ground[body][0]).max()
+        for body in cached.NAMES
+        if body != "spring"
+    }
+    with time:
+        chart(
+            drawn[0],
+            "displacements",
+            _(
+                "Displacements over time. The slab oscillates; the rollers’ centres almost stand still. Greatest "
+                "distance from the start, relative to the ground: {distances}."
+            ).format(distances=listed(cached.NAMES, farthest, "cm")),
+        )
+    with plane:
+        chart(
+            drawn[1],
+            "phase_plane",
+            _(
+                "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, "
+                "because it oscillates with one frequency. It reaches ±{displacement} and ±{velocity}."
+            ).format(
+                displacement=quantity(100 * abs(motion.over_block["slab"]).max(), "cm", 3),
+                velocity=quantity(100 * abs(motion.velocity_over_block["slab"]).max(), "cm/s", 3),
+            ),
+        )
+    end = motion.t[-1]
+    # Rounding leaves something of a drift that is not there.
+    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
+    block, top = (round(float(drift), 9) for drift in drifts)
+    note(
+        _(
+            "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
+            "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
+            "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away. After whole "
+            "periods only this drift is left: {block} for the block, {top} for the top cylinder relative to it."
+        ).format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3))
+    )
+
+
+def show_energy(motion: Record, drawn: tuple) -> None:
+    """Draw the energies, stacked."""
+    total = motion.total_energy
+    spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
+    greatest = max(motion.energies, key=lambda key: motion.energies[key][1:].max())
+    whole = quantity(1e3 * float(total[0]), "mJ", 4)
+    chart(
+        drawn[0],
+        "energy",
+        _(
+            "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
+            "{total}. The largest single share belongs to this body: {body}."
+        ).format(total=whole, body=cached.NAMES[greatest.partition("_")[0]]),
+    )
+    note(
+        _(
+            "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
+            "{total} at every instant, with a relative error of at most {error}. At release the spring holds {spring}; "
+            "the initial velocities add the rest."
+        ).format(
+            total=whole,
+            error=number(spread, 1),
+            spring=quantity(1e3 * float(motion.energies["spring"][0]), "mJ", 4),
+        )
+    )
+
+
+def show_momentum(motion: Record, drawn: tuple) -> None:
+    """Draw the momenta of the bodies, and the two conserved ones."""
+    p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
+    of_X, _of_phi, of_Phi = map(latex, MOMENTA)
+    chart(
+        drawn[0],
+        "momentum",
+        _(
+            "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two "
+            "momenta are conserved: all bodies together {all}, p_Φ/R {top}."
+        ).format(all=quantity(-p_X, "kg m/s", 3), top=quantity(p_Phi / motion.oscillator.radius, "kg m/s", 3)),
+    )
+    note(
+        _(
+            "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ "
+            "nor $\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus "
+            "sign. ${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
+            "Change the initial velocities and watch both lines move."
+        ).format(p_X=of_X, p_Phi=of_Phi)
+    )
+
+
+def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
+    """Draw contact forces over time beside the friction that each contact needs."""
+    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
+    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cached.CONTACTS}
+    time, bars = st.columns([3, 2])
+    with time:
+        chart(
+            drawn[0],
+            "contact_forces",
+            _(
+                "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts "
+                "between the rollers. Greatest friction: {forces}."
+            ).format(forces=listed(cached.CONTACTS, strongest, "N")),
+        )
+    with bars:
+        draw_friction_needed(needed, friction.coefficient)
+        st.metric(_("Largest compression without slip"), centimetres(friction.largest))
+    note(
+        _(
+            "Forces on the rollers, positive to the right. A contact does not slip while its friction stays "
+            "below μ times its normal force; the bars show the least μ that this takes at the worst instant. The axes "
+            "of the two lower rollers are {spacing} apart, as drawn. No initial velocity changes a contact force: in a "
+            "zero mode nothing accelerates."
+        ).format(spacing=centimetres(motion.spacing))
+    )
+
+
+def draw_friction_needed(needed: dict[str, float], mu: float) -> None:
+    """Draw the friction that each contact needs as bars beside the present μ."""
+    colors = look.colors()
+    chart(
+        friction_bars(
+            {cached.CONTACTS[name]: value for name, value in needed.items()},
+            [cached.contact_color(name, colors) for name in needed],
+            friction_coefficient=mu,
+            colors=colors,
+        ),
+        "friction_needed",
+        _(
+            "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
+        ).format(mu=f"{mu:.2f}", needed=listed(cached.CONTACTS, needed, "")),
+    )
 
 
 def chart(figure: object, name: str, alt: str) -> None:
@@ -32,187 +320,18 @@ def note(text: str) -> None:
     st.markdown(f":small[{text}]")
 
 
-def verdict(mu: float, largest: float, first: str, compression: float) -> None:
-    """Say whether every contact rolls, in two sentences of about the same length."""
-    contact = cached.CONTACTS[first]
-    # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
-    box = st.container(border=True)
-    if compression <= largest:
-        box.markdown(
-            f":green[:material/check_circle: **Every contact rolls.**] With μ = {mu:.2f} you can release the machine "
-            f"from up to x₀ = {100 * largest:.3g} cm; beyond, **{contact}** slips first."
-        )
-    else:
-        box.markdown(
-            f":red[:material/error: **The model no longer holds.**] With μ = {mu:.2f}, **{contact}** slips from "
-            f"x₀ = {100 * largest:.3g} cm on; the picture just rolls on."
-        )
-
-
-def greatest_friction(motion: Record) -> tuple[float, str]:
-    """Return when within the first period a contact needs the most friction [s], and which contact that is."""
-    first_period = motion.t <= motion.oscillator.period
-    needed = {
-        name: (np.abs(motion.forces[name]) / normal)[first_period] for name, normal in motion.normal_forces.items()
-    }
-    first = max(needed, key=lambda name: needed[name].max())
-    return float(motion.t[needed[first].argmax()]), first
-
-
-def show_displacements(motion: Record, figures: tuple) -> None:
-    """Displacements over time beside the phase plane, and what the two pushes do."""
-    swing = {
-        body: 100 * abs(motion.over_ground[body] - motion.over_ground[body][0]).max()
-        for body in cached.NAMES
-        if body != "spring"
-    }
-    time, plane = st.columns([3, 2])
-    with time:
-        far = ", ".join(f"{cached.NAMES[body]} {way:.3g} cm" for body, way in swing.items())
-        chart(figures[0], "displacements", f"Displacements over time. Farthest from the start over the ground: {far}.")
-    with plane:
-        chart(
-            figures[1],
-            "phase plane",
-            f"Phase plane: the slab runs round a closed ellipse over the block, "
-            f"±{100 * abs(motion.over_block['slab']).max():.3g} cm by "
-            f"±{100 * abs(motion.velocity_over_block['slab']).max():.3g} cm/s.",
-        )
-    end = motion.t[-1]
-    block, top = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
-    note(
-        f"Each push starts one of the two **zero modes**, motions that no spring pulls back. Push the machine: all of "
-        f"it glides, every line over the ground tilts alike and nothing changes over the block. Push the top cylinder: "
-        f"it alone rolls on. After whole periods only this drift is left: block {block:.3g} cm/s over the ground, top "
-        f"cylinder {top:.3g} cm/s over the block."
+def listed(names: dict[str, str], values: dict[str, float], unit: str) -> str:
+    """Return names with their values, for a text alternative."""
+    item = _("{name}: {value}")
+    return "; ".join(
+        item.format(name=names[key], value=quantity(float(value), unit, 3)) for key, value in values.items()
     )
 
 
-def show_energy(motion: Record, figures: tuple) -> None:
-    """The energies, stacked."""
-    total = motion.total_energy
-    spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
-    greatest = max(motion.energies, key=lambda key: motion.energies[key][1:].max())
-    chart(
-        figures[0],
-        "energy",
-        f"Energies by body and kind, stacked: their sum stays at {1e3 * total[0]:.4g} mJ. The largest share at any one "
-        f"time is that of {cached.NAMES[greatest.partition('_')[0]]}.",
-    )
-    note(
-        f"Plain areas are travel over the ground, hatched ones turning. The sum is {1e3 * total[0]:.4g} mJ at every "
-        f"instant drawn, to {spread:.0e} of itself; at release "
-        f"{1e3 * motion.energies['spring'][0]:.4g} mJ of it sit in the spring, and your pushes add the rest."
-    )
+def centimetres(metres: float) -> str:
+    """Return a length in centimetres."""
+    return quantity(100 * metres, "cm", 3)
 
 
-def show_momentum(motion: Record, figures: tuple) -> None:
-    """Momenta of the bodies, and the two conserved ones."""
-    p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
-    of_X, _, of_Phi = map(latex, MOMENTA)
-    chart(
-        figures[0],
-        "momentum",
-        f"Momentum of each body over time, and two flat lines: all bodies together {-p_X:.3g} kg m/s, "
-        f"p_Φ/R {p_Phi / motion.oscillator.radius:.3g} kg m/s.",
-    )
-    note(
-        f"The bodies pass momentum to and fro; two sums stay flat, because neither X nor Φ stands in the Lagrangian: "
-        f"${of_X}$, that of the whole machine (X counts to the left, hence the minus sign), and ${of_Phi}$, the top "
-        f"cylinder’s angular momentum about the line where it touches the block. Push the machine and see both move."
-    )
-
-
-def show_forces(motion: Record, figures: tuple, mu: float, largest: float) -> None:
-    """Contact forces over time beside the friction that each contact needs."""
-    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
-    colors = look.colors()
-    time, bars = st.columns([3, 2])
-    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items()}
-    said = ", ".join(f"{cached.CONTACTS[name]} {strongest[name]:.3g} N" for name in cached.CONTACTS)
-    with time:
-        chart(figures[0], "contact forces", f"Contact forces over time. Strongest friction: {said}.")
-    with bars:
-        chart(
-            friction_bars(
-                {cached.CONTACTS[name]: value for name, value in needed.items()},
-                [cached.contact_color(name, colors) for name in needed],
-                friction_coefficient=mu,
-                colors=colors,
-            ),
-            "friction needed",
-            f"Friction needed, against μ = {mu:.2f}: "
-            + ", ".join(f"{cached.CONTACTS[name]} {value:.3g}" for name, value in needed.items()),
-        )
-        st.metric("Largest compression without slip", f"{100 * largest:.3g} cm")
-    note(
-        f"Forces act on the roller, right positive. A contact rolls while its friction stays below μ times its normal "
-        f"force; the bars show the worst instant. The slab’s load shifts between the rollers, whose axes stand "
-        f"{100 * motion.spacing:.3g} cm apart as drawn. No push changes a contact force: along the zero modes nothing "
-        f"accelerates."
-    )
-
-
-machine, compression = controls.oscillator(), controls.compression()
-st.title("Motion", anchor=False)
-controls.complain(links.complaints([GLIDE.in_links, SPIN.in_links, MU.in_links, links.one_of("figure", cached.VIEWS)]))
-scene = st.container(key="without_dials")
-glide, spin, mu = (column for column in st.columns(3, gap="medium"))
-with glide:
-    glide = controls.page_slider(GLIDE)
-with spin:
-    spin = controls.page_slider(SPIN)
-with mu:
-    mu = controls.page_slider(MU)
-
-setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
-motion = cached.record(*setting)
-largest = largest_compression(machine, mu, spacing=motion.spacing)
-first = first_to_slip(machine, largest, motion.spacing)
-with scene:
-    stage.mount(
-        stage.payload(machine, compression, initial=motion.initial, slipping=None if compression <= largest else first),
-        limits=controls.limits("compression"),
-        watch=controls.WATCH,
-        name="motion",
-        layers=("forces",),
-        dials=False,
-        hide=view.on_stage(),
-        periods=cached.PERIODS,
-        on_released=controls.set_compression,
-    )
-with st.container(key="verdict"):
-    verdict(mu, largest, first, compression)
-instant, contact = greatest_friction(motion)
-page.feed(
-    "moment_feed",
-    {
-        "moment/motion": {
-            "time": instant,
-            "label": f"Freeze at the greatest friction: {cached.CONTACTS[contact]}, t = {instant:.2f} s",
-        }
-    },
-)
-page.moment("motion")
-
-marker, download = st.columns([5, 1], vertical_alignment="center")
-with marker:
-    page.cursor("motion")
-download.download_button(
-    "CSV",
-    lambda: table(motion, mu),
-    "ramanujan motion.csv",
-    "text/csv",
-    icon=":material/download:",
-    help="Everything that this page shows, in SI units",
-    on_click="ignore",
-    width="stretch",
-)
-shows = (show_displacements, show_energy, show_momentum, show_forces)
-for tab, name, show in zip(
-    st.tabs(list(cached.VIEWS), key="figure", bind="query-params"), cached.VIEWS, shows, strict=True
-):
-    if tab.open:
-        with tab:
-            more = (mu, largest) if show is show_forces else ()
-            show(motion, cached.figures(name, look.theme(), *setting), *more)
+if __name__ == "__main__":
+    show()

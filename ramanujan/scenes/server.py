@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import gc
 import importlib
-import importlib.util
 import pkgutil
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -24,8 +23,6 @@ __all__ = ["Compressed", "Middleware", "warm_up", "warmed_up"]
 
 _SCRIPTS = "/static/"
 _LEVEL = 6
-_KEEP_NOTHING = ("lesson", "worksheet")
-"""Pages without a file in cached/."""
 _SMALLEST = 1000
 """Bytes from which on a file gets smaller."""
 
@@ -44,18 +41,10 @@ def warm_up() -> None:
     been imported never changes, and the collector need not walk through it again and again.
     """
     for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan."):
-        if _is_page(module.name) or module.name.endswith("__main__"):
-            continue
-        importlib.import_module(module.name)
+        if not module.name.endswith("__main__"):
+            importlib.import_module(module.name)
     gc.collect()
     gc.freeze()
-
-
-def _is_page(name: str) -> bool:
-    """Tell whether a module is a page, which draws when it is imported."""
-    package, _, page = name.rpartition(".")
-    keeps = importlib.util.find_spec(f"ramanujan.scenes.cached.{page}") is not None
-    return package == "ramanujan.scenes" and (keeps or page in _KEEP_NOTHING)
 
 
 class Compressed:

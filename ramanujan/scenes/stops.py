@@ -1,7 +1,7 @@
 """One stop of the lesson on the page: predict, observe, explain.
 
-The sliders hold the stop’s machine, so that a reader may change it afterwards and watch. Before the prediction the stage
-gets neither what `stop.hides` names nor the samples of a computed motion, and the explanation is not worked out.
+The sliders hold the stop’s machine, so that a reader may change it afterwards and watch. Before the prediction the
+stage gets neither what `stop.hides` names nor the samples of a computed motion, and the explanation is not worked out.
 """
 
 from __future__ import annotations
@@ -15,13 +15,16 @@ from ramanujan import Oscillator, page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import controls, progress
+from ramanujan.scenes import classroom, complaints, controls, progress, stages
+from ramanujan.scenes.cached import lesson as cached
+from ramanujan.scenes.pages import PAGES
+from ramanujan.scenes.quantities import QUANTITIES
 from ramanujan.words import _
 
 _LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
 _PLACES = ("hoop", "cylinder", "top")
 _LOADED = "lesson_loaded"
-"""Session state: the id of the stop whose machine the sliders have been given, and whether it is the one to be observed."""
+"""Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
 
 
 def load(stop: Stop, predicted: bool) -> None:
@@ -34,12 +37,11 @@ def arrive(stop: Stop, predicted: bool) -> None:
     """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
     if st.session_state.get(_LOADED) == (stop.id, predicted):
         return
-    linked = _LOADED not in st.session_state and not set(controls.CONTROLS).isdisjoint(st.query_params)
     st.session_state[_LOADED] = (stop.id, predicted)
     machine = stop.shown if predicted else stop.machine
-    if not linked and not controls.holds(machine, stop.compression):
+    if not controls.linked() and not controls.holds(machine, stop.compression):
         controls.ask_for_machine(machine, stop.compression)
-        controls.run_again()
+        complaints.run_again()
 
 
 def predict(stop: Stop, option: str | None) -> None:
@@ -56,15 +58,21 @@ def draw(stop: Stop, number: int) -> None:
     st.markdown(stop.question)
     words, picture = st.columns([3, 2] if stop.size == "small" else [1, 1], gap="medium")
     with words:
-        # The class's part of the page belongs here: classroom.panel(stop).
-        if chosen is None:
+        solved = classroom.panel(stop)
+        if solved is not None:
+            # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
+            predicted = solved
+            if solved:
+                why(stop)
+        elif chosen is None:
             ask(stop)
         else:
             explain(stop, chosen)
     arrive(stop, predicted)
+    with words:
+        st.markdown(f":small[{_caption(stop, predicted)}]")
     with picture, st.container(key="observed"):
         observe(stop, predicted)
-        st.markdown(f":small[{_caption(stop, predicted)}]")
 
 
 def ask(stop: Stop) -> None:
@@ -83,28 +91,25 @@ def ask(stop: Stop) -> None:
 
 def explain(stop: Stop, chosen: str) -> None:
     """Say whether the prediction was right, which option is, and why."""
-    answer = stop.answer()
-    right = stop.option(answer).label
-    if chosen == answer:
+    solved = cached.solution(stop.id)
+    if chosen == solved.option:
         said = _("Your prediction was right.")
-        st.markdown(f":green[:material/check_circle: **{said}**] {right}")
+        st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
     else:
         said = _("Your prediction was different.")
-        st.markdown(
-            f":red[:material/cancel: **{_('Your prediction:')}**] {stop.option(chosen).label}\n\n"
-            f":green[:material/check_circle: **{_('Right answer:')}**] {right}"
-        )
+        st.markdown(_(":red[:material/cancel: **Your prediction:**] {option}").format(option=stop.option(chosen).label))
+        st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
     # With the option that was clicked the focus has gone: who cannot see the page is told here.
-    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {right}", "urgent": True}})
+    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
     why(stop)
     st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(predict, stop, None), type="tertiary")
 
 
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
-    st.markdown(stop.explanation())
+    st.markdown(cached.solution(stop.id).explanation)
     st.page_link(
-        f"ramanujan/scenes/{stop.page}.py",
+        PAGES[stop.page].file,
         label=stop.link_label,
         icon=":material/open_in_full:",
         query_params=dict(stop.link),
@@ -126,13 +131,13 @@ def observe(stop: Stop, predicted: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
     hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
+    # Machines side by side belong to the stop; a single one follows the sliders.
+    mount = partial(stage.mount, limits=stages.LIMITS, watch={}) if several else stages.mount
     for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
         machine = run.machine if several else controls.oscillator()
         compression = run.compression if several else controls.compression()
-        stage.mount(
+        mount(
             payload(run, machine, compression, predicted),
-            limits=controls.limits("compression"),
-            watch={} if several else controls.WATCH,
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,
@@ -178,9 +183,7 @@ def _caption(stop: Stop, predicted: bool) -> str:
 
 def _written(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
-    return ", ".join(
-        f"{controls.CONTROLS[key].symbol} = {controls.CONTROLS[key].written(x)}" for key, x in values.items()
-    )
+    return ", ".join(f"{QUANTITIES[key].symbol} = {QUANTITIES[key].written(x)}" for key, x in values.items())
 
 
 def _show_hint(key: str, count: int) -> None:

@@ -1,8 +1,4 @@
-"""What the experiments of page 5 found, thinned to what a screen can show.
-
-Lives here: arrays in, fewer numbers out, for the stage and for the figures. Does not live here: words (`verdicts`),
-the experiments (`ramanujan.accuracy`), drawing.
-"""
+"""What the experiments of page 5 found, thinned to what a screen can show: fewer numbers for stage and figures."""
 
 from __future__ import annotations
 

@@ -1,27 +1,27 @@
 """The animated scene: a Components v2 component that draws the machine and listens to the sliders.
 
-This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting. The page's side is
-stage.html (what there is), stage.css (how it looks), and one JavaScript module for each concern, put together in the
-order of `_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time,
-words is what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in
-JavaScript: its formulas are printed by SymPy from the derivation.
+This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting; words.py holds the texts.
+The page's side is stage.html, stage.css, and one JavaScript module for each concern, put together in the order of
+`_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
+what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript:
+its formulas are printed by SymPy from the derivation.
 
-What is large goes to the page once, what changes is small: the stage itself is mounted with constant arguments, so that
-Streamlit sends it once a session, and a feed of the page (`page.feed`) carries the numbers.
+The stage itself is mounted with constant arguments, so that Streamlit sends it once in a session. After a change only a
+small feed of the page (`page.feed`) is sent, which carries the numbers.
 
 The contract, version 1. To the page, once:
 
     stage        the name under which the feed speaks to it
-    limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the same it
-                 cannot be dragged
+    limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the
+                 same, it cannot be dragged
     watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
     layers       which of energy, arrows, traces, forces, coordinates are shown at first
     compact      only the picture and its label, without controls
-    dials        the two clock hands, the gauge and the readouts are shown
-    narrow       they are shown below the picture
+    dials        whether the two clock hands, the gauge and the readouts are shown
+    narrow       whether these are shown below the picture
     periods      after so many periods the motion begins again; left out: never
-    label        what stands under the picture
+    label        the text under the picture
 
 and by the feed, at every change:
 
@@ -30,12 +30,12 @@ and by the feed, at every change:
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
     samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
     slipping     the contact that is marked, such as hoop_slab; left out: none
-    unity        what the gauge's mark at 1 says; left out: the paper's number
+    unity        the text at the gauge's mark 1; left out: the paper's number
     awaiting     true while samples are being computed: the machine stands still
-    lit          the body, or the spring, that stands out; left out: none
+    lit          the highlighted body, or spring; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
 
-What else on the page looks at a stage, or speaks to it, does so by the topics of the bus; `ramanujan.page` lists them.
+Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.page` lists them.
 
 From the page: the trigger `released`, the compression [m] at which the slab was let go.
 """
@@ -61,12 +61,13 @@ from ramanujan.derivation.solution import coefficients
 from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import DRAWN_SPACING, Oscillator
+from ramanujan.stage.words import BODIES, SENTENCES, SLIPS, filled
 from ramanujan.words import _
 
 VERSION = 1
 PARTS = {
     "clocks": "the two clock hands, and every sign of how near the two frequencies are",
-    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, what follows from them",
+    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and their consequences",
     "plain": "the plain mass",
     "motion": "the motion itself and what shows it: the machine stands still as it was released",
     "energy": "the energy bar, with its button",
@@ -82,46 +83,6 @@ SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": 
 _HERE = Path(__file__).parent
 _PICTURE = ("parts", "motion", "drawing", "coordinates", "layers", "dial", "picture")
 _MODULES = (*_PICTURE, "clock", "words", "playback", "slab", "thumb", "toolbar", "stage")
-_WORDS = {
-    "picture": "A stepped block carries two rollers under a sprung slab: on the left a {left}, on the right a {right}. "
-    "On the block’s upper step a {top} rolls free.",
-    "faster": "The slab swings relative to the block once every {period} s. The machine is faster than the plain mass: "
-    "its clock hand gains one full turn in {turns} periods.",
-    "slower": "The slab swings relative to the block once every {period} s. The machine is slower than the plain mass: "
-    "its clock hand loses one full turn in {turns} periods.",
-    "together": "The slab swings relative to the block once every {period} s, in step with the plain mass for ever.",
-    "moment": "{turns} periods after release, t = {time} s.",
-    "turned": _("{turns} periods after release."),
-    "paused": "Paused.",
-    "playing": "Playing.",
-    "in_slow_motion": _("Shown in slow motion."),
-    "slowed": "Shown at {factor} of its real speed, or the eye could not follow.",
-    "start": "Both hands start together.",
-    "close": "Less than {least} turn apart after {periods} periods of the plain mass.",
-    "ahead": "Machine ahead by {turns} turn after {periods} periods of the plain mass.",
-    "behind": "Machine behind by {turns} turn after {periods} periods of the plain mass.",
-    "before": "{turns} turn apart {periods} periods before the release.",
-    "parting": "One full turn apart after {turns} periods.",
-    "nearly": "Nearly in step: one full turn apart after {turns} periods.",
-    "in_step": "In step: less than {least} turn apart after a million periods.",
-    "shared": "Mass m: block, slab, {top}. Mass m′: {hoop}, {cylinder}. Radius R: all rollers. "
-    "Arrows at X, φ, Φ: positive sense.",
-    "edge": "The top roller reached the edge of the block. The machine was released again.",
-    "struck": "The slab ran into the block. The machine was released again.",
-    "ended": "The computed motion ends here. The machine was released again.",
-    "edge_ahead": "Before this time the top roller reaches the edge of the block. The picture stops there.",
-    "struck_ahead": "Before this time the slab runs into the block. The picture stops there.",
-    "bound": "x₀ must be between {least} and {most} cm. It will be {value} cm when you let go.",
-    "kept": "x₀ is {value} cm again.",
-    "undo": "Back to x₀ = {value} cm",
-    "slips": {
-        "hoop_slab": "The hoop would slip on the slab: the model no longer holds.",
-        "cylinder_slab": "The lower cylinder would slip on the slab: the model no longer holds.",
-        "hoop_block": "The hoop would slip on the block: the model no longer holds.",
-        "cylinder_block": "The lower cylinder would slip on the block: the model no longer holds.",
-        "top_block": "The top cylinder would slip on the block: the model no longer holds.",
-    },
-}
 
 
 def formulas() -> dict[str, Any]:
@@ -168,7 +129,7 @@ def payload(
     lit: str | None = None,
     awaiting: bool = False,
 ) -> dict[str, Any]:
-    """Return what the feed carries: the machine, and how it moves, as plain numbers.
+    """Return the content of the feed: the machine and its motion as plain numbers.
 
     Parameters
     ----------
@@ -178,9 +139,9 @@ def payload(
     shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
     samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
     slipping : the contact to mark, such as hoop_slab
-    unity : what the gauge says at 1, for bodies whose number is not the paper's
-    lit : the body that stands out, such as hoop, or spring
-    awaiting : samples will come, but are not there yet
+    unity : the text at the gauge's mark 1, for bodies whose number is not the paper's
+    lit : the highlighted body, such as hoop, or spring
+    awaiting : samples are still being computed
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional = {
@@ -215,7 +176,7 @@ def mount(
     hide: Iterable[str] = (),
     on_released: Callable[[float], None] | None = None,
 ) -> Any:
-    """Put a stage on the page and return its result; `result.released` is the compression at which it was let go.
+    """Put a stage on the page and return its result; `result.released` is the compression at which a hand let it go.
 
     Parameters
     ----------
@@ -223,7 +184,7 @@ def mount(
     limits : the range of x₀ that the slab can be dragged through [m]
     watch : slider key → parameter and scale, for following a drag without the server
     key : of the stage among the page's elements
-    name : by which the page's bus knows the stage, no two alike in the whole app; without it, the key
+    name : the stage's name on the page's bus, unique in the whole app; without it, the key
     clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
     layers : shown at first, of energy, arrows, traces, forces, coordinates
     compact : only the picture and its label, without controls
@@ -235,7 +196,8 @@ def mount(
     on_released : called with the compression [m] at which the slab was let go
     """
     if unknown := set(hidden := sorted(hide)).difference(PARTS):
-        raise ValueError(f"hide must be of {', '.join(PARTS)}; got {', '.join(sorted(unknown))}")
+        sentence = _("hide must be among {known}, and {unknown} is not")
+        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
     stage = _component()
     name = name or key
     fixed = {
@@ -269,7 +231,8 @@ def warm_up() -> None:
 @cache
 def _component() -> Callable[..., Any]:
     html, css = ((_HERE / name).read_text(encoding="utf-8") for name in ("stage.html", "stage.css"))
-    words = {**_WORDS, "unity": f"1 ↔ √{unit_frequency_condition().discriminant}"}
+    unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
+    words = {**SENTENCES, "slips": SLIPS, "bodies": BODIES, "unity": unity}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
     script = page.script(*(_HERE / f"{module}.js" for module in _MODULES))
-    return st.components.v2.component("ramanujan_stage", html=html, css=css, js=given + script)
+    return st.components.v2.component("ramanujan_stage", html=filled(html), css=css, js=given + script)

@@ -74,7 +74,7 @@ function sharedMarks(moved, g) {
   };
 }
 
-const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", shared_label: "m′ each" };
+const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", shared_label: WORDS.each };
 
 /** Put the marks under a node; `frame` moves them. */
 function makeCoordinates(root) {

@@ -14,7 +14,7 @@ function nearness({ Omega, plain }) {
 /** What the hands show now, in a sentence. Before the release they part, too, but nobody is ahead. */
 function lead(phase, plainPhase) {
   const turns = (phase - plainPhase) / TURN, apart = Math.abs(turns), periods = plainPhase / TURN;
-  const values = { turns: apart.toFixed(2), periods: Math.abs(periods).toFixed(1), least: LEAST };
+  const values = { turns: fixed(apart, 2), periods: fixed(Math.abs(periods), 1), least: LEAST };
   if (Math.abs(periods) < 0.05) return WORDS.start;
   if (apart < LEAST) return fill(periods < 0 ? WORDS.start : WORDS.close, values);
   if (periods < 0) return fill(WORDS.before, values);
@@ -24,7 +24,7 @@ function lead(phase, plainPhase) {
 /** How soon the hands are one full turn apart. */
 function parting({ Omega, plain }) {
   const periods = 1 / Math.abs(Omega / plain - 1);
-  const turns = periods < 10 ? periods.toFixed(1) : Math.round(periods).toLocaleString("en").replaceAll(",", "\u202f");
+  const turns = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
   const words = { "in-step": WORDS.in_step, nearly: WORDS.nearly, apart: WORDS.parting };
   return fill(words[nearness({ Omega, plain })], { turns, least: LEAST });
 }
@@ -45,9 +45,9 @@ function makeDial(root) {
 
   /** Without clocks, nothing on the page tells how near the two frequencies are. */
   function machine(solution, { unity }, clocks) {
-    reads.normalized.textContent = digits(solution.normalized, 7);
-    reads.omega.textContent = `${digits(solution.Omega, 5)} rad/s`;
-    reads.period.textContent = `${digits(TURN / solution.Omega, 4)} s`;
+    reads.normalized.textContent = number(solution.normalized, 7);
+    reads.omega.textContent = withUnit(number(solution.Omega, 5), "rad/s");
+    reads.period.textContent = withUnit(number(TURN / solution.Omega, 4), "s");
     set(find(".step"), { "data-step": clocks ? nearness(solution) : "" });
     write(find(".parting"), parting(solution));
     drawGauge(solution.normalized, unity ?? WORDS.unity);

@@ -113,9 +113,16 @@ function rollerPaths(shape, R) {
 
 /** What the bodies are called, the two lower rollers by their sides where their shapes do not tell them apart. */
 function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
-  const [left, right] = [shapeOf(beta_hoop), shapeOf(beta_cylinder)];
-  const [hoop, cylinder] = left === right ? [`left ${left}`, `right ${right}`] : [left, right];
-  return { block: "block", hoop, cylinder, slab: "slab", top: `top ${shapeOf(beta_top)}` };
+  const words = WORDS.bodies;
+  const [left, right, top] = [beta_hoop, beta_cylinder, beta_top].map((beta) => words[shapeOf(beta)]);
+  const at = (place, body) => (left === right ? fill(words[place], { body }) : body);
+  return {
+    block: words.block,
+    hoop: at("left", left),
+    cylinder: at("right", right),
+    slab: words.slab,
+    top: fill(words.top, { body: top }),
+  };
 }
 
 /** Where the coordinates put every body and the spring: the attribute `transform` of each, `d` of the spring. */

@@ -27,7 +27,7 @@ function makeLayers(root) {
 
   function geometry(newPlace, parameters) {
     place = newPlace;
-    const words = { ...bodyNames(parameters), spring: "spring" };
+    const words = { ...bodyNames(parameters), spring: WORDS.bodies.spring };
     [...BODIES, "spring"].forEach((name, i) => (names[i].textContent = words[name]));
     find(".shared").textContent = fill(WORDS.shared, words);
   }
@@ -64,7 +64,7 @@ function makeLayers(root) {
       set(find(`.${name} path`), { d: draw(x, y, length, headOf(place.R)) });
       const label = find(`.${name} text`);
       set(label, { x: x + length + 1.5, y: -y });
-      label.textContent = `${Number(value.toPrecision(1))} ${unit}`;
+      label.textContent = withUnit(number(value, 1), unit);
     }
   }
 
@@ -101,7 +101,7 @@ function makeLayers(root) {
     const total = energies.reduce((sum, energy) => sum + energy, 0) || 1;
     energies.forEach((energy, i) => {
       bars[i].style.width = `${(100 * energy) / total}%`;
-      if (write) shares[i].textContent = `${Math.round((100 * energy) / total)} %`;
+      if (write) shares[i].textContent = withUnit(fixed(Math.round((100 * energy) / total), 0), "%");
     });
   }
 

@@ -187,7 +187,7 @@ function slideFloor(root, shift, [left, right]) {
   for (const label of ruler.querySelectorAll("text")) {
     const x = Number(label.getAttribute("x"));
     label.style.visibility = x + moved > left && x + moved < right ? "" : "hidden";
-    if (ruler.dataset.at !== String(stretches)) label.textContent = `${x + stretches * STRETCH} cm`.replace("-", "−");
+    if (ruler.dataset.at !== String(stretches)) label.textContent = withUnit(fixed(x + stretches * STRETCH, 0), "cm");
   }
   ruler.dataset.at = stretches;
 }

@@ -135,7 +135,7 @@ class Slab {
       playback.reset();
     });
     const [least, most] = limits.map(centimetres), value = centimetres(this.value);
-    this.stage.voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : `x₀ = ${digits(this.value * CM, 3)} cm`);
+    this.stage.voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.held, { value: withUnit(number(this.value * CM, 3), "cm") }));
     this.publish(this.value, true);
   }
 
@@ -183,7 +183,7 @@ class Slab {
       "aria-valuemin": least * CM,
       "aria-valuemax": most * CM,
       "aria-valuenow": value * CM,
-      "aria-valuetext": `${digits(value * CM, 3)} cm`,
+      "aria-valuetext": withUnit(number(value * CM, 3), "cm"),
     });
     const back = this.last !== undefined && Math.abs(compression - this.value) < 1e-9 && Math.abs(this.last - this.value) > 1e-9;
     this.button.hidden = !back || this.stage.hand.state === "held";

@@ -71,7 +71,7 @@ function rove(all, { signal, choose }) {
 /** Show what is set: whether the machine plays, its speed, its layers, how far it is in its period. */
 function showControls(root, { playing, speed, layers }) {
   root.querySelector(".stage").classList.toggle("playing", playing);
-  finder(root)("[data-do=play]").setAttribute("aria-label", playing ? "Pause" : "Play");
+  finder(root)("[data-do=play]").setAttribute("aria-label", playing ? WORDS.pause : WORDS.play);
   for (const button of root.querySelectorAll("[data-speed]")) {
     const checked = Number(button.dataset.speed) === speed;
     button.setAttribute("aria-checked", String(checked));

@@ -1,28 +1,30 @@
-// What a stage says: numbers as text, sentences from WORDS, the note over the picture, news for the page's live region.
+// What a stage says: sentences from WORDS, the note over the picture, news for the page's live region.
 
 const NOTE_TIME = 3000; // ms that a note stays
 
-const digits = (value, precision) => Number(value).toPrecision(precision);
-const fill = (sentence, values) => sentence.replace(/\{(\w+)\}/g, (_, name) => values[name]);
-const centimetres = (metres) => Number((metres * 100).toFixed(2));
+/** A length to a tenth of a millimetre at most, without zeros at its end. */
+const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/\.?0+$/, ""), "cm");
 
 /** The picture in one sentence, with the bodies that are there. */
 function pictured(parameters) {
-  const [left, right, top] = ROLLERS.map((name) => shapeOf(parameters[`beta_${name}`]));
+  const [left, right, top] = ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
   return fill(WORDS.picture, { left, right, top });
 }
 
 /** The two periods, and how fast the clocks part. */
 function description({ Omega, plain }) {
   const apart = Math.abs(Omega / plain - 1);
-  const period = digits(TURN / Omega, 3);
+  const period = withUnit(number(TURN / Omega, 3), "s");
   if (apart < 1e-12) return fill(WORDS.together, { period });
-  return fill(Omega > plain ? WORDS.faster : WORDS.slower, { period, turns: digits(1 / apart, 3) });
+  return fill(Omega > plain ? WORDS.faster : WORDS.slower, { period, turns: number(1 / apart, 3) });
 }
 
 /** Where the machine is, for those who cannot see it. */
 const moment = (phase, time, { hides }) =>
-  fill(hides("numbers") ? WORDS.turned : WORDS.moment, { turns: (phase / TURN).toFixed(2), time: time.toFixed(2) });
+  fill(hides("numbers") ? WORDS.turned : WORDS.moment, {
+    turns: fixed(phase / TURN, 2),
+    time: withUnit(fixed(time, 2), "s"),
+  });
 
 /**
  * The voice of one stage. `note` shows something for a few seconds, `slowed` as long as it holds, `describe` and `tell`
@@ -46,7 +48,7 @@ function makeVoice(root, { compact, parts, signal }) {
     },
     slowed(factor, speed) {
       const sentence = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
-      slowing = factor < 1 ? fill(sentence, { factor: digits(factor * speed, 2) }) : "";
+      slowing = factor < 1 ? fill(sentence, { factor: number(factor * speed, 2) }) : "";
       show();
     },
     /** The description compares the machine with the plain mass, in numbers. */

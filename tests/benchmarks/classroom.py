@@ -25,12 +25,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
 
+from ramanujan.scenes import pages
 from tests.benchmarks.app import BARE
 from tests.benchmarks.visitor import VisitError, Visitor
 from tests.browser import ROOT, running
 from tests.deployed import deployed
 
-PAGES = {"oscillator": "", "derivation": "derivation", "motion": "motion", "1729": "1729", "speed": "speed?periods=1"}
+PAGES = {page.name: page.address for page in pages.PAGES.values()}
 EVERY = 2.0
 """Seconds between two changes of one session, on average."""
 

@@ -15,15 +15,10 @@ from time import monotonic, perf_counter, sleep
 
 from playwright.sync_api import Page, sync_playwright
 
+from ramanujan.scenes import pages
 from tests.browser import CHROMIUM, FLAGS, ROOT, count_anew, listen, running, settle
 
-PAGES = {
-    "oscillator": "",
-    "derivation": "derivation",
-    **{f"motion, {view.lower()}": f"motion?figure={view.replace(' ', '+')}" for view in ("Displacements", "Energy")},
-    "1729": "1729",
-    "speed": "speed?periods=1",
-}
+PAGES = {page.name: page.address for page in pages.PAGES.values()} | {"motion, energy": "motion?figure=energy"}
 CHANGES = 5
 
 

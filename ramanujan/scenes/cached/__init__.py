@@ -12,6 +12,8 @@ import streamlit as st
 
 from ramanujan import stage
 from ramanujan.derivation import ROUTES, Route
+from ramanujan.derivation.nomenclature import nomenclature
+from ramanujan.words import _
 
 
 @st.cache_resource(show_spinner=False)
@@ -38,3 +40,12 @@ def warm_up() -> bool:
 def route(name: str) -> Route:
     """Return a route of the derivation."""
     return ROUTES[name]
+
+
+@st.cache_data(show_spinner=False)
+def symbols() -> str:
+    """Return the machine's symbols and their meanings as a Markdown list."""
+    entries = [(entry.latex, entry.meaning) for entry in nomenclature(route("euler_lagrange"))]
+    entries.append(("x_0", _("compression of the spring at release [m]")))
+    # A square bracket before a round one would be read as a link.
+    return "\n".join(f"- ${symbol}$: {meaning}" for symbol, meaning in entries).replace("[", "\\[").replace("]", "\\]")

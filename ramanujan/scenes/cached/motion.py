@@ -13,6 +13,7 @@ from ramanujan.record import Record
 from ramanujan.record import record as take_record
 from ramanujan.sampling import points_for_half_pixel
 from ramanujan.scenes import look
+from ramanujan.words import _
 
 PERIODS = 2
 """How many periods of the machine the figures show."""
@@ -21,24 +22,43 @@ POINTS = points_for_half_pixel(2 * PERIODS)
 """An energy goes up and down twice in a period; and any figure can be opened to fill the screen."""
 
 NAMES = {
-    "block": "block",
-    "hoop": "hoop",
-    "cylinder": "cylinder",
-    "slab": "slab",
-    "top": "top cylinder",
-    "spring": "spring",
+    "block": _("block"),
+    "hoop": _("hoop"),
+    "cylinder": _("lower cylinder"),
+    "slab": _("slab"),
+    "top": _("top cylinder"),
+    "spring": _("spring"),
 }
+"""Body → what a legend calls it."""
 CONTACTS = {
-    "hoop_slab": "hoop on slab",
-    "cylinder_slab": "cylinder on slab",
-    "hoop_block": "hoop on block",
-    "cylinder_block": "cylinder on block",
-    "top_block": "top cylinder on block",
+    "hoop_slab": _("hoop and slab"),
+    "cylinder_slab": _("cylinder and slab"),
+    "hoop_block": _("hoop and block"),
+    "cylinder_block": _("cylinder and block"),
+    "top_block": _("top cylinder and block"),
 }
+"""Contact → the two bodies that touch there."""
 _CM = 100.0
 # Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it.
 _LINES = {"hoop": {"width": 5.0}, "cylinder": {"dash": "6px 6px"}}
-_KINDS = {"translation": "travels", "rotation": "turns"}
+_ENERGIES = {
+    "spring": _("spring"),
+    "block_translation": _("block, translation"),
+    "hoop_translation": _("hoop, translation"),
+    "hoop_rotation": _("hoop, rotation"),
+    "cylinder_translation": _("lower cylinder, translation"),
+    "cylinder_rotation": _("lower cylinder, rotation"),
+    "slab_translation": _("slab, translation"),
+    "top_translation": _("top cylinder, translation"),
+    "top_rotation": _("top cylinder, rotation"),
+}
+_MOMENTA = {
+    "block": _("mv of the block"),
+    "hoop": _("mv of the hoop"),
+    "cylinder": _("mv of the lower cylinder"),
+    "slab": _("mv of the slab"),
+    "top": _("mv of the top cylinder"),
+}
 
 
 @st.cache_resource(show_spinner=False, max_entries=128)
@@ -63,8 +83,11 @@ def figures(view: str, theme: str, *setting: float) -> tuple[Drawn, ...]:
 
 
 def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw where the bodies are, over the ground and over the block."""
-    places = (("over the ground", motion.over_ground), ("over the block", motion.over_block))
+    """Draw where the bodies are, relative to the ground and to the block."""
+    places = (
+        (_("relative to the ground"), motion.over_ground),
+        (_("relative to the block"), motion.over_block),
+    )
     panels = [
         _panel(
             title,
@@ -77,14 +100,14 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
 
 
 def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw one orbit for each coordinate: the slab and the top cylinder over the block, the block over the ground."""
+    """Draw one orbit for each coordinate: slab and top cylinder relative to the block, the block to the ground."""
     shown = {
-        "slab": ("slab over block", motion.over_block, motion.velocity_over_block),
-        "block": ("block over ground", motion.over_ground, motion.velocity_over_ground),
-        "top": ("top cylinder over block", motion.over_block, motion.velocity_over_block),
+        "slab": (_("slab, relative to the block"), motion.over_block, motion.velocity_over_block),
+        "block": (_("block, relative to the ground"), motion.over_ground, motion.velocity_over_ground),
+        "top": (_("top cylinder, relative to the block"), motion.over_block, motion.velocity_over_block),
     }
-    curves = [Curve(name, _CM * x[body], colors[body]) for body, (name, x, _) in shown.items()]
-    velocities = [_CM * v[body] for body, (_, _, v) in shown.items()]
+    curves = [Curve(name, _CM * x[body], colors[body]) for body, (name, x, _v) in shown.items()]
+    velocities = [_CM * v[body] for body, (_name, _x, v) in shown.items()]
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
 
@@ -92,24 +115,23 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the energies of all bodies by kind, one upon the other, below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
-        body, _, kind = key.partition("_")
-        turns = kind == "rotation"
-        name = f"{NAMES[body]} {_KINDS[kind]}" if kind else NAMES[body]
-        curves.append(Curve(name, values * 1e3, colors[body], stacked=True, hatched=turns))
+        body = key.partition("_")[0]
+        turns = key.endswith("_rotation")
+        curves.append(Curve(_ENERGIES[key], values * 1e3, colors[body], stacked=True, hatched=turns))
     total = 1e3 * motion.total_energy
-    curves.append(Curve("total", total, colors["ink"], width=3))
+    curves.append(Curve(_("total energy"), total, colors["ink"], width=3))
     # A sixth above the total is room for the names of the periods.
-    return _over_time(motion, [Panel("energy", "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
+    return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
 
 def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
-    """Draw each body's momentum, swinging, and the two conserved ones, flat."""
+    """Draw the momentum of each body, which oscillates, and the two conserved ones, which are flat."""
     curves = [
-        Curve(f"mv of {NAMES[body]}", values, colors[body], width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
+        Curve(_MOMENTA[body], values, colors[body], width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
         for body, values in motion.body_momenta.items()
     ]
     curves += [
-        Curve("sum of all, −p<sub>X</sub>", -motion.momenta["p_X"], colors["ink"], width=4),
+        Curve(_("all bodies together, −p<sub>X</sub>"), -motion.momenta["p_X"], colors["ink"], width=4),
         Curve(
             "p<sub>Φ</sub>/R",
             motion.momenta["p_Phi"] / motion.oscillator.radius,
@@ -118,7 +140,7 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
             dash="10px 6px",
         ),
     ]
-    return _over_time(motion, [_panel("momentum", "kg m/s", curves)], colors)
+    return _over_time(motion, [_panel(_("momentum"), "kg m/s", curves)], colors)
 
 
 def _contacts(motion: Record, colors: Mapping[str, str]) -> Drawn:
@@ -126,16 +148,17 @@ def _contacts(motion: Record, colors: Mapping[str, str]) -> Drawn:
     forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
     normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
     highest = max(float(curve.values.max()) for curve in normals)
-    panels = [_panel("friction", "N", forces), Panel("normal force", "N", normals, (0.0, 1.1 * highest))]
+    panels = [_panel(_("friction"), "N", forces), Panel(_("normal force"), "N", normals, (0.0, 1.1 * highest))]
     return _over_time(motion, panels, colors)
 
 
 VIEWS = {
-    "Displacements": (_displacements, _orbits),
-    "Energy": (_energy,),
-    "Momentum": (_momentum,),
-    "Contact forces": (_contacts,),
+    "displacements": (_displacements, _orbits),
+    "energy": (_energy,),
+    "momentum": (_momentum,),
+    "forces": (_contacts,),
 }
+"""View → what draws its figures."""
 
 
 def contact_color(contact: str, colors: Mapping[str, str]) -> str:

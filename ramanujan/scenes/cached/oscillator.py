@@ -17,6 +17,7 @@ from ramanujan.figures import Drawn, kept
 from ramanujan.figures.oscillator import Mark, frequency_curve
 from ramanujan.scenes import look
 from ramanujan.scenes.cached import route
+from ramanujan.words import _
 
 CURVE_RANGE = (0.01, 30.0)
 """The mass ratios that the Ω² curve shows; the sliders stay inside."""
@@ -56,11 +57,16 @@ def curve() -> Curve:
         normalized_frequency_squared(ratios),
         float(light),
         sp.lambdify(epsilon, heavy, "numpy")(ratios),
-        Mark(1.0, float(at_equal), f"equal masses<br>{at_equal}"),
+        Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
         Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
-        f"{light} for ε → 0",
-        f"{sp.sstr(heavy).replace('varepsilon', 'ε').replace('*', '')}<br>for ε → ∞",
+        _("{value} for ε → 0").format(value=light),
+        _("{value}<br>for ε → ∞").format(value=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", "")),
     )
+
+
+def equal_masses_value() -> str:
+    """Return Ω²m/k at equal masses as an exact fraction."""
+    return str(unit_frequency_condition().normalized_frequency_squared.subs(epsilon, 1))
 
 
 @st.cache_resource(show_spinner=False, max_entries=4)

@@ -30,6 +30,7 @@ from ramanujan.figures import speed as figures
 from ramanujan.scenes import thinned
 from ramanujan.scenes.experiments import Record
 from ramanujan.scenes.thinned import Run
+from ramanujan.words import _
 
 
 @dataclass(frozen=True)
@@ -43,14 +44,16 @@ class Along:
 
 
 SWEEPS = {
-    f"{name}, {dtype}": Along(name, dtype, symbol, quantity)
-    for name, symbol, quantity in (
-        ("mass ratio", "ε", "ε = m′/m, with m = 1 kg and k = 1 N/m"),
-        ("scale", "s", "s = m/kg = m′/kg = k/(N/m)"),
+    f"{short}_{dtype}": Along(along, dtype, symbol, quantity)
+    for short, along, symbol, quantity in (
+        ("ratio", "mass ratio", "ε", _("mass ratio ε = m′/m, with m = 1 kg and k = 1 N/m")),
+        ("scale", "scale", "s", _("scale s = m/kg = m′/kg = k/(N/m)")),
     )
     for dtype in ("float64", "float32")
 }
-"""The sweeps by the words of their chip."""
+"""The sweeps by their ids."""
+OLD_SWEEPS = {f"{sweep.along}, {sweep.dtype}": name for name, sweep in SWEEPS.items()}
+"""What addresses called the sweeps before they had ids."""
 
 
 @st.cache_resource(show_spinner=False, max_entries=256)
@@ -95,9 +98,9 @@ def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) ->
     """Return the figure of the phase errors in the given colours."""
     found = phases(m, m_prime, k)
     curves = {
-        "Ω·t in float32": [p.float32 for p in found],
-        "Ω·t in float64": [p.float64 for p in found],
-        "reduced in turns": [p.reduced for p in found],
+        _("Ω·t in float32"): [p.float32 for p in found],
+        _("Ω·t in float64"): [p.float64 for p in found],
+        _("whole turns subtracted first"): [p.reduced for p in found],
     }
     return figures.phase_errors([p.periods for p in found], curves, colors)
 

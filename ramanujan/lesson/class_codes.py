@@ -1,0 +1,69 @@
+"""What opens a class: a short code for everybody, a long key for the lecturer, a random voter for each student."""
+
+from __future__ import annotations
+
+import hashlib
+import secrets
+
+ALPHABET = "BCDFHJKLMNPRSTWXZ"
+"""Letters of a code: none looks like a digit or like another letter, and without vowels they spell no word."""
+LETTERS = 6
+"""Letters of a code; 17⁶ is 24 million."""
+
+_SECRET_BYTES, _VOTER_BYTES = 24, 9
+_LONGEST = 60
+
+
+def new_code() -> str:
+    """Return a code that nobody can foresee."""
+    return "".join(secrets.choice(ALPHABET) for _ in range(LETTERS))
+
+
+def read_code(text: str) -> str | None:
+    """Return the code that was typed, in whatever case and with whatever between its letters, or None.
+
+    >>> read_code(" bcd-fhj ")
+    'BCDFHJ'
+    """
+    code = "".join(filter(str.isalnum, text[:_LONGEST].upper()))
+    return code if len(code) == LETTERS and set(code) <= set(ALPHABET) else None
+
+
+def spaced(code: str) -> str:
+    """Return a code as it is read aloud, in two groups.
+
+    >>> spaced("BCDFHJ")
+    'BCD FHJ'
+    """
+    return f"{code[: LETTERS // 2]} {code[LETTERS // 2 :]}"
+
+
+def new_secret() -> str:
+    """Return what makes a lecturer's key; it fits into an address."""
+    return secrets.token_urlsafe(_SECRET_BYTES)
+
+
+def new_voter() -> str:
+    """Return a student's random name."""
+    return secrets.token_urlsafe(_VOTER_BYTES)
+
+
+def key_of(code: str, secret: str) -> str:
+    """Return the lecturer's key to the class of this code."""
+    return f"{code}-{secret}"
+
+
+def parts_of(key: str) -> tuple[str, str]:
+    """Return the code and the secret of a key; the secret of a mere code is empty."""
+    code, _hyphen, secret = key.partition("-")
+    return code, secret
+
+
+def lock_for(secret: str) -> bytes:
+    """Return what is kept of a secret: who reads the file cannot make the key from it."""
+    return hashlib.sha256(secret.encode()).digest()
+
+
+def opens(lock: bytes, secret: str) -> bool:
+    """Tell whether this is the secret; the time that it takes says nothing about either."""
+    return secrets.compare_digest(lock, lock_for(secret))

@@ -1,0 +1,137 @@
+"""How numbers are written for people: significant digits, thin spaces, a true minus sign, powers of ten.
+
+    number(0.0332)            0.033             fixed(-0.5, 2)             −0.50
+    number(12345.0, 3)        12 300            quantity(2.54, "m/s", 3)   2.54 m/s
+    number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
+
+`page/sentences.js` follows the same rules in the browser. LaTeX has its own digits, in `derivation.exact`.
+"""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from numbers import Integral
+
+from ramanujan.words import _
+
+THIN = "\u202f"
+"""A thin space that does not break: between groups of three digits, and between a number and its unit."""
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+FROM_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+"""Small raised digits, and the way back."""
+
+_LONGEST_INTEGER = 10**6
+_PLAIN = range(-4, 6)
+"""Powers of ten of the leading digit for which a number is written without a power."""
+
+_DURATIONS = ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns"))
+
+Number = float | int | Decimal
+
+
+def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
+    """Return a number with so many significant digits; an integer below a million keeps all of its own.
+
+    Parameters
+    ----------
+    value : any real number, also a NumPy scalar
+    digits : significant digits
+    strip : leave out the zeros at the end of a decimal
+
+    >>> number(0.0332), number(-12345.0, 3), number(1729), number(4.56e153), number(1e6)
+    ('0.033', '−12\\u202f300', '1729', '4.6×10¹⁵³', '10⁶')
+    >>> number(0.5, 3), number(0.5, 3, strip=True)
+    ('0.500', '0.5')
+    """
+    if isinstance(value, Integral):
+        if abs(value) < _LONGEST_INTEGER:
+            return _grouped(f"{int(value):,}")
+        value = Decimal(int(value))
+    if value != value:
+        return _("not a number")
+    if value in (math.inf, -math.inf):
+        return "∞" if value > 0 else "−∞"
+    if value == 0:
+        return "0"
+    mantissa, _e, exponent = f"{value:.{digits - 1}e}".partition("e")
+    power = int(exponent)
+    if power not in _PLAIN:
+        mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+        sign, size = ("−", mantissa[1:]) if mantissa.startswith("-") else ("", mantissa)
+        return sign + (power_of_ten(power) if size == "1" else f"{size}×{power_of_ten(power)}")
+    places = digits - 1 - power
+    text = f"{round(value, places):,.{max(places, 0)}f}"
+    return _grouped(text.rstrip("0").rstrip(".") if strip and "." in text else text)
+
+
+def fixed(value: float, places: int) -> str:
+    """Return a number with so many decimal places.
+
+    >>> fixed(-0.5, 2), fixed(12345.678, 1)
+    ('−0.50', '12\\u202f345.7')
+    """
+    return _grouped(f"{value:,.{places}f}")
+
+
+def quantity(value: Number, unit: str, digits: int = 2, *, strip: bool = False) -> str:
+    """Return a number with its unit, a thin space between them.
+
+    >>> quantity(2.54, "m/s", 3)
+    '2.54\\u202fm/s'
+    """
+    return with_unit(number(value, digits, strip=strip), unit)
+
+
+def with_unit(text: str, unit: str) -> str:
+    """Return a number that is text already with its unit; without a unit, as it is.
+
+    >>> with_unit("2", "kg")
+    '2\\u202fkg'
+    """
+    return f"{text}{THIN}{unit}" if unit else text
+
+
+def duration(seconds: float) -> str:
+    """Return a time in the unit that keeps it between 1 and 1000: s, ms, µs or ns.
+
+    >>> duration(2.5e-5)
+    '25\\u202fµs'
+    """
+    size, unit = next(((size, unit) for size, unit in _DURATIONS if seconds >= size), _DURATIONS[-1])
+    return quantity(seconds / size, unit)
+
+
+def percent(share: float, digits: int = 2) -> str:
+    """Return a share of the whole in percent.
+
+    >>> percent(0.25)
+    '25\\u202f%'
+    """
+    return quantity(100 * share, "%", digits)
+
+
+def power_of_ten(exponent: int) -> str:
+    """Return a power of ten with a raised exponent.
+
+    >>> power_of_ten(-3)
+    '10⁻³'
+    """
+    return f"10{superscript(exponent)}"
+
+
+def superscript(exponent: int) -> str:
+    """Return an integer in small raised digits.
+
+    >>> superscript(-12)
+    '⁻¹²'
+    """
+    return str(exponent).translate(SUPERSCRIPTS)
+
+
+def _grouped(text: str) -> str:
+    """Return digits that Python has grouped by commas with thin spaces, four without any, and a true minus sign."""
+    whole, _point, _decimals = text.partition(".")
+    thin = THIN if len(whole.lstrip("-")) > len("1,729") else ""
+    return text.replace(",", thin).replace("-", "−")

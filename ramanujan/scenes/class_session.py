@@ -1,0 +1,139 @@
+"""Who this session is in a class: a lecturer with a key, a student with a seat, or nobody.
+
+It is known from the session, and after a reload from the address:
+
+    class       the code, in everybody's address; alone it is the link that students get
+    lecturer    the lecturer's key, in the lecturer's own address
+    voter       a student's random name, in the student's own address
+
+*Copy link* leaves out what `links.PRIVATE` names.
+"""
+
+from __future__ import annotations
+
+import re
+import secrets
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import ClassVar
+
+import streamlit as st
+
+from ramanujan.lesson.class_codes import ALPHABET, LETTERS, parts_of
+from ramanujan.lesson.classes import ClassError, Seat, shared
+from ramanujan.scenes import links
+from ramanujan.words import _
+
+_NAME = r"[A-Za-z0-9_-]"
+
+
+@dataclass(frozen=True)
+class Word:
+    """A key of the address that holds a code, or what nobody else can guess; the class itself knows what it opens."""
+
+    bound: ClassVar[bool] = False
+    name: str
+    form: str
+    default: str = ""
+
+    def read(self, text: str) -> str:
+        """Return the text; ValueError if it cannot belong to any class."""
+        if not re.fullmatch(self.form, text, re.ASCII):
+            raise ValueError(self.name)
+        return text
+
+    def write(self, text: str) -> str:
+        """Return the text as the address has it."""
+        return text
+
+    def complaint(self) -> str:
+        """Return the sentence for a text that does not fit."""
+        return _("The value of {name} in the address was ignored: it belongs to no class.").format(name=self.name)
+
+
+CLASS = Word("class", f"[A-Za-z]{{{LETTERS}}}")
+LECTURER = Word("lecturer", f"[{ALPHABET}]{{{LETTERS}}}-{_NAME}{{20,60}}")
+VOTER = Word("voter", f"{_NAME}{{8,40}}")
+KEYS = (CLASS, LECTURER, VOTER)
+"""What the address says of a class."""
+
+_KEY, _SEAT = "class_key", "class_seat"
+_SESSION = "class_session"
+_JUDGED = "class_link_judged"
+_SAID = "class_said"
+"""Session state: why the last thing that somebody did here was refused."""
+
+
+def arrive() -> None:
+    """Know a lecturer and a student again by their address, once a session; from then on the address follows."""
+    if not st.session_state.get(_JUDGED):
+        st.session_state[_JUDGED] = True
+        if key := links.held(LECTURER):
+            attempt(_sit_at_desk, key)
+        elif code := links.held(CLASS):
+            attempt(take_seat, code, links.held(VOTER))
+    if mine := key_held():
+        _write_address(parts_of(mine)[0], lecturer=mine)
+    elif seat := seat_held():
+        _write_address(seat.code, voter=seat.voter)
+
+
+def key_held() -> str | None:
+    """Return the lecturer's key, if this session is the lecturer's."""
+    return st.session_state.get(_KEY)
+
+
+def seat_held() -> Seat | None:
+    """Return the student's seat, if this session is a student's."""
+    return st.session_state.get(_SEAT)
+
+
+def open_class() -> None:
+    """Become the lecturer of a new class."""
+    st.session_state[_KEY] = shared().open_class().key
+
+
+def take_seat(code: str, voter: str = "") -> None:
+    """Become a student of the class with this code."""
+    session = st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
+    st.session_state[_SEAT] = shared().join(code, session, voter)
+
+
+def change_seat() -> Seat:
+    """Give the seat up to a neighbour who came with the same address, and return another with the same answers."""
+    seat = st.session_state[_SEAT] = shared().move(st.session_state[_SEAT])
+    arrive()
+    return seat
+
+
+def leave() -> None:
+    """Be nobody again."""
+    for name in (_KEY, _SEAT, _SAID):
+        st.session_state.pop(name, None)
+    _write_address()
+
+
+def attempt(act: Callable, *values: object) -> None:
+    """Do something in the class, or keep the sentence that says why not."""
+    st.session_state.pop(_SAID, None)
+    try:
+        act(*values)
+    except ClassError as error:
+        st.session_state[_SAID] = str(error)
+
+
+def refusal() -> str | None:
+    """Return why the last attempt was refused, if it was."""
+    return st.session_state.get(_SAID)
+
+
+def _sit_at_desk(key: str) -> None:
+    shared().code_of(key)
+    st.session_state[_KEY] = key
+
+
+def _write_address(code: str = "", lecturer: str = "", voter: str = "") -> None:
+    """Let the address say this of the class."""
+    for key, value in ((CLASS, code), (LECTURER, lecturer), (VOTER, voter)):
+        st.session_state[key.name] = value
+        links.keep(key)

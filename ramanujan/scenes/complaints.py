@@ -1,0 +1,49 @@
+"""What the app says to a person about what was entered: on the page about its address, at a slider about its box."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+_ABOUT_ADDRESS = "complaints_address"
+_NOTES = "complaints_notes"
+"""Session state: key of a quantity → what is to be said at its box in the next run, and whether it is a complaint."""
+_SHOWN = "complaints_shown"
+_RUN_AGAIN = "run_again"
+
+Note = tuple[str, bool]
+
+
+def begin(sentences: list[str]) -> None:
+    """Begin a run: say what is wrong with the address. A run that the page asked for itself repeats what was said."""
+    again = st.session_state.pop(_RUN_AGAIN, False)
+    said = [*(st.session_state.get(_ABOUT_ADDRESS, []) if again else []), *sentences]
+    shown = st.session_state.get(_SHOWN, {}) if again else {}
+    st.session_state[_SHOWN] = shown | st.session_state.pop(_NOTES, {})
+    st.session_state[_ABOUT_ADDRESS] = said
+    # On the page itself, since the sidebar of a phone is closed at first.
+    if said:
+        st.warning(" ".join(said))
+
+
+def complain(sentence: str) -> None:
+    """Say on the page what it cannot use of its address."""
+    st.warning(sentence)
+    st.session_state[_ABOUT_ADDRESS] = [*st.session_state.get(_ABOUT_ADDRESS, []), sentence]
+
+
+def note(key: str, sentence: str, complaint: bool = False) -> None:
+    """Say a sentence at the box of a quantity; where the box is drawn already, in the run that follows."""
+    st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, complaint)}
+
+
+def show_note(key: str) -> None:
+    """Draw what is to be said at the box of a quantity."""
+    if found := st.session_state.get(_SHOWN, {}).get(key):
+        sentence, complaint = found
+        (st.warning if complaint else st.info)(sentence)
+
+
+def run_again() -> None:
+    """Run the page again by itself, to show what has come in; what has been said to the person stays."""
+    st.session_state[_RUN_AGAIN] = True
+    st.rerun()

@@ -1,0 +1,53 @@
+"""What the sections of page 5 share: what a person has set, the experiments that this asks for, figures and tables."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import streamlit as st
+
+from ramanujan import Oscillator
+from ramanujan.scenes import experiments, thinned, verdicts
+from ramanujan.scenes.cached import speed as cached
+
+CHOSEN, MEASURED, OTHERS = range(3)
+"""The order in which the page's experiments are taken."""
+_QUIET = {"displayModeBar": False}
+
+
+@dataclass
+class Setting:
+    """What a person has set, and the experiments that this asks for: order, key, job, place for its progress."""
+
+    machine: Oscillator
+    method: str
+    steps: int
+    periods: int
+    precision: str
+    tasks: list[tuple[int, str, experiments.Job, Any]] = field(default_factory=list)
+
+    @property
+    def parameters(self) -> tuple[float, float, float]:
+        """m, m′ [kg] and k [N/m]."""
+        return self.machine.m, self.machine.m_prime, self.machine.k
+
+    def add(self, order: int, key: str, job: experiments.Job, place: Any) -> None:
+        """Take an experiment while the page is open."""
+        self.tasks.append((order, key, job, place))
+
+    def run_of(self, name: str) -> tuple[str, Any, Any]:
+        """Return the key, the record and the pieces of a method's run with these settings."""
+        how = (name, self.steps, self.periods, self.precision)
+        return f"run {name}", cached.run(*self.parameters, *how), lambda: thinned.run_pieces(self.machine, *how)
+
+
+def chart(figure: Any, key: str, alt: str) -> None:
+    """Put a figure on the page."""
+    st.plotly_chart(figure, key=key, theme=None, config=_QUIET, alt=alt)
+
+
+def show_table(rows: verdicts.Table, key: str) -> None:
+    """Draw a table that scrolls by itself where the page is narrow."""
+    with st.container(key=f"table_{key}"):
+        st.markdown(verdicts.table(rows))

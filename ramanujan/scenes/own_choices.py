@@ -1,0 +1,96 @@
+"""What the app itself uses where, why, and the measurement behind it, in sentences for page 5."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ramanujan.accuracy import FORMS
+from ramanujan.accuracy.choices import Arithmetic, ClosedForm, Comparison, CurveSampling
+from ramanujan.accuracy.extremes import Sweep
+from ramanujan.numerals import duration, number
+from ramanujan.scenes.thinned import FIGURE_HEIGHT, SCREEN_HEIGHT
+from ramanujan.words import _
+
+
+def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
+    """List what the app uses where, why, and the measurement behind it."""
+    kinds = {f.name: f for f in found if isinstance(f, Arithmetic)}
+    items = [
+        _motion([f for f in found if isinstance(f, ClosedForm)]),
+        _frequency(kinds, [s for s in sweeps if s.form == list(FORMS)[-1] and s.dtype == "float64"]),
+        _formulas(kinds),
+        _curves([f for f in found if isinstance(f, CurveSampling)]),
+        _bytes(),
+        *(_kept(f) for f in found if isinstance(f, Comparison)),
+    ]
+    return "\n".join(f"- {item}" for item in items)
+
+
+def _motion(states: Sequence[ClosedForm]) -> str:
+    return _(
+        "**Motion, stage and figures**: the closed form. From {first} to {last} periods its phase error is at most "
+        "{error} rad, and a state takes {time}, however late it is."
+    ).format(
+        first=states[0].periods,
+        last=number(states[-1].periods),
+        error=number(max(s.phase_error for s in states)),
+        time=duration(float(np.median([s.seconds.median for s in states]))),
+    )
+
+
+def _frequency(kinds: dict[str, Arithmetic], form: Sequence[Sweep]) -> str:
+    many = next(kind for name, kind in kinds.items() if name.startswith("float64, one of"))
+    return _(
+        "**Ω²**: {formula}. It is right to {error} ulp over the whole range of float64. A value takes {many} in an "
+        "array and {one} by itself."
+    ).format(
+        formula=FORMS[list(FORMS)[-1]].formula,
+        error=number(max(s.worst_right_ulp for s in form)),
+        many=duration(many.seconds.median),
+        one=duration(kinds["float64"].seconds.median),
+    )
+
+
+def _formulas(kinds: dict[str, Arithmetic]) -> str:
+    digits = [kind for name, kind in kinds.items() if name.startswith("mpmath")]
+    return _(
+        "**Formulas and steps of the derivation**: exact fractions. A fraction has no error and takes {fraction}. "
+        "mpmath takes {few} with {few_digits} digits and {many} with {many_digits} digits."
+    ).format(
+        fraction=duration(kinds["fraction"].seconds.median),
+        few=duration(digits[0].seconds.median),
+        few_digits=digits[0].name.split()[1],
+        many=duration(digits[-1].seconds.median),
+        many_digits=digits[-1].name.split()[1],
+    )
+
+
+def _curves(curves: Sequence[CurveSampling]) -> str:
+    enough = {name: next(c for c in curves if c.curve == name and c.pixels < 0.5) for name in ("cosine", "frequency")}
+    return _(
+        "**Curves**: enough points for an error below half a pixel. In a figure {height} pixels high, {cosine} points "
+        "draw one period to {cosine_error} pixel, and {curve} points draw the curve of Ω² to {curve_error} "
+        "pixel."
+    ).format(
+        height=FIGURE_HEIGHT,
+        cosine=enough["cosine"].points,
+        cosine_error=number(enough["cosine"].pixels),
+        curve=enough["frequency"].points,
+        curve_error=number(enough["frequency"].pixels),
+    )
+
+
+def _bytes() -> str:
+    rounding = float(np.finfo(np.float32).eps) / 2
+    return _(
+        "**Numbers sent to the browser**: float32. They take half the bytes of float64. Rounding changes a number by "
+        "at most one part in {part}, {finer} times less than half a pixel of a screen {height} pixels high."
+    ).format(part=number(1 / rounding), finer=number(0.5 / SCREEN_HEIGHT / rounding), height=SCREEN_HEIGHT)
+
+
+def _kept(compared: Comparison) -> str:
+    return _("**{fast}**: {ratio} times faster than {slow}.").format(
+        fast=compared.fast, ratio=number(compared.ratio), slow=compared.slow
+    )

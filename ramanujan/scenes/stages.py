@@ -1,0 +1,19 @@
+"""The stages of the pages: each follows the sliders of the sidebar."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ramanujan import stage
+from ramanujan.scenes import view
+from ramanujan.scenes.quantities import QUANTITIES, WATCH
+
+LIMITS = QUANTITIES["compression"].limits
+"""The least and the largest x₀ [m]."""
+
+
+def mount(payload: Mapping[str, Any], **more: Any) -> Any:
+    """Put a stage on the page as `stage.mount` does, with the sliders, the range of x₀ and what the link hides."""
+    hidden = {*view.on_stage(), *more.pop("hide", ())}
+    return stage.mount(payload, limits=LIMITS, watch=WATCH, hide=hidden, **more)

@@ -1,0 +1,143 @@
+"""The widgets of the pages: each belongs to a key of the address (`links`), holds an id, and shows its words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+import streamlit as st
+
+from ramanujan import page
+from ramanujan.scenes import complaints, links
+from ramanujan.scenes.links import Choice, Count
+from ramanujan.scenes.quantities import LONGEST, Quantity
+from ramanujan.words import _
+
+Words = Mapping[Any, str]
+"""Option → what the person reads."""
+
+
+def _said(words: Words) -> Callable[[Any], str]:
+    """Return what Streamlit asks for the words of an option; a page that was left open may name one that is gone."""
+    return lambda option: words.get(option, str(option))
+
+
+def chips(key: Choice, label: str, words: Words, **more: Any) -> Any:
+    """Draw the options side by side; exactly one of them is chosen."""
+    st.segmented_control(
+        label,
+        key.options,
+        format_func=_said(words),
+        default=key.default,
+        required=True,
+        key=key.name,
+        persist_state="session",
+        **more,
+    )
+    links.keep(key)
+    return links.held(key)
+
+
+def pills(key: Choice, label: str, words: Words, **more: Any) -> Any:
+    """Draw the options side by side; one of them may be chosen."""
+    st.pills(label, key.options, format_func=_said(words), key=key.name, persist_state="session", **more)
+    links.keep(key)
+    return links.held(key)
+
+
+def menu(key: Choice, label: str, words: Words, **more: Any) -> Any:
+    """Draw the options as a menu."""
+    st.selectbox(
+        label,
+        key.options,
+        index=key.options.index(key.default),
+        format_func=_said(words),
+        key=key.name,
+        persist_state="session",
+        **more,
+    )
+    links.keep(key)
+    return links.held(key)
+
+
+def ladder(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+    """Draw the options as the marks of a slider."""
+    said = _said(words or {})
+    st.select_slider(label, key.options, key.default, format_func=said, key=key.name, persist_state="session", **more)
+    links.keep(key)
+    return links.held(key)
+
+
+def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
+    """Draw a box for a whole number."""
+    st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
+    links.keep(key)
+    return links.held(key)
+
+
+def tabs(key: Choice, words: Words) -> dict[str, Any]:
+    """Draw tabs and return them by the ids of their options; the open one alone has to be filled."""
+    widget, ids = f"{key.name}_tabs", {label: option for option, label in words.items()}
+
+    def chosen() -> None:
+        st.session_state[key.name] = ids.get(st.session_state[widget], key.default)
+
+    # Streamlit knows a tab only by its label.
+    if st.session_state.get(widget, words[key.default]) != words[links.held(key)]:
+        st.session_state[widget] = words[links.held(key)]
+    drawn = st.tabs([words[option] for option in key.options], key=widget, on_change=chosen)
+    links.keep(key)
+    return dict(zip(key.options, drawn, strict=True))
+
+
+def slider(quantity: Quantity, **more: Any) -> float:
+    """Draw a slider, bound to the address, and return its value in this quantity's unit."""
+    return st.slider(
+        quantity.label,
+        quantity.least,
+        quantity.most,
+        quantity.default,
+        quantity.step,
+        format=quantity.format,
+        key=quantity.key,
+        bind="query-params",
+        **more,
+    )
+
+
+def page_slider(quantity: Quantity) -> float:
+    """Draw a slider that only the present page has, and return its value in SI units."""
+    value = slider(quantity)
+    return (value if quantity.least <= value <= quantity.most else quantity.default) * quantity.scale
+
+
+def slider_with_box(quantity: Quantity, stages: tuple[str, ...], enter: Callable[[str, str], None]) -> float:
+    """Draw a slider with the box that takes an exact number, and return its value in this quantity's unit.
+
+    Parameters
+    ----------
+    quantity : what is set
+    stages : names of the stages on which it can be dragged
+    enter : called with the key and what was typed into the box
+    """
+    # The box stands above its slider but is made after it, so that it shows what the slider holds.
+    head = st.container(key=f"head_{quantity.key}")
+    value = slider(quantity, label_visibility="collapsed")
+    with head:
+        page.exact(
+            f"{quantity.key}_exact",
+            {
+                "key": quantity.key,
+                "symbol": quantity.symbol,
+                "unit": quantity.unit,
+                "meaning": quantity.short,
+                "label": _("Exact value: {quantity}").format(quantity=quantity.label),
+                "longest": LONGEST,
+                "scale": quantity.scale,
+                "stages": stages,
+            },
+            partial(enter, quantity.key),
+        )
+        complaints.show_note(quantity.key)
+    return value

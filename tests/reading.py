@@ -1,0 +1,18 @@
+"""Numbers as the pages write them, read back: 0.033, 12 300, −4.6×10¹⁵³, 10⁻⁶. It shares nothing with the package."""
+
+from __future__ import annotations
+
+NUMBER = "([−0-9.\u202f×⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*[0-9⁰¹²³⁴⁵⁶⁷⁸⁹])"
+"""A regular expression for such a number."""
+
+_RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def read(text: str) -> float:
+    plain = text.replace("\u202f", "").replace("−", "-")
+    digits = plain.rstrip("⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    if digits == plain:
+        return float(plain)
+    assert digits.endswith("10")
+    size = digits.removesuffix("10").removesuffix("×")
+    return float(f"{size if size.strip('-') else size + '1'}e{plain[len(digits) :].translate(_RAISED)}")

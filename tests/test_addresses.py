@@ -1,0 +1,241 @@
+"""No address breaks a page: every key of every page with values that nobody means, old labels, and each option's id."""
+
+from __future__ import annotations
+
+import pytest
+from streamlit.testing.v1 import AppTest
+
+from ramanujan.scenes import quantities
+from ramanujan.scenes.pages import PAGES
+from tests.browser import ROOT
+
+UNMEANT = {
+    "empty": "",
+    "blank": " ",
+    "infinite": "inf",
+    "minus infinity": "-inf",
+    "NaN": "nan",
+    "huge": "1e400",
+    "negative": "-77",
+    "repeated": ["1", "2"],
+    "5,000 characters": "1" * 5000,
+    "bidirectional": "\u202e1729\u202c",
+    "HTML": "<b onclick=alert(1)>1</b>",
+    "no number": "abc",
+}
+DANGEROUS = ("empty", "infinite", "huge", "repeated")
+"""What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
+OWN = {page.name: {key.name for key in page.keys} for page in PAGES.values()}
+SHARED = {key.name for key in quantities.KEYS}
+DEFAULTS = {
+    "route": "euler_lagrange",
+    "show": "lecture",
+    "values": "symbols",
+    "step": 1,
+    "body": None,
+    "question": "kinetic_energy_block",
+    "glide": 0.0,
+    "spin": 0.0,
+    "mu": 0.2,
+    "figure": "displacements",
+    "left": "hoop",
+    "right": "cylinder",
+    "top": "cylinder",
+    "p": 1,
+    "q": 1,
+    "digits": 100,
+    "method": "velocity_verlet",
+    "steps": 12,
+    "periods": 30,
+    "precision": "float64",
+    "cost": "evaluations",
+    "tolerance": 3,
+    "sweep": "ratio_float64",
+    "part": "stops",
+    "stop": "two-clocks",
+    "chosen": {},
+    "class": "",
+    "lecturer": "",
+    "voter": "",
+    "task": "in-step",
+    "task_x0": 8.0,
+    "task_glide": 0.0,
+    "task_spin": 0.0,
+    "task_method": "rk4",
+    "task_steps": 100,
+    "task_periods": 10,
+    "task_left": "hoop",
+    "task_right": "cylinder",
+    "task_top": "cylinder",
+    "m": 1.0,
+    "m_prime": 1.0,
+    "k": 10.0,
+    "compression": 8.0,
+    "radius": 10.0,
+}
+
+
+def opened(name: str, address: dict[str, str | list[str]]) -> AppTest:
+    """A page as a new visitor finds it under an address; where the page would measure for long, it has less to do."""
+    app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
+    # Only after a first run does AppTest know a page whose address is not the name of its file.
+    if name == "taxicab":
+        app.run()
+    app.switch_page(PAGES[name].file)
+    quick = dict(part.split("=") for part in PAGES[name].quick.split("&") if part)
+    app.query_params.update({**quick, **address})
+    app.run()
+    assert not app.exception, (name, app.exception[0].message)
+    assert not app.error
+    assert app.title[0].value
+    return app
+
+
+def state(app: AppTest, key: str) -> object:
+    return app.session_state[key] if key in app.session_state else DEFAULTS[key]
+
+
+def test_every_key_that_a_page_declares_is_in_this_test():
+    assert SHARED.union(*OWN.values()) == set(DEFAULTS)
+    assert all(not OWN[a] & OWN[b] for a in OWN for b in OWN if a < b)
+
+
+def test_the_list_of_pages_is_whole():
+    drawn = {path.stem for path in (ROOT / "ramanujan" / "scenes").glob("*.py") if "__main__" in path.read_text()}
+    assert set(PAGES) <= drawn
+    assert drawn - set(PAGES) <= {"server", "pages"}
+
+
+@pytest.mark.parametrize("kind", UNMEANT)
+@pytest.mark.parametrize("name", PAGES)
+def test_all_keys_at_once_say_what_nobody_means(name, kind):
+    keys = OWN[name] | SHARED
+    app = opened(name, dict.fromkeys(keys, UNMEANT[kind]))
+    (warning,) = app.warning
+    for key in keys:
+        assert f" {key} " in warning.value, key
+        assert state(app, key) == DEFAULTS[key], key
+        # A slider that a first run has drawn already keeps to its own value, and leaves the address alone.
+        assert key not in app.query_params or (name == "taxicab" and key in SHARED)
+    assert "1111" not in warning.value
+    assert not set("<>\u202e") & set(warning.value)
+    # It is said once.
+    assert not app.run().warning
+
+
+@pytest.mark.parametrize("kind", DANGEROUS)
+@pytest.mark.parametrize("name", [name for name in PAGES if OWN[name]])
+def test_one_key_at_a_time_leaves_the_others_alone(name, kind):
+    for key in sorted(OWN[name]):
+        app = opened(name, {key: UNMEANT[kind], "m": "2"})
+        (warning,) = app.warning
+        assert f" {key} " in warning.value
+        assert state(app, key) == DEFAULTS[key]
+        assert app.session_state["m"] == (1.0 if name == "taxicab" else 2.0)
+
+
+# Negative controls: what is meant is taken, and nothing is said.
+
+MEANT = {
+    "derivation": {
+        "route": ("hamilton", "hamilton"),
+        "show": ("reading", "reading"),
+        "values": ("numbers", "numbers"),
+        "step": ("3", 3),
+        "body": ("top", "top"),
+        "question": ("unit_mass_ratio", "unit_mass_ratio"),
+    },
+    "motion": {"glide": ("-7.5", -7.5), "spin": ("1.25", 1.25), "mu": ("0.9", 0.9), "figure": ("forces", "forces")},
+    "taxicab": {
+        "left": ("sphere", "sphere"),
+        "right": ("shell", "shell"),
+        "top": ("hoop", "hoop"),
+        "p": ("104", 104),
+        "q": ("99", 99),
+        "digits": ("7", 7),
+    },
+    "speed": {
+        "method": ("rk4", "rk4"),
+        "steps": ("24", 24),
+        "periods": ("3", 3),
+        "precision": ("float32", "float32"),
+        "cost": ("seconds", "seconds"),
+        "tolerance": ("1e-6", 6),
+        "sweep": ("scale_float32", "scale_float32"),
+    },
+    "worksheet": {"paper": ("key", "key"), "seed": ("7", 7)},
+    "lesson": {
+        "part": ("tasks", "tasks"),
+        "stop": ("radius", "radius"),
+        "chosen": ("radius.same~block.rest", {"radius": "same", "block": "rest"}),
+        "task": ("top-at-rest", "top-at-rest"),
+        "task_x0": ("0.5", 0.5),
+        "task_glide": ("-7.5", -7.5),
+        "task_spin": ("1.25", 1.25),
+        "task_method": ("yoshida4", "yoshida4"),
+        "task_steps": ("24", 24),
+        "task_periods": ("5", 5),
+        "task_left": ("sphere", "sphere"),
+        "task_right": ("shell", "shell"),
+        "task_top": ("hoop", "hoop"),
+    },
+}
+OF_A_CLASS = {"class", "lecturer", "voter"}
+"""Keys that mean something only while a class is open (test_scene_classroom)."""
+OLD = {
+    "derivation": {
+        "route": ("Hamilton", "hamilton"),
+        "show": ("Reading", "reading"),
+        "values": ("My numbers", "numbers"),
+        "body": ("top cylinder", "top"),
+        "question": ("The mass ratio", "unit_mass_ratio"),
+    },
+    "motion": {"figure": ("Contact forces", "forces")},
+    "speed": {"method": ("Runge–Kutta 4", "rk4"), "sweep": ("scale, float32", "scale_float32")},
+}
+
+
+@pytest.mark.parametrize("name", MEANT)
+def test_an_address_is_taken_and_kept_as_it_is(name):
+    assert set(MEANT[name]) == OWN[name] - OF_A_CLASS
+    address = {key: text for key, (text, _) in MEANT[name].items()}
+    app = opened(name, address)
+    assert not app.warning
+    for key, (_, value) in MEANT[name].items():
+        assert state(app, key) == value, key
+    assert {key: app.query_params.get(key) for key in address} == address
+    # Another page does not carry it; a visitor who returns finds everything as it was.
+    other = "motion" if name != "motion" else "taxicab"
+    app.switch_page(PAGES[other].file).run()
+    assert not app.warning
+    assert not OWN[name] & set(app.query_params)
+    app.switch_page(PAGES[name].file).run()
+    assert {key: app.query_params.get(key) for key in address} == address
+
+
+@pytest.mark.parametrize("name", OLD)
+def test_an_old_address_with_labels_still_works_and_becomes_a_new_one(name):
+    app = opened(name, {key: text for key, (text, _) in OLD[name].items()})
+    assert not app.warning
+    for key, (_, value) in OLD[name].items():
+        assert state(app, key) == value
+        assert app.query_params[key] == value
+
+
+def test_every_option_has_a_short_ascii_id():
+    for page in PAGES.values():
+        for key in page.keys:
+            for option in getattr(key, "options", ()):
+                text = key.write(option)
+                assert text.isascii()
+                assert len(text) <= 25
+                assert text == text.strip().replace(" ", "")
+                assert key.read(text) == option
+
+
+def test_a_key_of_another_page_or_of_none_is_told_once(app):
+    for key in ("route", "colour"):
+        app = opened("motion", {key: "newton"})
+        (warning,) = app.warning
+        assert "newton" not in warning.value
+        assert not app.run().warning

@@ -1,0 +1,122 @@
+"""Everyone can use every page: axe-core finds nothing, the headings skip no level, and the focus can be seen."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from itertools import pairwise
+
+import pytest
+
+from ramanujan.scenes.pages import PAGES
+from tests.browser import settle
+from tests.test_look import THEME, rgb
+
+AXE = files("axe_playwright_python").joinpath("axe.min.js")
+TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+OPEN = """() => {
+  for (const each of document.querySelectorAll("details:not([open]) > summary")) each.click();
+}"""
+FOUND = f"""() => axe.run(document, {{ runOnly: {json.dumps(TAGS)}, resultTypes: ["violations"] }})
+  .then((result) => result.violations.flatMap((each) => each.nodes.map((node) =>
+    `${{each.id}}: ${{node.target.flat().join(" ")}} ${{node.html.slice(0, 160)}}`)))"""
+REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
+  || box.scrollWidth <= box.clientWidth || !/auto|scroll/.test(getComputedStyle(box).overflowX)
+  || box.querySelector("button, input, a, [tabindex='0']"))"""
+"""Whether every box that scrolls sideways takes the focus, which it learns a moment after the page has changed."""
+HEADINGS = """() => [...document.querySelectorAll("h1, h2, h3, h4, h5, h6")]
+  .filter((each) => each.checkVisibility()).map((each) => Number(each.tagName[1]))"""
+"""Levels of the headings in their order."""
+
+
+def switch(page, theme: str) -> None:
+    """Switch the theme, and wait until the server's colours have followed."""
+    page.emulate_media(color_scheme=theme, reduced_motion="reduce")
+    paper = THEME[theme]["backgroundColor"]
+    page.wait_for_function(
+        "(paper) => getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper", arg=paper
+    )
+
+
+def audit(page) -> list[str]:
+    """What axe-core finds now, once the page has come to rest."""
+    settle(page)
+    page.wait_for_function(REACHED)
+    return page.evaluate(FOUND)
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_axe_finds_nothing_in_both_themes_wide_and_narrow(visit, name):
+    page = visit(PAGES[name].address)
+    page.evaluate(OPEN)
+    page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    assert audit(page) == []
+    switch(page, "dark")
+    assert audit(page) == []
+    page.set_viewport_size({"width": 390, "height": 844})
+    assert audit(page) == []
+    switch(page, "light")
+    assert audit(page) == []
+    # Negative control: what axe is asked to find, it finds.
+    page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
+    found = " ".join(page.evaluate(FOUND))
+    assert all(rule in found for rule in ("color-contrast", "heading-order", "image-alt"))
+
+
+def test_axe_finds_nothing_under_any_tab(visit):
+    page = visit("motion")
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    for tab in page.get_by_role("tab").all()[1:]:
+        tab.click()
+        assert audit(page) == []
+
+
+FOCUSED = (
+    ".st-key-preset button",
+    "[data-testid=stExpander] summary",
+    ".st-key-route button",
+    ".st-key-body button",
+    ".st-key-question input",
+    ".stTextInput input",
+    "[data-testid=stFormSubmitButton] button",
+)
+RING = """(node) => {
+  node.focus({ focusVisible: true });
+  const styles = [node, node.parentElement].map((each) => getComputedStyle(each));
+  const ring = styles.find((each) => each.outlineStyle === "solid");
+  const seen = ring ? [parseFloat(ring.outlineWidth), ring.outlineColor] : null;
+  node.blur();
+  return seen;
+}"""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_whatever_has_the_focus_shows_it_in_the_theme_s_colour(visit, theme):
+    page = visit("derivation?step=2", theme=theme)
+    red, green, blue = rgb(THEME[theme]["primaryColor"])
+    for selector in FOCUSED:
+        assert page.locator(selector).first.evaluate(RING) == [3, f"rgb({red}, {green}, {blue})"], selector
+    # On a narrow screen formulas and tables scroll by themselves, by key as well.
+    page.set_viewport_size({"width": 390, "height": 844})
+    box = page.locator(".katex-display[data-scrolls]:visible").first
+    box.wait_for()
+    assert box.evaluate(RING) == [3, f"rgb({red}, {green}, {blue})"]
+    box.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("(box) => box.scrollLeft > 0", arg=box.element_handle())
+    assert page.locator(".st-key-step_2").is_visible()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_page_has_a_title_one_h1_and_headings_that_skip_no_level(visit, name):
+    page = visit(PAGES[name].address)
+    title = page.title()
+    assert PAGES[name].title in title or not PAGES[name].path
+    assert "Ramanujan’s oscillator" in title
+    levels = page.evaluate(HEADINGS)
+    assert levels.count(1) == 1
+    assert levels[0] == 1
+    assert all(after <= before + 1 for before, after in pairwise(levels))
+    # Each title is another one: tabs can be told apart.
+    assert len({PAGES[each].title for each in PAGES}) == len(PAGES)

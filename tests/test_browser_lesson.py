@@ -1,0 +1,138 @@
+"""The lesson in a browser: nothing to see and nothing to hear before the prediction, then the machine runs."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from ramanujan import lesson
+from tests.browser import next_frame, settle
+
+MACHINE = lesson.stop("two-clocks").machine
+STAGE = "[class*='st-key-stage_'] [data-testid=stBidiComponentIsolated]"
+SAID = """() => {
+  // Every word on the page and in its components, seen or not, and every name and value that a screen reader hears.
+  const said = [];
+  const walk = (root) => {
+    for (const node of root.querySelectorAll("*")) {
+      if (["SCRIPT", "STYLE"].includes(node.tagName)) continue;
+      for (const { name, value } of node.attributes) if (name.startsWith("aria-") || name === "title") said.push(value);
+      for (const child of node.childNodes) if (child.nodeType === 3) said.push(child.data);
+      if (node.shadowRoot) walk(node.shadowRoot);
+    }
+  };
+  walk(document);
+  return said.join("\\n");
+}"""
+PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
+BUS = "JSON.stringify(ramanujan.last('present/stage_two-clocks_0'))"
+TELLING = ("faster", "slower", "ahead by", "behind by", "in step", "Period", "full turn apart", "1 ↔ √1729")
+NUMBERS = [
+    f"{value:.{digits}g}"
+    for value in (MACHINE.normalized_frequency_squared, MACHINE.natural_frequency, MACHINE.period)
+    for digits in (4, 5, 7)
+]
+
+
+def inside(key: str) -> str:
+    return f"document.querySelector('.st-key-{key} [data-testid=stBidiComponentIsolated]').shadowRoot"
+
+
+def predict(page, label: str) -> None:
+    page.get_by_role("button", name=label, exact=True).click()
+    settle(page)
+
+
+def heading(page) -> str:
+    return page.locator("h1").inner_text()
+
+
+def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs(visit):
+    page = visit("lesson", motion="no-preference")
+    # The live region speaks half a second after things have come to rest.
+    page.wait_for_function("!ramanujan.last('say')")
+    before, place = page.evaluate(SAID), page.evaluate(PLACE)
+    assert [word for word in (*TELLING, *NUMBERS) if word in before] == []
+    assert "normalized" not in page.evaluate(BUS)
+    next_frame(page)
+    assert page.evaluate(PLACE) == place
+    predict(page, "Behind, but by less than one full turn.")
+    # Negative control: all of it is there now.
+    page.wait_for_function(f"{PLACE} !== '{place}'")
+    after = page.evaluate(SAID)
+    assert [word for word in TELLING[2:] if word in after][-3:] == ["Period", "full turn apart", "1 ↔ √1729"]
+    assert f"{MACHINE.period:.4g}" in after
+    assert "normalized" in page.evaluate(BUS)
+    page.wait_for_function(f"{inside('voice')}.textContent.includes('Your prediction was different.')")
+
+
+def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
+    page = visit("lesson")
+    predict(page, "Exactly where the other hand is.")
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert heading(page) == f"2. {lesson.STOPS[1].heading}"
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowLeft")
+    settle(page)
+    assert heading(page) == f"3. {lesson.STOPS[2].heading}"
+    assert page.locator(".st-key-m_prime input[type=range]").input_value() == "5"
+    # Where the arrows move a slider, they turn nothing.
+    page.locator(".st-key-m_prime input[type=range]").focus()
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert heading(page) == f"3. {lesson.STOPS[2].heading}"
+    assert page.get_by_text("You have changed the machine.").is_visible()
+    # What is set and chosen is there again when the address is opened.
+    address = page.url.rpartition("/")[2]
+    assert {"stop=heavy-rollers", "chosen=two-clocks.together", "m_prime=5.01"} <= set(re.split("[?&]", address))
+    page = visit(address)
+    assert heading(page) == f"3. {lesson.STOPS[2].heading}"
+    assert page.locator(".st-key-m_prime input[type=range]").input_value() == "5.01"
+    page.get_by_role("button", name="Back").click()
+    page.get_by_role("button", name="Back").click()
+    settle(page)
+    assert page.get_by_text("Right answer:").is_visible()
+
+
+def test_the_full_page_shows_the_machine_of_the_stop(visit):
+    page = visit("lesson?stop=contact&chosen=contact.top_block")
+    page.get_by_role("link", name=lesson.stop("contact").link_label).click()
+    settle(page)
+    assert heading(page) == "Motion"
+    assert page.get_by_role("tab", name="Contact forces").get_attribute("aria-selected") == "true"
+
+
+def test_the_stopwatch_measures(visit):
+    page = visit("lesson?part=tasks&task=period")
+    before = page.evaluate(SAID)
+    assert [text for text in NUMBERS if text in before] == []
+    watch = page.locator(".st-key-task_stopwatch")
+    watch.get_by_role("button", name="Start").click()
+    page.wait_for_function(f"parseFloat({inside('task_stopwatch')}.querySelector('output').textContent) > 0.3")
+    watch.get_by_role("button", name="Stop").click()
+    settle(page)
+    shown = float(re.match(r"[\d.]+", watch.locator("output").inner_text())[0])
+    judged = re.search(r"You measured ([\d.]+)", page.locator(".st-key-task_verdict").inner_text())
+    assert float(judged[1]) == pytest.approx(shown / 10, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        "lesson?stop=contact",
+        "lesson?stop=two-clocks&chosen=two-clocks.ahead",
+        "lesson?stop=radius&chosen=radius.same",
+        "lesson?part=tasks&task=top-at-rest",
+        "lesson?part=notes",
+    ],
+)
+def test_a_phone_shows_it_without_scrolling_sideways(visit, address):
+    page = visit(address, width=390, height=844)
+    assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= 390
+    if "stop=contact" in address:
+        # The machine comes before the options.
+        stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
+        assert stage < options

@@ -1,0 +1,90 @@
+"""Numbers as people read them: the same text from Python and from the page's own script, and the way back."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import subprocess
+from decimal import Decimal
+from pathlib import Path
+
+import numpy as np
+import playwright
+import pytest
+
+from ramanujan import numerals
+from tests.browser import ROOT
+from tests.reading import read
+
+NODE = Path(playwright.__file__).parent / "driver/node"
+"""Playwright brings the JavaScript engine that it runs on."""
+
+source = random.Random(1729)
+VALUES = [
+    *(0.0, 1.0, -0.5, 1729.0, 9999.5, 99999.4, 999999.4, 999999.6, 1e6, -1e6, 1e-4, 9.9996e-5, 1e-5, 4.56e153, -3e-9),
+    *(source.choice([1, -1]) * 10 ** source.uniform(-12, 12) for _ in range(60)),
+]
+
+
+@pytest.mark.parametrize("digits", [1, 2, 4, 7])
+def test_a_number_is_right_to_its_last_digit(digits):
+    for value in VALUES:
+        text = numerals.number(value, digits)
+        assert read(text) == pytest.approx(value, rel=0.51 * 10 ** (1 - digits), abs=0)
+        assert read(numerals.number(value, digits, strip=True)) == read(text)
+        assert not set(text) & set("-,e ")
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (1729, "1729"),
+        (np.int64(-12345), "−12\u202f345"),
+        (10**12, "10¹²"),
+        (10**5000, "10⁵⁰⁰⁰"),
+        (Decimal("0.00012345"), "0.00012"),
+        (np.float32(0.25), "0.25"),
+        (math.inf, "∞"),
+        (-math.inf, "−∞"),
+        (math.nan, "not a number"),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_every_kind_of_number_is_written(value, text):
+    assert numerals.number(value) == text
+
+
+def test_a_thin_space_stands_before_a_unit_and_none_without_one():
+    assert numerals.quantity(2.5, "cm") == "2.5\u202fcm"
+    assert numerals.quantity(2.5, "") == "2.5"
+    assert [numerals.duration(t) for t in (2.5, 2.5e-3, 2.5e-6, 2.5e-9, 2.5e-12)] == [
+        "2.5\u202fs",
+        "2.5\u202fms",
+        "2.5\u202fµs",
+        "2.5\u202fns",
+        "0.0025\u202fns",
+    ]
+
+
+def test_the_page_writes_the_same_numbers():
+    script = (ROOT / "ramanujan/page/sentences.js").read_text(encoding="utf-8")
+    asked = {"values": VALUES, "digits": [1, 2, 4, 7], "places": [0, 1, 3]}
+    script += f"""
+const asked = {json.dumps(asked)};
+console.log(JSON.stringify({{
+  number: asked.digits.map((digits) => asked.values.map((value) => number(value, digits))),
+  fixed: asked.places.map((places) => asked.values.map((value) => fixed(value, places))),
+  filled: fill("{{a}} before {{b}}", {{ a: 1, b: withUnit(fixed(-2, 1), "cm") }}),
+}}));"""
+    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
+    said = json.loads(done.stdout)
+    assert said["filled"] == "1 before −2.0\u202fcm"
+    for digits, texts in zip(asked["digits"], said["number"], strict=True):
+        assert texts == [numerals.number(value, digits) for value in VALUES]
+    for places, texts in zip(asked["places"], said["fixed"], strict=True):
+        # Beyond 1e21 JavaScript's own toFixed changes to powers; no such number is shown with fixed places. It rounds
+        # the exact value, as Python does, but a tie away from zero.
+        assert [a for a, v in zip(texts, VALUES, strict=True) if abs(v) < 1e15 and (v * 10**places * 2) % 2 != 1] == [
+            numerals.fixed(v, places) for v in VALUES if abs(v) < 1e15 and (v * 10**places * 2) % 2 != 1
+        ]

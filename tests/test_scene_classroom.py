@@ -1,0 +1,231 @@
+"""The class on the lesson's page: a round as lecturer and students see it, and what neither may see."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from streamlit.testing.v1 import AppTest
+
+from ramanujan import lesson
+from ramanujan.lesson import classes
+from ramanujan.lesson.class_codes import spaced
+from tests.browser import ROOT
+
+PAGE = "ramanujan/scenes/lesson.py"
+STOP = lesson.STOPS[0]
+RIGHT = STOP.answer()
+WRONG = next(option.id for option in STOP.options if option.id != RIGHT)
+
+
+@pytest.fixture(autouse=True)
+def school(tmp_path, monkeypatch) -> classes.Classes:
+    """The classes of a server of our own."""
+    monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "classes.sqlite"))
+    return classes.shared()
+
+
+def visitor(**link: str) -> AppTest:
+    """Return the lesson's page as a new session with this address sees it."""
+    app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
+    for key, value in link.items():
+        app.query_params[key] = value
+    return app.switch_page(PAGE).run()
+
+
+def words(app: AppTest) -> str:
+    """Return all that the page says."""
+    assert not app.exception
+    kinds = (app.title, app.subheader, app.markdown, app.text, app.caption, app.info, app.success, app.warning)
+    bars = [element.proto.text for element in app.get("progress")]
+    return "\n".join([*(element.value for kind in kinds for element in kind), *bars])
+
+
+def press(app: AppTest, name: str) -> AppTest:
+    return app.button(key=f"class_{name}").click().run()
+
+
+def answer(app: AppTest, option: str) -> AppTest:
+    return app.radio[0].set_value(option).run()
+
+
+@pytest.fixture
+def lecturer() -> AppTest:
+    """A lecturer who has opened a class and gone to the first stop."""
+    return press(press(visitor(), "open"), "go")
+
+
+def address(app: AppTest) -> dict[str, str]:
+    """Return what stands in the address."""
+    return {key: value if isinstance(value, str) else value[0] for key, value in app.query_params.items()}
+
+
+def code_of(lecturer: AppTest) -> str:
+    return address(lecturer)["class"]
+
+
+def test_a_round_with_a_second_vote(lecturer):
+    students = [visitor(**{"class": code_of(lecturer)}) for _ in range(3)]
+    assert "The first question will appear here" in words(students[0])
+    assert "3 students have joined" in words(lecturer.run())
+
+    press(lecturer, "ask")
+    for student, option in zip(students, (WRONG, WRONG, RIGHT), strict=True):
+        assert STOP.question in words(student.run())
+        answer(student, option)
+        assert "Your answer counts" in words(student)
+    assert "3 of 3 students have answered" in words(lecturer.run())
+    for page in (lecturer, *students):
+        assert not page.get("progress")
+
+    press(lecturer, "reveal")
+    assert sum("2 of 3, 67\u202f%" in words(page.run()) for page in (lecturer, *students)) == 4
+    assert "This was your answer" in words(students[0])
+
+    press(lecturer, "again")
+    for student, option in zip(students, (RIGHT, RIGHT, WRONG), strict=True):
+        assert "Second vote" in words(student.run())
+        assert student.radio[0].value is None
+        answer(student, option)
+    assert "Second vote: 3 of 3" in words(lecturer.run())
+    press(lecturer, "reveal")
+    for page in (lecturer, students[0].run()):
+        assert "2 students changed from a wrong answer to the right one" in words(page)
+        assert "1 student changed from the right answer to a wrong one" in words(page)
+        assert "This is right" not in words(page)
+
+    # The right answer comes last: on the phones, and with the reason and the running machine at the desk.
+    assert STOP.explanation() not in words(lecturer)
+    press(lecturer, "solve")
+    assert STOP.explanation() in words(lecturer)
+    assert "This is right, and it was your answer" in words(students[0].run())
+    assert "This is right." in words(students[2].run())
+
+
+def test_a_lecturer_sees_nothing_before_the_class_does(lecturer):
+    """A stop's answer is kept from the page of a class as it is kept from a reader's."""
+    press(lecturer, "ask")
+    assert not [button for button in lecturer.button if button.key.startswith("option_")]
+    assert STOP.explanation() not in words(lecturer)
+    press(lecturer, "reveal")
+    assert STOP.explanation() not in words(lecturer)
+
+
+def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "ask")
+    student.run()
+    press(lecturer, "reveal")
+    answer(student, RIGHT)
+    assert "Your answer came too late" in words(student)
+    assert set(school.distribution(code_of(lecturer), STOP.id).values()) == {0}
+
+
+def test_an_answer_to_the_first_vote_is_not_counted_in_the_second(lecturer):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "ask")
+    student.run()
+    press(lecturer, "again")
+    answer(student, RIGHT)
+    assert "the second vote has begun" in words(student)
+    assert student.radio[0].value is None
+    answer(student, RIGHT)
+    assert "Your answer counts" in words(student)
+    assert "too late" not in words(student)
+
+
+def test_the_class_comes_back_after_a_reload(lecturer, school):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "ask")
+    answer(student.run(), WRONG)
+    again = visitor(**address(student))
+    assert again.radio[0].value == WRONG
+    answer(again, RIGHT)
+    desk = visitor(**address(lecturer))
+    assert "1 of 1 student has answered" in words(desk)
+    press(desk, "reveal")
+    assert school.distribution(code_of(desk), STOP.id)[RIGHT] == 1
+
+
+def test_the_class_is_kept_while_the_lecturer_looks_at_another_page(lecturer):
+    before = address(lecturer)
+    lecturer.switch_page("ramanujan/scenes/motion.py").run()
+    lecturer.switch_page(PAGE).run()
+    assert {"class", "lecturer"} <= set(before)
+    assert address(lecturer) == before
+    assert spaced(code_of(lecturer)) in words(lecturer)
+
+
+def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):
+    secret = address(lecturer)["lecturer"].partition("-")[2]
+    student = visitor(**{"class": code_of(lecturer)})
+    seen = [everything(student)]
+    for name in ("ask", "reveal", "again", "reveal", "solve"):
+        press(lecturer, name)
+        seen.append(everything(student.run()))
+    assert secret not in "".join(seen)
+    assert STOP.heading in seen[1]  # negative control: what a student does get is found
+    # What the lecturer shows on the projector holds it no more than that; it is in the lecturer's address alone.
+    assert secret not in everything(lecturer, with_address=False)
+    assert secret in everything(lecturer)
+
+
+def everything(app: AppTest, with_address: bool = True) -> str:
+    """Return every message that a page was sent, as text, and its address."""
+    assert not app.exception
+    sent = [str(element.proto) for block in (app.main, app.sidebar) for element in nodes(block)]
+    return "\n".join([*sent, str(address(app)) if with_address else ""])
+
+
+def nodes(block):
+    for child in block.children.values():
+        if hasattr(child, "children"):
+            yield from nodes(child)
+        if getattr(child, "proto", None) is not None:
+            yield child
+
+
+@pytest.mark.parametrize(
+    "text", ["", "BCDFHJ", "<script>alert(1)</script>", "**bold**", "' OR 1=1 --", "B" * 19, "ⒷⒸⒹⒻⒽⒿ"]
+)
+def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
+    app = visitor()
+    app.text_input(key="class_code").set_value(text)
+    app.button(key="FormSubmitter:class_join-Join").click().run()
+    [said] = [warning.value for warning in app.warning]
+    assert re.fullmatch(r"(A class code has six letters|There is no class with this code)[^<>*]*", said)
+    assert STOP.question in words(app)
+
+
+@pytest.mark.parametrize("link", [{"class": "BCDFHJ"}, {"class": "bcdfhj", "voter": "x" * 12}])
+def test_a_link_to_a_class_that_is_not_there_gets_one_sentence(link):
+    app = visitor(**link)
+    [said] = [warning.value for warning in app.warning]
+    assert said.startswith("There is no class with this code")
+    assert STOP.question in words(app)
+    assert [warning.value for warning in app.run().warning] == [said]
+
+
+@pytest.mark.parametrize("secret", ["x" * 32, "_" * 20, "-" * 60])
+def test_a_wrong_lecturers_address_gets_a_sentence(secret):
+    app = visitor(lecturer=f"BCDFHJ-{secret}")
+    [said] = [warning.value for warning in app.warning]
+    assert said.startswith("This lecturer’s address belongs to no class")
+    assert STOP.question in words(app)
+
+
+def test_a_class_that_has_ended_lets_everybody_go(lecturer):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "close")
+    assert not {"class", "lecturer"} & set(address(lecturer))
+    assert "There is no class with this code" in words(student.run())
+    press(student, "leave")
+    assert not {"class", "voter"} & set(address(student))
+    assert STOP.question in words(student)
+
+
+def test_without_its_file_the_lesson_goes_on(tmp_path, monkeypatch):
+    monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "no folder" / "classes.sqlite"))
+    app = press(visitor(), "open")
+    assert "cannot keep answers" in words(app)
+    assert STOP.question in words(app)

@@ -1,0 +1,304 @@
+"""The page Lesson under AppTest: every stop before and after the prediction, every task, links, no answer too early."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+from google.protobuf.json_format import MessageToDict
+
+from ramanujan import UNIT_MASS_RATIO, lesson
+from ramanujan.scenes.pages import PAGES
+
+PAGE = "ramanujan/scenes/lesson.py"
+IDS = [stop.id for stop in lesson.STOPS]
+CODE = {"jsContent", "htmlContent", "cssContent"}
+"""Of a component: the same on every page, whatever the machine."""
+
+
+@pytest.fixture
+def opened(app):
+    """Open the page with an address: opened(stop="block")."""
+
+    def visit(**address):
+        # An address is read when a page is opened: the visitor comes from the first page.
+        app.switch_page("ramanujan/scenes/oscillator.py").run()
+        for key, text in address.items():
+            app.query_params[key] = text
+        return sound(app.switch_page(PAGE).run())
+
+    return visit
+
+
+def sound(app):
+    assert not app.exception
+    return app
+
+
+def walked(block):
+    """Every element of a block, however deep."""
+    for child in block.children.values():
+        yield child
+        if hasattr(child, "children"):
+            yield from walked(child)
+
+
+def without_code(told):
+    if isinstance(told, dict):
+        return {key: without_code(value) for key, value in told.items() if key not in CODE}
+    return [without_code(each) for each in told] if isinstance(told, list) else told
+
+
+def sent(app) -> str:
+    """All that the page gets of a run but the components' code: every message of it, as text."""
+    elements = [each for block in (app.main, app.sidebar) for each in walked(block) if getattr(each, "proto", None)]
+    # The style of the app is no word of the lesson's.
+    messages = [without_code(MessageToDict(each.proto)) for each in elements]
+    return "\n".join(
+        json.dumps(each, ensure_ascii=False) for each in messages if not str(each.get("body", "")).startswith("<style>")
+    )
+
+
+def fed(app) -> list[dict]:
+    """What the stages on the page are fed."""
+    feeds = [
+        json.loads(e.proto.json) for e in app.get("bidi_component") if "stage_" in e.proto.id and "feed" in e.proto.id
+    ]
+    return [payload for feed in feeds for payload in feed.values()]
+
+
+def choose(app, stop, option):
+    return sound(app.button(key=f"option_{stop}_{option}").click().run())
+
+
+def other_than(stop) -> str:
+    return next(option.id for option in stop.options if option.id != stop.answer())
+
+
+def frequencies(stop) -> set[str]:
+    """What would tell how fast a machine of this stop is, in the digits in which the app writes it."""
+    said = set()
+    for machine in {stop.machine, stop.shown, *(run.machine for run in stop.runs)}:
+        values = (
+            machine.normalized_frequency_squared,
+            machine.natural_frequency,
+            machine.period,
+            machine.effective_mass,
+        )
+        said |= {f"{value:.{digits}g}" for value in values for digits in (4, 5, 7)}
+    return {text for text in said if len(text) > 4}
+
+
+def sentences(text: str) -> set[str]:
+    return {sentence for sentence in re.split(r"(?<=[.?!]) ", text) if len(sentence) > 12}
+
+
+# Stops
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_nothing_of_the_answer_is_on_the_page_before_the_prediction(opened, name):
+    stop = lesson.stop(name)
+    app = opened(stop=name)
+    page = sent(app)
+    giveaways = sentences(stop.explanation()) | {stop.link_label, "Right", "right.", "prediction was"}
+    giveaways |= set() if name in ("1729", "other-body") else frequencies(stop)
+    assert [text for text in giveaways if text in page] == []
+    if name in ("by-hand", "exactly"):
+        assert f"{UNIT_MASS_RATIO:.3g}" not in page
+    # All options look alike: each is named once, as a button.
+    for option in stop.options:
+        assert page.count(json.dumps(option.label, ensure_ascii=False)) == 1
+        assert page.count(f'-option_{name}_{option.id}"') == 1
+    assert stop.question in [text.value for text in app.markdown]
+    (machine,) = fed(app)
+    assert set(stop.hides) <= set(machine["hide"])
+    assert not {"samples", "slipping", "unity"} & set(machine)
+    # Negative control: after the choice all of it is there.
+    app = choose(app, name, other_than(stop))
+    page = sent(app)
+    assert all(sentence in page for sentence in sentences(stop.explanation()))
+    assert stop.link_label in page
+    assert "Right answer:" in page
+    assert not any(set(stop.hides) & set(machine["hide"]) - {"energy", "arrows", "forces"} for machine in fed(app))
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_after_the_prediction_the_page_says_whether_it_was_right(opened, name):
+    stop = lesson.stop(name)
+    app = opened(stop=name)
+    choose(app, name, stop.answer())
+    assert any("Your prediction was right." in text.value for text in app.markdown)
+    sound(app.button(key=f"again_{name}").click().run())
+    choose(app, name, other_than(stop))
+    shown = "\n".join(text.value for text in app.markdown)
+    assert "Your prediction:" in shown
+    assert shown.index(stop.option(other_than(stop)).label) < shown.index(stop.option(stop.answer()).label)
+
+
+def test_the_observed_machines_are_those_of_the_stop(opened):
+    app = opened(stop="steps", chosen="steps.euler")
+    euler, verlet = fed(app)
+    assert len(euler["samples"]["phi"]) > len(verlet["samples"]["phi"]) == 201
+    app = opened(stop="contact", chosen="contact.top_block")
+    assert fed(app)[0]["slipping"] == "hoop_slab"
+    app = opened(stop="other-body", chosen="other-body.same")
+    assert fed(app)[0]["parameters"]["beta_top"] == 0.4
+    assert fed(app)[0]["unity"].endswith("√48")
+
+
+def test_the_sliders_hold_the_machine_of_the_stop_and_can_be_moved(opened):
+    app = opened(stop="heavy-rollers")
+    assert app.slider(key="m_prime").value == 5.0
+    sound(app.slider(key="m_prime").set_value(4.0).run())
+    assert fed(app)[0]["parameters"]["m_prime"] == 4.0
+    assert any("You have changed the machine." in text.value for text in app.markdown)
+    # The prediction is about the machine of the stop.
+    choose(app, "heavy-rollers", "plain")
+    assert app.slider(key="m_prime").value == 5.0
+    sound(app.slider(key="m_prime").set_value(3.0).run())
+    assert fed(app)[0]["parameters"]["m_prime"] == 3.0
+
+
+def test_a_machine_is_shown_exactly_in_step_only_after_the_prediction(opened):
+    app = opened(stop="exactly")
+    assert app.slider(key="m_prime").value == 1.0
+    choose(app, "exactly", "plus")
+    assert app.slider(key="m_prime").value == UNIT_MASS_RATIO
+
+
+def test_hints_come_one_by_one(opened):
+    app = opened(stop="two-clocks")
+    hints = lesson.stop("two-clocks").hints
+
+    def shown():
+        text = "\n".join(each.value for each in app.markdown).replace("\\", "")
+        return [hint in text for hint in hints]
+
+    assert shown() == [False, False]
+    sound(app.button(key="hint_two-clocks").click().run())
+    assert shown() == [True, False]
+    sound(app.button(key="hint_two-clocks").click().run())
+    assert shown() == [True, True]
+    assert "hint_two-clocks" not in [button.key for button in app.button]
+
+
+def test_the_present_stop_is_the_only_one_on_the_page(opened):
+    for stop in lesson.STOPS:
+        page = sent(opened(stop=stop.id))
+        others = [each for each in lesson.STOPS if each is not stop]
+        assert not any(each.question in page or sentences(each.explanation()) & sentences(page) for each in others)
+
+
+# What the address holds
+
+
+def test_progress_is_in_the_address_and_survives_another_page(opened):
+    app = opened(stop="block", chosen="block.same~radius.longer")
+    assert any("Your prediction:" in text.value for text in app.markdown)
+    sound(app.switch_page("ramanujan/scenes/derivation.py").run())
+    app.query_params.clear()
+    sound(app.switch_page(PAGE).run())
+    assert app.title[0].value.endswith(lesson.stop("block").heading)
+    assert any("Your prediction:" in text.value for text in app.markdown)
+
+
+@pytest.mark.parametrize(
+    ("key", "bad"),
+    [
+        ("part", "exam"),
+        ("stop", "nowhere"),
+        ("chosen", "block.up"),
+        ("chosen", "block"),
+        ("chosen", "<script>"),
+        ("task", "all"),
+        ("task_steps", "3"),
+        ("task_method", "leapfrog"),
+        ("task_top", "cube"),
+        ("task_glide", "1e9"),
+    ],
+)
+def test_a_link_that_asks_for_what_is_not_there_is_told_so_once(opened, key, bad):
+    app = opened(**{key: bad})
+    (warning,) = app.warning
+    assert key in warning.value
+    assert not sound(app.run()).warning
+
+
+def test_a_link_with_a_machine_keeps_it_and_a_visitor_from_another_page_gets_that_of_the_stop(app):
+    app.query_params["m_prime"] = "0.3"
+    app.query_params["stop"] = "light-rollers"
+    sound(app.run())
+    assert app.slider(key="m_prime").value == 0.3
+    sound(app.switch_page(PAGE).run())
+    assert app.slider(key="m_prime").value == lesson.stop("light-rollers").machine.m_prime
+
+
+# Tasks and notes
+
+
+@pytest.mark.parametrize("name", [task.id for task in lesson.TASKS])
+def test_every_task_is_judged_as_it_opens(opened, name):
+    app = opened(part="tasks", task=name)
+    assert app.title[0].value == lesson.task(name).heading
+    assert any("Not yet." in text.value for text in app.markdown)
+    for machine in fed(app):
+        assert set(lesson.task(name).hides) == set(machine.get("hide", ()))
+
+
+def done(app) -> bool:
+    return any("**Done.**" in text.value for text in sound(app).markdown)
+
+
+def test_tasks_are_done_with_the_controls_of_the_page(opened):
+    app = opened(part="tasks", task="in-step")
+    assert not done(app)
+    assert done(app.pills(key="preset").set_value("Unit frequency (1729)").run())
+
+    app = opened(part="tasks", task="top-at-rest", task_x0="0.0", task_glide="-10.0")
+    assert not done(app)
+    assert done(app.slider(key="task_spin").set_value(1.0).run())
+
+    app = opened(part="tasks", task="half-energy")
+    assert done(app.text_input(key="task_part").set_value("3/8").run())
+    assert not done(app.text_input(key="task_part").set_value("<b>").run())
+
+    app = opened(part="tasks", task="exact-ratio")
+    assert done(app.text_input(key="task_formula").set_value("(sqrt(1729)-1)/36").run())
+    assert not done(app.text_input(key="task_formula").set_value("__import__('os')").run())
+
+    app = opened(part="tasks", task="cheapest", task_method="yoshida6", task_steps="20")
+    assert not done(app)
+    assert done(app.number_input(key="task_steps").set_value(16).run())
+
+    app = opened(part="tasks", task="two-cubes", task_left="sphere", task_right="sphere")
+    assert not done(app)
+    assert done(app.selectbox(key="task_top").set_value("shell").run())
+
+
+def test_the_notes_cover_every_stop_and_name_their_sources(opened):
+    app = opened(part="notes")
+    shown = "\n".join(text.value for text in app.markdown)
+    assert all(stop.heading in shown for stop in lesson.STOPS)
+    assert all(source in shown for source in lesson.SOURCES)
+    cited = set(re.findall(r"\[(\d)\]", shown))
+    assert cited == {str(number) for number in range(1, len(lesson.SOURCES) + 1)}
+
+
+def test_the_parts_are_chosen_on_the_page(opened):
+    app = opened()
+    assert app.title[0].value.startswith("1.")
+    for part in ("tasks", "notes"):
+        sound(app.segmented_control(key="part").set_value(part).run())
+        assert app.query_params["part"] in (part, [part])
+    sound(app.segmented_control(key="part").set_value("stops").run())
+    assert app.title[0].value.startswith("1.")
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_the_full_page_understands_the_link_of_the_stop(name):
+    stop = lesson.stop(name)
+    keys = {key.name: key for key in PAGES[stop.page].keys}
+    for key, text in stop.link.items():
+        assert keys[key].write(keys[key].read(text)) == text

@@ -1,0 +1,272 @@
+"""Every sentence for people is a whole template that gettext tools find; the pseudo-language keeps its slots."""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import string
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+from babel.messages.catalog import Catalog, Message
+from babel.messages.extract import extract_from_dir
+from babel.messages.pofile import read_po, write_po
+
+from ramanujan.stage import words
+from ramanujan.words import language
+from tests.browser import ROOT
+
+PACKAGE = ROOT / "ramanujan"
+
+KNOWN = {
+    "accuracy": "Forms of Ω² over the range of floating point",
+    "contact": "spacing must be at least 2R, {least}, or the rollers overlap; it is {spacing}",
+    "derivation": "There is a closing bracket without an opening bracket.",
+    "energy": "q_dot must have the shape of q, {shape}, not {other}",
+    "figures": "time after release t [s]",
+    "frequency": "mass_ratio must be finite and not negative",
+    "integrators": "velocity Verlet",
+    "motion": "t must not exceed {most} periods: beyond that the phase is not known",
+    "number_theory": "ratio must not be negative",
+    "numerals": "not a number",
+    "oscillator": "natural frequency",
+    "page": "Copy link",
+    "quantities": "{name} must be a finite number, not {value}",
+    "record": "largest compression without slip",
+    "rounding": "{name} is too large for float64",
+    "sampling": "periods and height_px are too large: the curve would need more than {most} points",
+    "stage": "In step: after a million periods the hands are less than {least} turns apart.",
+    "table": "columns must hold at least one column",
+}
+"""Room → one of its sentences."""
+
+SHORTEST_LIMIT = 30
+"""Words of the longest sentence."""
+
+_FORMULA = re.compile(r"\$[^$]*\$|`[^`]*`")
+_TAG = re.compile(r"</?[a-z]+[^>]*>")
+_LINK = re.compile(r"\]\([^)]*\)")
+
+
+@cache
+def catalogue() -> Catalog:
+    """The English template catalogue, as a translator gets it."""
+    made = Catalog(project="Ramanujan’s oscillator")
+    for file, line, message, comments, context in extract_from_dir(PACKAGE, [("**.py", "python")], keywords=KEYWORDS):
+        made.add(message, None, [(file, line)], auto_comments=comments, context=context)
+    return made
+
+
+KEYWORDS = {"_": None, "ngettext": (1, 2)}
+
+
+def messages() -> list[Message]:
+    return [message for message in catalogue() if message.id]
+
+
+def texts(message: Message) -> tuple[str, ...]:
+    return message.id if isinstance(message.id, tuple) else (message.id,)
+
+
+def every_text() -> list[str]:
+    return sorted({text for message in messages() for text in texts(message)})
+
+
+def fields(text: str) -> list[str | None]:
+    """The slots of a template in their order; LaTeX between dollar signs may have none."""
+    return [name for _text, name, _form, _conversion in string.Formatter().parse(text) if name is not None]
+
+
+def sources() -> Iterator[tuple[Path, ast.Module]]:
+    for path in sorted(PACKAGE.rglob("*.py")):
+        yield path, ast.parse(path.read_text(encoding="utf-8"))
+
+
+def calls(tree: ast.AST, *names: str) -> Iterator[ast.Call]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names:
+            yield node
+
+
+# The catalogue
+
+
+@pytest.mark.parametrize("room", KNOWN)
+def test_the_template_holds_the_sentences_of_a_room(room):
+    message = catalogue().get(KNOWN[room])
+    assert message is not None
+    assert any(re.match(rf"{room}(\.py|/)", file) for file, _line in message.locations)
+
+
+def test_the_template_can_be_written_and_read_back():
+    file = io.BytesIO()
+    write_po(file, catalogue())
+    file.seek(0)
+    read = read_po(file)
+    assert {message.id for message in read} == {message.id for message in catalogue()}
+    assert len(read) > 300
+
+
+def test_numbers_have_singular_and_plural():
+    plurals = [message.id for message in messages() if message.pluralizable]
+    assert plurals
+    for singular, plural in plurals:
+        assert singular != plural
+        assert fields(singular) == fields(plural)
+    # A plural by hand: "(s)", or "1 period" beside "{n} periods".
+    assert not [text for text in every_text() if re.search(r"\w\(s\)|\{\w+\}(s|es)\b", text)]
+
+
+def test_slots_have_names():
+    for text in every_text():
+        for name in fields(text):
+            assert name.isidentifier(), text
+
+
+# The pseudo-language
+
+
+@pytest.mark.parametrize("kind", ["slots", "formulas", "links", "tags"])
+def test_the_pseudo_language_keeps_everything_but_words(kind):
+    parts = {"slots": fields, "formulas": _FORMULA.findall, "links": _LINK.findall, "tags": _TAG.findall}[kind]
+    pseudo = language("pseudo")
+    for text in every_text():
+        said = pseudo.gettext(text)
+        assert parts(said) == parts(text), text
+        assert (said.startswith("⟦"), said.endswith("⟧")) == (True, True)
+
+
+def test_the_pseudo_language_shows_every_sentence_with_words():
+    pseudo = language("pseudo")
+    for text in every_text():
+        plain = _TAG.sub("", _LINK.sub("", _FORMULA.sub("", re.sub(r"\{\w*\}", "", text))))
+        if re.search("[aeiouyAEIOUYcnsz]", plain):
+            assert pseudo.gettext(text).strip("⟦⟧· ") != text
+        assert len(pseudo.gettext(text)) > 1.2 * len(plain)
+
+
+def test_plurals_are_spoken_in_the_pseudo_language():
+    pseudo = language("pseudo")
+    assert pseudo.ngettext("{n} period", "{n} periods", 1).startswith("⟦{n} péríód")
+    assert "péríódś" in pseudo.ngettext("{n} period", "{n} periods", 2)
+    assert language(None).gettext("period") == "period"
+
+
+# Whole sentences
+
+
+def test_a_message_is_a_literal():
+    for path, tree in sources():
+        for call in calls(tree, "_", "ngettext"):
+            literals = call.args[:1] if call.func.id == "_" else call.args[:2]
+            for argument in literals:
+                assert isinstance(argument, ast.Constant), f"{path}:{call.lineno}"
+                assert isinstance(argument.value, str), f"{path}:{call.lineno}"
+
+
+def test_no_message_hides_in_an_f_string():
+    """Extraction tools do not look into the braces of an f-string."""
+    for path, tree in sources():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.JoinedStr):
+                assert not list(calls(node, "_", "ngettext")), f"{path}:{node.lineno}"
+
+
+def test_underscore_means_gettext_wherever_it_is_imported():
+    for path, tree in sources():
+        imported = {
+            alias.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.ImportFrom) and node.module == "ramanujan.words"
+            for alias in node.names
+        }
+        stored = [node for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
+        assert not [node.lineno for node in stored if node.id in imported], path
+
+
+def glued(value: ast.expr) -> bool:
+    """Whether the text of an error is put together from pieces in place."""
+    return isinstance(value, ast.JoinedStr | ast.BinOp) or (
+        isinstance(value, ast.Constant) and isinstance(value.value, str)
+    )
+
+
+@pytest.mark.parametrize(
+    ("code", "expected"),
+    [
+        ("raise ValueError('a' + b)", True),
+        ("raise ValueError(f'{a} must be b')", True),
+        ("raise ValueError('a must be b')", True),
+        ("raise ValueError(_('{a} must be b').format(a=a))", False),
+        ("raise ValueError(sentence.format(a=a)) from None", False),
+    ],
+)
+def test_a_glued_error_is_noticed(code, expected):
+    """Negative controls."""
+    assert bool(list(glued_errors(ast.parse(code)))) == expected
+
+
+def glued_errors(tree: ast.AST) -> Iterator[int]:
+    """The lines that raise a ValueError, or the parser's, whose text is no gettext template."""
+    for call in calls(tree, "ValueError", "UnreadableError"):
+        if call.args and glued(call.args[0]):
+            yield call.lineno
+
+
+def test_no_error_is_glued_together():
+    assert [(path.name, line) for path, tree in sources() for line in glued_errors(tree)] == []
+
+
+# Style
+
+
+@pytest.mark.parametrize("text", every_text(), ids=lambda text: text[:30])
+def test_a_sentence_is_set_well_and_short(text):
+    prose = _FORMULA.sub("x", text)
+    assert "'" not in prose.replace("m'", ""), "the apostrophe is ’"
+    assert "  " not in prose
+    assert "--" not in prose
+    assert text == text.strip()
+    for sentence in re.split(r"(?<=[.?!:;])\s+|\n+", prose):
+        assert len(re.findall(r"[\w’{}]+", sentence)) <= SHORTEST_LIMIT, sentence
+
+
+# The page
+
+
+def scripts() -> dict[str, str]:
+    """Every JavaScript and HTML file without its comments."""
+    files = [*PACKAGE.rglob("*.js"), *PACKAGE.rglob("*.html")]
+    return {
+        str(file.relative_to(PACKAGE)): re.sub(
+            r"/\*.*?\*/|(?<![:\w])//[^\n]*", "", file.read_text(encoding="utf-8"), flags=re.DOTALL
+        )
+        for file in files
+    }
+
+
+def spoken(name: str, text: str) -> list[str]:
+    """What looks like words for people: two words in quotes that begin with a capital; in HTML, any text."""
+    pattern = r">\s*([A-Za-z]{3,}[^<>]*)<" if name.endswith("html") else r"[\"'`]([A-Z][a-z]+ [a-z][^\"'`]*)[\"'`]"
+    return re.findall(pattern, text)
+
+
+def test_no_words_for_people_stand_in_a_script_or_in_html():
+    assert spoken("a.js", 'node.textContent = "Both hands start together."')
+    assert spoken("a.html", "<button>Copy link</button>")
+    assert {name: found for name, text in scripts().items() if (found := spoken(name, text))} == {}
+
+
+def test_the_stage_says_what_words_py_holds_and_nothing_else():
+    texts = scripts()
+    used = {
+        name for path, text in texts.items() if path.startswith("stage") for name in re.findall(r"WORDS\.(\w+)", text)
+    }
+    # Why a motion has ended is looked up by the reason.
+    reasons = {"edge", "struck", "ended", "edge_ahead", "struck_ahead"}
+    assert used | reasons == {*words.SENTENCES, "slips", "bodies", "unity"}
+    assert sorted(set(fields(texts["stage/stage.html"]))) == sorted(words.TEXTS)
+    assert "{" not in words.filled((PACKAGE / "stage/stage.html").read_text(encoding="utf-8"))
