@@ -51,6 +51,8 @@ DEFAULTS = {
     "cost": "evaluations",
     "tolerance": 3,
     "sweep": "ratio_float64",
+    "paper": "questions",
+    "seed": 1,
     "part": "stops",
     "stop": "two-clocks",
     "chosen": {},

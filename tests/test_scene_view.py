@@ -7,7 +7,7 @@ import json
 import pytest
 
 from ramanujan import Oscillator
-from ramanujan.scenes.controls import CONTROLS
+from ramanujan.scenes.quantities import QUANTITIES
 from ramanujan.scenes.view import PARTS
 from tests.test_scene_oscillator import DEFAULTS, sound, values
 
@@ -40,7 +40,7 @@ def test_a_link_hides_parts_of_the_first_page(app):
     assert not app.get("plotly_chart")
     assert not any(number in sent(app) for number in NUMBERS)
     # The steps stay, in symbols.
-    (steps,) = (each.value for each in app.markdown if each.value.startswith("##### 1."))
+    (steps,) = (each.value for each in app.markdown if each.value.startswith("### 1."))
     assert "varepsilon" in steps
     assert not any("clock hands" in each.value for each in app.markdown)
 
@@ -68,7 +68,7 @@ def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path)
 @pytest.mark.parametrize("bad", ["everything", "numbers,<b>", "Numbers", "x" * 5000, "numbers;clocks", "a,b,c"])
 def test_an_unknown_part_gets_one_sentence(app, bad):
     (warning,) = opened(app, hide=bad).warning
-    assert warning.value.startswith("The link hides a part that this app does not have.")
+    assert warning.value.startswith("The value of hide in the address was ignored")
     assert bad not in warning.value
     assert not sound(app.run()).warning
 
@@ -83,14 +83,14 @@ def test_every_part_can_be_hidden_alone_and_all_at_once(app):
 @pytest.mark.parametrize("bad", ["", " ", "beamer", "projector2", "1e400", "x" * 5000, "‮projector"])
 def test_an_unknown_view_is_no_projector(app, bad):
     opened(app, view=bad)
-    assert len(app.warning) == bool(bad.strip())
+    assert len(app.warning) == 1
     assert not app.toggle(key="projector").value
 
 
 def test_the_old_words_of_the_derivation_s_address_still_work(app):
-    opened(app, view="Reading")
+    app.query_params["view"] = "Reading"
     app.switch_page("ramanujan/scenes/derivation.py").run()
-    assert app.session_state["show"] == "Reading"
+    assert app.session_state["show"] == "reading"
     assert not app.toggle(key="projector").value
     assert not app.warning
 
@@ -98,22 +98,22 @@ def test_the_old_words_of_the_derivation_s_address_still_work(app):
 def test_reset_returns_to_what_the_link_set(app):
     opened(app, m_prime="2.5", k="20")
     linked = {**DEFAULTS, "m_prime": 2.5, "k": 20.0}
-    for key, control in CONTROLS.items():
+    for key, control in QUANTITIES.items():
         app.slider(key=key).set_value(control.most)
     app.run()
     assert values(app) != linked
-    app.pills(key="preset").set_value("Reset").run()
+    app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == linked
     assert "your link" in app.info[0].value
     # Once more, and the app's own values are back; and so on.
-    app.pills(key="preset").set_value("Reset").run()
+    app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == DEFAULTS
-    app.pills(key="preset").set_value("Reset").run()
+    app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == linked
 
 
 def test_reset_does_not_return_to_what_the_link_got_wrong(app):
     opened(app, m="0", k="20")
     app.slider(key="m").set_value(3.0).run()
-    app.pills(key="preset").set_value("Reset").run()
+    app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == {**DEFAULTS, "k": 20.0}
