@@ -8,13 +8,17 @@ if __name__ != "__main__":
 
     app = st.App(__file__, middleware=[Middleware(Compressed)], lifespan=warmed_up)
 else:
-    from ramanujan.scenes import cached, complaints, controls, links, look, pages, quantities
+    from ramanujan.scenes import cached, complaints, controls, links, look, pages, quantities, view
 
     page, runner = pages.navigate()
-    st.set_page_config(pages.tab_title(page), "🚕", layout="wide", initial_sidebar_state=340)
+    view.take_old()
+    said = links.opened(page.name, (*quantities.KEYS, *view.KEYS, *page.keys))
+    view.keep()
+    sidebar = "collapsed" if view.is_projector() else 340
+    st.set_page_config(pages.tab_title(page), "🚕", layout="wide", initial_sidebar_state=sidebar)
     cached.warm_up()
     look.dress()
     controls.take_typed()
-    complaints.begin(links.opened(page.name, (*quantities.KEYS, *page.keys)))
+    complaints.begin(said)
     controls.sidebar()
     runner.run()

@@ -29,7 +29,7 @@ OWN = {page.name: {key.name for key in page.keys} for page in PAGES.values()}
 SHARED = {key.name for key in quantities.KEYS}
 DEFAULTS = {
     "route": "euler_lagrange",
-    "view": "lecture",
+    "show": "lecture",
     "values": "symbols",
     "step": 1,
     "body": None,
@@ -51,6 +51,8 @@ DEFAULTS = {
     "cost": "evaluations",
     "tolerance": 3,
     "sweep": "ratio_float64",
+    "paper": "questions",
+    "seed": 1,
     "part": "stops",
     "stop": "two-clocks",
     "chosen": {},
@@ -139,7 +141,7 @@ def test_one_key_at_a_time_leaves_the_others_alone(name, kind):
 MEANT = {
     "derivation": {
         "route": ("hamilton", "hamilton"),
-        "view": ("reading", "reading"),
+        "show": ("reading", "reading"),
         "values": ("numbers", "numbers"),
         "step": ("3", 3),
         "body": ("top", "top"),
@@ -163,6 +165,7 @@ MEANT = {
         "tolerance": ("1e-6", 6),
         "sweep": ("scale_float32", "scale_float32"),
     },
+    "worksheet": {"paper": ("key", "key"), "seed": ("7", 7)},
     "lesson": {
         "part": ("tasks", "tasks"),
         "stop": ("radius", "radius"),
@@ -184,7 +187,7 @@ OF_A_CLASS = {"class", "lecturer", "voter"}
 OLD = {
     "derivation": {
         "route": ("Hamilton", "hamilton"),
-        "view": ("Reading", "reading"),
+        "show": ("Reading", "reading"),
         "values": ("My numbers", "numbers"),
         "body": ("top cylinder", "top"),
         "question": ("The mass ratio", "unit_mass_ratio"),

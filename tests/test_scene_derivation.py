@@ -50,7 +50,7 @@ def formulas(app) -> str:
 
 @pytest.mark.parametrize("name", ROUTES)
 def test_reading_shows_every_step_of_a_route_and_numbers_end_in_the_present_frequency(page, name):
-    choose(page, route=name, view="reading")
+    choose(page, route=name, show="reading")
     assert headings(page) == [f"## {n}. {step.heading}" for n, step in enumerate(ROUTES[name].steps, start=1)]
     symbols = formulas(page)
     # 37/20, 43/50 and 33.5 are what a person sees; the formula is the settled one, in exact fractions.
@@ -68,7 +68,7 @@ def test_reading_shows_every_step_of_a_route_and_numbers_end_in_the_present_freq
 def test_at_the_unit_ratio_the_frequency_is_k_over_m_exactly(page):
     page.session_state["preset"] = None
     page.pills(key="preset").set_value("unit").run()
-    choose(page, view="reading", values="numbers")
+    choose(page, show="reading", values="numbers")
     assert r"\sqrt{1729}" in formulas(page)
     assert r"\Omega^{2} = 10\,\mathrm{s^{-2}}" in formulas(page)
 
@@ -88,7 +88,7 @@ def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
     def fail(*_, **__):
         raise AssertionError("derived again")
 
-    choose(page, view="reading")
+    choose(page, show="reading")
     for name in ("solve", "hessian", "roots"):
         monkeypatch.setattr(sp, name, fail)
     for name in ROUTES:
@@ -160,7 +160,7 @@ def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, mas
 def test_choosing_a_body_shows_it_in_the_colour_that_it_has_on_the_stage(page):
     from ramanujan.scenes import look
 
-    choose(page, view="reading", body="hoop")
+    choose(page, show="reading", body="hoop")
     ink = look.colors()["hoop_ink"]
     assert formulas(page).count(rf"\textcolor{{{ink}}}") > 4
     choose(page, body=None)

@@ -41,6 +41,7 @@ _PARTS = {
     "keys": ("keys.js",),
     "link": ("link.js",),
     "moment": ("moment.js",),
+    "pager": ("pager.js",),
     "pick": ("pick.js",),
     "reach": ("reach.js",),
     "receipt": ("receipt.js",),
@@ -88,9 +89,9 @@ def bring(theme: str) -> None:
     _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
-def style() -> str:
-    """Return page.css without comments."""
-    whole = (_HERE / "page.css").read_text(encoding="utf-8")
+def style(name: str = "page.css") -> str:
+    """Return a style sheet of this folder without comments: page.css, or projector.css, which goes on top of it."""
+    whole = (_HERE / name).read_text(encoding="utf-8")
     return re.sub(r"/\*.*?\*/|\n\s*", "", whole, flags=re.DOTALL)
 
 
@@ -248,6 +249,12 @@ def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) ->
 
     data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
     return _component("turn")(key="turn", data=data, on_to_change=turned)
+
+
+def pager() -> Any:
+    """Show one picture of the page at a time, as a projector needs it, and put on the page what turns to the next."""
+    words = {"label": _("Pictures of this page"), "back": _("Back"), "next": _("Next"), "place": "{now} / {count}"}
+    return _component("pager")(key="pager", data=words)
 
 
 def stopwatch(key: str) -> float | None:

@@ -93,6 +93,34 @@ const hosts = {
   /** Where the sidebar is a sheet; page.css says the same. */
   NARROW: "(max-width: 768px)",
 
+  /** The pieces of a page in their order: elements, and the paragraphs and formulas of a text. What is not seen anyway is left out. */
+  pieces() {
+    const body = document.querySelector(".stMainBlockContainer");
+    const elements = [...(body?.querySelectorAll(".stElementContainer, [role=tablist], [data-testid=stExpander]") ?? [])];
+    const outer = elements.filter((node) => !node.parentElement.closest(".stElementContainer, [data-testid=stExpander]"));
+    const pieces = outer.flatMap((node) => {
+      const text = node.querySelector("[data-testid=stMarkdownContainer]");
+      return node.matches(".stElementContainer:has(> .stMarkdown)") && text ? [...text.children] : [node];
+    });
+    return pieces.filter((node) => {
+      const { width, height } = node.getBoundingClientRect();
+      return width > 2 && height > 2 && !node.matches(".st-key-pager");
+    });
+  },
+
+  isHeading: (node) => node.matches("h1, h2, h3, h4, h5, h6, div:has(> :is(h3, h4, h5):only-child), [role=tablist]") || Boolean(node.querySelector(":scope > .stHeading")),
+
+  isPicture: (node) => Boolean(node.querySelector(".js-plotly-plot, [data-testid=stPlotlyChart]")) || node.matches(".stElementContainer:has([data-testid=stBidiComponentIsolated]):is(.st-key-stage, [class*=stage_])"),
+
+  /** How wide the content of a page is at most. */
+  contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
+
+  /** How high a picture can be on the screen. */
+  roomForPictures() {
+    const body = document.querySelector(".stMainBlockContainer");
+    return innerHeight - (body ? parseFloat(getComputedStyle(body).paddingTop) : 0);
+  },
+
   /** What scrolls. */
   main: () => document.querySelector("[data-testid=stMain]"),
 

@@ -16,6 +16,11 @@ bus.begin ??= (name, component) => {
   }
   return parts[name].begin(component);
 };
+// A figure is drawn as wide as the page on the screen, and on paper it must be as wide as the paper (A4: 180 mm).
+const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / hosts.contentWidth()));
+window.addEventListener("resize", fitPaper);
+fitPaper();
+
 for (const begin of bus.waiting?.splice(0) ?? []) begin();
 
 // The parts that every page has live in this one element, each in a room of its own.

@@ -8,7 +8,7 @@ import streamlit as st
 
 from ramanujan import number_theory, stage
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import controls, emblems, links, look, stages, widgets
+from ramanujan.scenes import controls, emblems, links, look, stages, view, widgets
 from ramanujan.scenes.cached import taxicab as cached
 from ramanujan.words import _, ngettext
 
@@ -65,12 +65,22 @@ def the_machine(story: cached.Story, chosen: list[str]) -> None:
 
 def told(story: cached.Story) -> None:
     """Say what the chosen bodies lead to."""
-    machine, oscillator = story.machine, controls.oscillator()
+    machine = story.machine
     st.markdown(f"**{name(machine)}**")
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root} \approx {story.ratio:.6f}")
     st.latex(story.square)
     st.markdown(f"{_about_cubes(story)} {_about_field(machine)}")
+    if not view.hides("numbers"):
+        with_your_masses(machine)
+    with st.container(horizontal=True):
+        st.button(_("Set its own mass ratio"), key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
+        st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)
+
+
+def with_your_masses(machine: BodyChoice) -> None:
+    """Say how fast the machine with these bodies is with the masses of the sidebar."""
+    oscillator = controls.oscillator()
     present = number_theory.normalized_frequency_squared_exact(
         *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)
     )
@@ -79,9 +89,6 @@ def told(story: cached.Story) -> None:
             ratio=f"{oscillator.mass_ratio:.5g}", value=f"{float(present):.6g}"
         )
     )
-    with st.container(horizontal=True):
-        st.button(_("Set its own mass ratio"), key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
-        st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)
 
 
 def _about_cubes(story: cached.Story) -> str:

@@ -12,7 +12,7 @@ import math
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, page
-from ramanujan.scenes import cached, complaints, given, links, widgets
+from ramanujan.scenes import cached, complaints, given, links, view, widgets
 from ramanujan.scenes.quantities import QUANTITIES, Quantity, read_number
 from ramanujan.words import _
 
@@ -32,6 +32,8 @@ _TYPED = "typed"
 """Session state: key of a quantity → the text typed into its box, until the run that follows has judged it."""
 _JUDGED = "judged"
 _FIRST = "first_run"
+_LINKED = "linked"
+"""Session state: key of a quantity → its value when the session began."""
 
 
 def sidebar() -> None:
@@ -60,7 +62,10 @@ def sidebar() -> None:
         }
         page.feed("boxes_feed", boxes)
         page.link(links.PRIVATE)
+        view.switch()
         given.receipt()
+    # What the sliders show in the first run is what the link has set, without what it got wrong.
+    st.session_state.setdefault(_LINKED, values)
 
 
 def take_typed() -> None:
@@ -160,10 +165,19 @@ def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
 
 
 def reset() -> None:
-    """Put every quantity back to its default."""
+    """Put every quantity back to what the link has set, or from there to its default; say so where the two differ."""
     given.hold()
-    for quantity in QUANTITIES.values():
-        given.give(quantity.key, quantity.default)
+    defaults = {quantity.key: quantity.default for quantity in QUANTITIES.values()}
+    linked = st.session_state.get(_LINKED, defaults)
+    there = all(QUANTITIES[key].present == value for key, value in linked.items())
+    for key, value in (defaults if there else linked).items():
+        given.give(key, value)
+    if linked == defaults:
+        return
+    if there:
+        complaints.note("m", _("All values are the app’s own now. Reset again, and the values of your link return."))
+    else:
+        complaints.note("m", _("All values are those of your link again. Reset once more for the app’s own values."))
 
 
 def _gave_way(old: float, new: float, bound: float, too_heavy: bool) -> str:

@@ -10,7 +10,7 @@ import streamlit as st
 from ramanujan import Oscillator, page, stage
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.shares import PARTS
-from ramanujan.scenes import complaints, controls, links, look, stages, widgets
+from ramanujan.scenes import complaints, controls, links, look, stages, view, widgets
 from ramanujan.scenes.cached import derivation as cached
 from ramanujan.scenes.modes import three_modes
 from ramanujan.scenes.tryout import QUESTION, try_it
@@ -29,7 +29,7 @@ ROUTE = links.Choice(
         "Matrix": "matrix",
     },
 )
-VIEW = links.Choice("view", ("lecture", "reading"), "lecture", old={"Lecture": "lecture", "Reading": "reading"})
+VIEW = links.Choice("show", ("lecture", "reading"), "lecture", old={"Lecture": "lecture", "Reading": "reading"})
 VALUES = links.Choice("values", ("symbols", "numbers"), "symbols", old={"Symbols": "symbols", "My numbers": "numbers"})
 BODY = links.Choice("body", tuple(PARTS), old={"lower cylinder": "cylinder", "top cylinder": "top"})
 STEP = links.Count("step", LONGEST_ROUTE)
@@ -84,7 +84,7 @@ def show() -> None:
     three_modes(setting.machine, setting.compression, setting.masses)
     margin()
     try_it()
-    page.give_back("route", "view", "values", "body")
+    page.give_back("route", "show", "values", "body")
 
 
 # ---- what is shown, and how
@@ -96,10 +96,12 @@ def choose() -> Setting:
         hidden = {"label_visibility": "collapsed"}
         titles = cached.titles()
         route = widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
-        view = widgets.chips(VIEW, _("How to show the steps"), VIEW_WORDS, **hidden)
-        values = widgets.chips(VALUES, _("Symbols or numbers"), VALUES_WORDS, **hidden)
+        how = widgets.chips(VIEW, _("How to show the steps"), VIEW_WORDS, **hidden)
+        values = "symbols"
+        if not view.hides("numbers"):
+            values = widgets.chips(VALUES, _("Symbols or numbers"), VALUES_WORDS, **hidden)
     machine, compression = controls.oscillator(), controls.compression()
-    return Setting(machine, compression, route, view == "lecture", values == "numbers")
+    return Setting(machine, compression, route, how == "lecture", values == "numbers")
 
 
 def choose_body_beside_machine(setting: Setting) -> None:
@@ -205,12 +207,13 @@ def compare(present: tuple[float, float, float]) -> None:
     """Draw the table in which all routes meet."""
     st.header(_("All routes give the same frequency"), anchor=False)
     rows = [
-        f"| {result.title} | {result.steps} | $\\displaystyle {result.symbols}$ | $\\Omega^2 {result.numbers}$ |"
+        (result.title, str(result.steps), f"$\\displaystyle {result.symbols}$", f"$\\Omega^2 {result.numbers}$")
         for result in cached.results(present)
     ]
     titles = (_("Route"), _("Steps"), _("$\\Omega^2$ in symbols"), _("$\\Omega^2$ with your numbers"))
+    columns = 3 if view.hides("numbers") else 4
     with st.container(key="results"):
-        st.markdown("\n".join([f"| {' | '.join(titles)} |", "|---|---|---|---|", *rows]))
+        st.markdown("\n".join(f"| {' | '.join(row[:columns])} |" for row in (titles, ("---",) * 4, *rows)))
     if cached.all_agree():
         st.markdown(_(":material/check: SymPy has checked that the difference between any two results is exactly 0."))
 

@@ -125,7 +125,35 @@ class Choice:
         )
 
 
-Key = Measure | Count | Choice
+@dataclass(frozen=True)
+class Several:
+    """Any number of options, with commas between them."""
+
+    bound: ClassVar[bool] = False
+    name: str
+    options: tuple[str, ...]
+    default: tuple[str, ...] = ()
+
+    def read(self, text: str) -> tuple[str, ...]:
+        """Return the options, in their own order; ValueError if one of them does not exist."""
+        asked = {each.strip() for each in text.split(",")}
+        if not asked <= set(self.options):
+            raise ValueError(self.name)
+        return tuple(option for option in self.options if option in asked)
+
+    def write(self, value: tuple[str, ...]) -> str:
+        """Return the options as the address has them."""
+        return ",".join(value)
+
+    def complaint(self) -> str:
+        """Return the sentence for a text that does not fit."""
+        return _(
+            "The value of {name} in the address was ignored: it must be one or more of these, with commas between "
+            "them: {options}."
+        ).format(name=self.name, options=", ".join(self.options))
+
+
+Key = Measure | Count | Choice | Several
 
 
 def opened(page: str, keys: Sequence[Key]) -> list[str]:
@@ -149,12 +177,12 @@ def opened(page: str, keys: Sequence[Key]) -> list[str]:
     return said
 
 
-def held(key: Choice | Count) -> Any:
+def held(key: Choice | Count | Several) -> Any:
     """Return the value of a key that Streamlit does not bind."""
     return st.session_state.get(key.name, key.default)
 
 
-def keep(key: Choice | Count) -> None:
+def keep(key: Choice | Count | Several) -> None:
     """Write into the address what is chosen; a default stands there without words."""
     value = held(key)
     text = None if value == key.default else key.write(value)

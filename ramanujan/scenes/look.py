@@ -7,6 +7,7 @@ from functools import cache
 import streamlit as st
 
 from ramanujan import page
+from ramanujan.scenes import view
 
 BODY_COLORS = {
     "block": "gray",
@@ -60,6 +61,12 @@ def dress() -> None:
     # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
     first = "" if st.session_state.get(_DRESSED) else page.style()
     st.session_state[_DRESSED] = True
+    if view.is_projector():
+        first += page.style("projector.css")
+    # On paper, which is white, the light lines of a dark figure would not be seen.
+    printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
     # Markdown with HTML in it loads a script first, and comes later than the headings.
-    st.html(f"<style>{own}{first}</style>")
+    st.html(f"<style>{own}{first}{printed}</style>")
     page.bring(shown)
+    if view.is_projector():
+        page.pager()

@@ -7,7 +7,7 @@ import math
 import streamlit as st
 
 from ramanujan import Oscillator, page, stage
-from ramanujan.scenes import controls, look, pages, stages
+from ramanujan.scenes import controls, look, pages, stages, view
 from ramanujan.scenes.cached import oscillator as cached
 from ramanujan.words import _
 
@@ -17,12 +17,28 @@ KEYS = ()
 def show() -> None:
     """Draw the page."""
     machine = controls.oscillator()
-    st.title(_("Ramanujan’s oscillator"), anchor=False)
+    opening()
     stages.mount(
         stage.payload(machine, controls.compression()), name="oscillator", on_released=controls.set_compression
     )
-    the_curve()
-    six_steps(machine)
+    if not view.hides("curve"):
+        the_curve()
+    if not view.hides("steps"):
+        six_steps(machine)
+
+
+def opening() -> None:
+    """Say what this is, what it asks and what to do first; beside it, the way into the lesson."""
+    words, lesson = st.container(key="opening").columns([4, 1], vertical_alignment="bottom")
+    with words:
+        st.title(_("Ramanujan’s oscillator"), anchor=False)
+        first = _("Drag the slab and let go.")
+        if not view.hides("clocks"):
+            first = _("Drag the slab and let go. Then move m′ until both clock hands turn together.")
+        question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
+        st.markdown(f"**{question}** {first}")
+    with lesson:
+        st.page_link(pages.PAGES["lesson"].file, label=_("Take the lesson"), icon=":material/school:")
 
 
 def the_curve() -> None:
@@ -66,15 +82,16 @@ def take_clicked(point: dict[str, float]) -> None:
 
 def six_steps(machine: Oscillator) -> None:
     """Draw the derivation in short, in symbols and with the present numbers."""
-    numbers = (machine.m, machine.m_prime, machine.k)
+    numbers = None if view.hides("numbers") else (machine.m, machine.m_prime, machine.k)
     st.header(_("The derivation in six steps"), anchor=False)
-    st.caption(_("Each step appears in symbols, then with your numbers."))
-    st.caption(cached.numbers_stated(*numbers))
+    if numbers:
+        st.caption(_("Each step appears in symbols, then with your numbers."))
+        st.caption(cached.numbers_stated(*numbers))
     # One text: each element of a page costs the server a message.
     st.container(key="steps").markdown(
         "\n\n".join(
             f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
-            for number, step in enumerate(cached.summary(*numbers), start=1)
+            for number, step in enumerate(cached.summary(numbers), start=1)
         )
     )
     st.page_link(

@@ -59,6 +59,7 @@ PAGES = {
         Page("taxicab", _("1729"), "local_taxi", "1729"),
         Page("speed", _("Speed and accuracy"), "speed", "speed", "periods=1"),
         Page("lesson", _("Lesson"), "school", "lesson"),
+        Page("worksheet", _("Worksheet"), "print", "worksheet"),
     )
 }
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ramanujan import stage
+from ramanujan.scenes import view
 from ramanujan.scenes.quantities import QUANTITIES, WATCH
 
 LIMITS = QUANTITIES["compression"].limits
@@ -13,5 +14,6 @@ LIMITS = QUANTITIES["compression"].limits
 
 
 def mount(payload: Mapping[str, Any], **more: Any) -> Any:
-    """Put a stage on the page as `stage.mount` does, with the sliders that it follows and the range of x₀."""
-    return stage.mount(payload, limits=LIMITS, watch=WATCH, **more)
+    """Put a stage on the page as `stage.mount` does, with the sliders, the range of x₀ and what the link hides."""
+    hidden = {*view.on_stage(), *more.pop("hide", ())}
+    return stage.mount(payload, limits=LIMITS, watch=WATCH, hide=hidden, **more)

@@ -11,7 +11,7 @@ from ramanujan import number_theory
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import number
-from ramanujan.scenes import controls, links, look, widgets
+from ramanujan.scenes import controls, links, look, view, widgets
 from ramanujan.scenes.bodies import PAPER, STILL, factored, pair
 from ramanujan.scenes.cached import taxicab as cached
 from ramanujan.words import _, ngettext
@@ -75,6 +75,8 @@ def told(story: cached.Story) -> None:
 
 def _draw(story: cached.Story) -> None:
     """Draw the curve and where it reaches the target."""
+    if view.hides("curve") or view.hides("numbers"):
+        return
     target: Fraction = story.machine.target
     machine = controls.oscillator()
     ratios, values = cached.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio))

@@ -11,7 +11,7 @@ from ramanujan import UNIT_MASS_RATIO, number_theory
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
-from ramanujan.scenes import bodies, controls, links, look, targets, widgets
+from ramanujan.scenes import bodies, controls, links, look, targets, view, widgets
 from ramanujan.scenes.cached import taxicab as cached
 from ramanujan.words import _, ngettext
 
@@ -53,6 +53,8 @@ def exactly_in_step(facts: cached.Condition) -> None:
         )
         for line in facts.equations:
             st.latex(line)
+    if view.hides("curve") or view.hides("numbers"):
+        return
     with picture:
         machine = controls.oscillator()
         ratios, values = cached.curve(0.01, 30.0)

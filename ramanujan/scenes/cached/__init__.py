@@ -28,7 +28,7 @@ def warm_up() -> bool:
 
     stage.warm_up()
     oscillator.curve()
-    oscillator.summary(1.0, 1.0, 1.0)
+    oscillator.summary((1.0, 1.0, 1.0))
     # Plotly loads what checks a figure when the first one is drawn.
     oscillator.figure(look.theme())
     gc.collect()

@@ -103,9 +103,9 @@ _SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "r
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def summary(m: float, m_prime: float, k: float) -> list[SummaryStep]:
-    """Return the derivation in six steps, in symbols and with the present masses and stiffness."""
-    values = exact_values(m, m_prime, k)
+def summary(present: tuple[float, float, float] | None) -> list[SummaryStep]:
+    """Return the derivation in six steps, in symbols, and with the present m, m′ and k where these are given."""
+    values = exact_values(*present) if present else None
     return [_with_numbers(step, symbols, values) for step, symbols in _in_symbols()]
 
 
@@ -121,7 +121,7 @@ def _in_symbols() -> list[tuple[Step, list[Row]]]:
     return [(step, rows(step)) for step in steps]
 
 
-def _with_numbers(step: Step, symbols: list[Row], values: dict[sp.Symbol, sp.Expr]) -> SummaryStep:
-    numbers = rows(step, values)
+def _with_numbers(step: Step, symbols: list[Row], values: dict[sp.Symbol, sp.Expr] | None) -> SummaryStep:
+    numbers = rows(step, values) if values else symbols
     blocks = [symbols] if numbers == symbols else [symbols, numbers]
     return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH))

@@ -1,0 +1,146 @@
+"""A lecturer's view in the browser: what is hidden is nowhere on the page, and a projector shows large words and no scroll."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from ramanujan import Oscillator
+from tests.browser import next_frame, settle
+
+MACHINE = Oscillator(1.0, 2.0, 10.0)
+LINK = "m=1&m_prime=2&k=10"
+TELLTALE = {
+    "Ω²m/k": f"{MACHINE.normalized_frequency_squared:.7f}"[:6],
+    "Ω": f"{MACHINE.natural_frequency:.3f}",
+    "period": f"{MACHINE.period:.2f}",
+    "turns to part": f"{1 / abs(MACHINE.normalized_frequency_squared**0.5 - 1):.1f}",
+    "slower": "slower",
+}
+DOCUMENT = """() => {
+  const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...(node.shadowRoot ? all(node.shadowRoot) : [])]);
+  const told = (node) => [...node.childNodes].filter((each) => each.nodeType === 3).map((each) => each.data);
+  return all(document.body).filter((node) => !node.closest('script, style')).flatMap((node) =>
+    [...told(node), ...[...node.attributes].filter((each) => each.name.startsWith('aria') || each.name === 'title').map((each) => each.value)]
+  ).join('\\n');
+}"""
+"""All words of the page, those for the eye and those for a screen reader, also inside the components."""
+
+SAID = "globalThis.ramanujan?.last('machine/oscillator') && ramanujan.last('say') === undefined"
+"""The stage has drawn, and the live region has said what it had to say."""
+
+
+def use(page) -> str:
+    """Do what a reader may do to find out, and return all that the page says meanwhile."""
+    page.wait_for_function(SAID)
+    said = [page.evaluate(DOCUMENT)]
+    for name in ("Step forward", "Step back"):
+        if page.get_by_role("button", name=name, exact=True).count():
+            page.get_by_role("button", name=name, exact=True).click()
+            next_frame(page)
+            said.append(page.evaluate(DOCUMENT))
+    entry = page.locator(".st-key-m_exact input")
+    entry.fill("1.000")
+    entry.press("Enter")
+    settle(page)
+    page.wait_for_function(SAID)
+    return "\n".join([*said, page.evaluate(DOCUMENT)])
+
+
+def test_what_a_link_hides_is_nowhere_on_the_page(visit):
+    page = visit(f"?{LINK}&hide=numbers,curve,clocks")
+    said = use(page)
+    assert "Velocities" in said
+    assert not [name for name, words in TELLTALE.items() if words in said]
+    assert page.locator(".js-plotly-plot").count() == 0
+    parts = ".dial, .gauge, .verdict, .parting, .readouts, .legend b"
+    assert page.locator(f".st-key-stage :is({parts})").count() == 0
+    assert page.evaluate("ramanujan.last('present/oscillator').normalized") is None
+    assert page.locator(".st-key-stage [data-step]:not([data-step=''])").count() == 0
+
+
+def test_without_the_link_all_of_it_is_said(visit):
+    """Negative control: the same search finds every word on the page that hides nothing."""
+    said = use(visit(f"?{LINK}"))
+    assert [name for name, words in TELLTALE.items() if words not in said] == []
+
+
+@pytest.mark.parametrize("hide", ["motion", "motion,plain,numbers"])
+def test_a_machine_whose_motion_is_hidden_stands_still(visit, hide):
+    page = visit(f"?{LINK}&hide={hide}", motion="no-preference")
+    where = "node => node.getAttribute('transform')"
+    slab = page.locator(".st-key-stage .moving .body.slab")
+    before = slab.evaluate(where)
+    page.locator(".st-key-stage .stage").focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(200)
+    assert slab.evaluate(where) == before
+    assert page.get_by_role("button", name="Pause", exact=True).count() == 0
+    assert re.fullmatch(r"translate\(8 -?0\)|translate\(8,? ?-?0\)", before)
+
+
+# ---- on a projector
+
+SIZES = """(small) => {
+  const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...(node.shadowRoot ? all(node.shadowRoot) : [])]);
+  const seen = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && !node.closest('.controls, .katex-mathml, .note, .pager, [data-away], .stSlider, label, button');
+  const size = (node) => {
+    const svg = node.ownerSVGElement, scale = svg && node.getScreenCTM ? node.getScreenCTM().d : 1;
+    return parseFloat(getComputedStyle(node).fontSize) * (scale || 1);
+  };
+  const words = (node) => [...node.childNodes].some((each) => each.nodeType === 3 && each.data.replaceAll('\u200b', '').trim());
+  return all(document.querySelector('.stMainBlockContainer')).filter((node) => words(node) && seen(node) && !node.closest('style, .mtight'))
+    .filter((node) => size(node) < small).map((node) => `${size(node).toFixed(1)} px: ${node.textContent.trim().slice(0, 30)}`);
+}"""
+"""The words of the present picture that are smaller than this; an index or an exponent is smaller by nature."""
+TOO_HIGH = """() => {
+  const main = document.querySelector('[data-testid=stMain]');
+  return [main.scrollHeight - main.clientHeight, main.scrollWidth - main.clientWidth];
+}"""
+PICTURES = """() => [...document.querySelectorAll('.js-plotly-plot, [data-testid=stBidiComponentIsolated]')].filter((node) =>
+  node.checkVisibility({ visibilityProperty: true }) && (!node.shadowRoot || node.shadowRoot.querySelector('svg.machine'))).length"""
+PLACE = ".st-key-pager .place"
+
+
+@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "lesson"])
+def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
+    page = visit(f"{path}?view=projector")
+    page.wait_for_selector(f"{PLACE}:not(:empty)")
+    next_frame(page)
+    assert page.locator("[data-testid=stExpandSidebarButton]").is_visible()
+    now, count = map(int, page.locator(PLACE).inner_text().split("/"))
+    assert (now, count > 2) == (1, True)
+    for sheet in range(1, count + 1):
+        assert page.evaluate(SIZES, 23.9) == [], sheet
+        assert max(page.evaluate(TOO_HIGH)) <= 2, sheet
+        shown = page.evaluate(PICTURES)
+        assert shown <= 1, sheet
+        if sheet < count:
+            page.locator(".st-key-pager .next").click()
+            next_frame(page)
+
+
+def test_without_a_projector_the_words_are_smaller_and_the_page_is_one(visit):
+    """Negative control."""
+    page = visit("motion")
+    assert page.evaluate(SIZES, 23.9)
+    assert page.evaluate(TOO_HIGH)[0] > 300
+    assert page.locator(PLACE).count() == 0
+
+
+def test_the_switch_puts_the_view_into_the_address_and_takes_it_out(visit):
+    page = visit("motion")
+    page.locator(".st-key-projector label").click()
+    page.wait_for_url("**view=projector*")
+    page.wait_for_selector(f"{PLACE}:not(:empty)")
+    settle(page)
+    page.keyboard.press("PageDown")
+    page.wait_for_function(
+        "document.querySelector('.st-key-pager [data-testid=stBidiComponentIsolated]').shadowRoot.querySelector('.place').textContent.startsWith('2 ')"
+    )
+    if page.locator("[data-testid=stExpandSidebarButton]").is_visible():
+        page.locator("[data-testid=stExpandSidebarButton]").click()
+    page.locator(".st-key-projector label").click()
+    page.wait_for_function("!location.search.includes('projector')")
+    assert page.locator("[data-away]").count() == 0

@@ -1,0 +1,119 @@
+"""What a lecturer's link says of the view: parts that are hidden, the projector, the values that Reset returns to."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from ramanujan import Oscillator
+from ramanujan.scenes.quantities import QUANTITIES
+from ramanujan.scenes.view import PARTS
+from tests.test_scene_oscillator import DEFAULTS, sound, values
+
+MACHINE = Oscillator(1.0, 2.0, 10.0)
+LINK = {"m": "1.0", "m_prime": "2.0", "k": "10.0"}
+NUMBERS = [f"{MACHINE.normalized_frequency_squared:.4f}", f"{MACHINE.natural_frequency:.3f}", f"{MACHINE.period:.3f}"]
+
+
+def opened(app, **query):
+    app.query_params.update(query)
+    return sound(app.run())
+
+
+def sent(app) -> str:
+    """All that the server sends to the page: the text of every element, with the feeds and the figures."""
+    return "\n".join(str(element.proto) for element in app.main) + "\n".join(
+        str(element.proto) for element in app.sidebar
+    )
+
+
+def feed(app, stage: str) -> dict[str, object]:
+    """What the feed tells a stage."""
+    feeds = (json.loads(each.proto.json) for each in app.get("bidi_component") if "_feed" in each.proto.id)
+    return next(feed[f"machine/{stage}"] for feed in feeds if f"machine/{stage}" in feed)
+
+
+def test_a_link_hides_parts_of_the_first_page(app):
+    opened(app, **LINK, hide="numbers,curve,clocks")
+    assert feed(app, "oscillator")["hide"] == ["clocks", "numbers"]
+    assert not app.get("plotly_chart")
+    assert not any(number in sent(app) for number in NUMBERS)
+    # The steps stay, in symbols.
+    (steps,) = (each.value for each in app.markdown if each.value.startswith("### 1."))
+    assert "varepsilon" in steps
+    assert not any("clock hands" in each.value for each in app.markdown)
+
+
+def test_nothing_is_hidden_without_being_asked_for(app):
+    """Negative control: the same page has all of it."""
+    opened(app, **LINK)
+    assert "hide" not in feed(app, "oscillator")
+    assert app.get("plotly_chart")
+    assert any("clock hands" in each.value for each in app.markdown)
+
+
+@pytest.mark.parametrize("path", ["derivation", "motion", "taxicab", "speed"])
+def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path):
+    opened(app, hide="clocks,numbers,curve")
+    sound(app.switch_page(f"ramanujan/scenes/{path}.py").run())
+    assert app.query_params["hide"] == "clocks,numbers,curve"
+    feeds = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_feed" in each.proto.id]
+    stages = [told for feed in feeds for topic, told in feed.items() if topic.startswith("machine/")]
+    assert stages
+    assert all(told["hide"] == ["clocks", "numbers"] for told in stages)
+    assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
+
+
+@pytest.mark.parametrize("bad", ["everything", "numbers,<b>", "Numbers", "x" * 5000, "numbers;clocks", "a,b,c"])
+def test_an_unknown_part_gets_one_sentence(app, bad):
+    (warning,) = opened(app, hide=bad).warning
+    assert warning.value.startswith("The value of hide in the address was ignored")
+    assert bad not in warning.value
+    assert not sound(app.run()).warning
+
+
+def test_every_part_can_be_hidden_alone_and_all_at_once(app):
+    opened(app, hide=",".join(PARTS))
+    assert not app.warning
+    assert not app.get("plotly_chart")
+    assert len(app.markdown) < 5
+
+
+@pytest.mark.parametrize("bad", ["", " ", "beamer", "projector2", "1e400", "x" * 5000, "‮projector"])
+def test_an_unknown_view_is_no_projector(app, bad):
+    opened(app, view=bad)
+    assert len(app.warning) == 1
+    assert not app.toggle(key="projector").value
+
+
+def test_the_old_words_of_the_derivation_s_address_still_work(app):
+    app.query_params["view"] = "Reading"
+    app.switch_page("ramanujan/scenes/derivation.py").run()
+    assert app.session_state["show"] == "reading"
+    assert not app.toggle(key="projector").value
+    assert not app.warning
+
+
+def test_reset_returns_to_what_the_link_set(app):
+    opened(app, m_prime="2.5", k="20")
+    linked = {**DEFAULTS, "m_prime": 2.5, "k": 20.0}
+    for key, control in QUANTITIES.items():
+        app.slider(key=key).set_value(control.most)
+    app.run()
+    assert values(app) != linked
+    app.pills(key="preset").set_value("reset").run()
+    assert values(sound(app)) == linked
+    assert "your link" in app.info[0].value
+    # Once more, and the app's own values are back; and so on.
+    app.pills(key="preset").set_value("reset").run()
+    assert values(sound(app)) == DEFAULTS
+    app.pills(key="preset").set_value("reset").run()
+    assert values(sound(app)) == linked
+
+
+def test_reset_does_not_return_to_what_the_link_got_wrong(app):
+    opened(app, m="0", k="20")
+    app.slider(key="m").set_value(3.0).run()
+    app.pills(key="preset").set_value("reset").run()
+    assert values(sound(app)) == {**DEFAULTS, "k": 20.0}

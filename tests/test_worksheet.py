@@ -1,0 +1,109 @@
+"""The worksheet: its answers on an independent way, its picture, and the key that fits the questions."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+import sympy as sp
+from streamlit.testing.v1 import AppTest
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_squared
+from ramanujan.lesson.picture import machine_svg
+from ramanujan.lesson.worksheet import questions
+from tests.browser import ROOT
+
+MACHINES = [Oscillator(k=10.0), Oscillator(1.0, UNIT_MASS_RATIO, 10.0), Oscillator(1.1, 2.35, 33.5, 0.05)]
+
+
+def value(text: str, name: str) -> sp.Expr:
+    """The number that an answer gives for a quantity, read off its LaTeX."""
+    written = re.search(rf"{re.escape(name)}=((?:[^$\\]|\\(?!approx|,))+)", text)[1]
+    plain = re.sub(r"\\frac\{(.*)\}\{(.*)\}", r"(\1)/(\2)", written)
+    return sp.sympify(re.sub(r"\\sqrt\{(\d+)\}", r"sqrt(\1)", plain).replace("\\", ""))
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+def test_the_key_gives_the_core_s_numbers_exactly(machine):
+    *_, ratio, squared, felt, parting, _target = (each.answer for each in questions(machine, "1"))
+    assert float(value(ratio, r"\varepsilon")) == pytest.approx(machine.mass_ratio, rel=1e-14)
+    assert float(value(ratio, r"\Omega^2m/k")) == pytest.approx(machine.normalized_frequency_squared, rel=1e-14)
+    assert float(value(squared, r"\Omega^2")) == pytest.approx(
+        np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max(), rel=1e-12
+    )
+    assert float(value(felt, r"k/\Omega^2")) == pytest.approx(machine.effective_mass, rel=1e-14)
+    faster = machine.normalized_frequency_squared - 1
+    assert parting.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
+
+
+@pytest.mark.parametrize("seed", list("12345678"))
+def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
+    *_, last = questions(Oscillator(), seed)
+    asked = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
+    root = re.search(r"varepsilon=\\frac\{(.*?)\}\{(\d+)\}\\approx", last.answer)
+    exact = sp.sympify(re.sub(r"\\sqrt\{(\d+)\}", r"sqrt(\1)", root[1])) / int(root[2])
+    assert normalized_frequency_squared(float(exact)) == pytest.approx(float(asked), rel=1e-12)
+
+
+def test_the_letters_of_the_key_name_the_right_options():
+    stops = {stop.question: stop for stop in lesson.STOPS}
+    seen = set()
+    for seed in range(30):
+        for question in questions(Oscillator(), str(seed)):
+            if question.options:
+                stop = stops[question.text]
+                letter = re.match(r"\*\*(\w)\.\*\*", question.answer)[1]
+                assert f"{letter}. {stop.option(stop.answer()).label}" in question.options
+                assert len(question.options) == len(stop.options)
+                seen.add((stop.id, letter))
+    # The seed shuffles: a stop's right option has no letter of its own.
+    assert len(seen) > 1.5 * len({name for name, _ in seen})
+
+
+def test_a_seed_gives_one_sheet_and_another_seed_another():
+    machine = Oscillator()
+    assert questions(machine, "a") == questions(machine, "a")
+    assert len({questions(machine, str(seed)) for seed in range(10)}) > 5
+
+
+@pytest.mark.parametrize("radius", [0.05, 0.1, 0.2])
+def test_the_picture_is_to_scale(radius):
+    """A roller's diameter and the way of the slab into the spring are those of the machine."""
+    root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08))
+    paths = {each.get("data-body"): each.get("d") for each in root.iter("{http://www.w3.org/2000/svg}path")}
+    assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
+    heights = re.findall(r"0 1 1 0 (-?[\d.]+)a", paths["top"])
+    assert float(heights[0]) == pytest.approx(200 * radius)
+    # The slab lies on the lower rollers: its lower side is their highest point.
+    slab = re.match(r"M(-?[\d.]+) (-?[\d.]+)", paths["slab"])
+    hoop = re.match(r"M(-?[\d.]+) (-?[\d.]+)", paths["hoop"])
+    assert float(slab[2]) == pytest.approx(float(hoop[2]), abs=1e-3)
+
+
+def sheet(**query: str) -> AppTest:
+    app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
+    app.run()
+    app.query_params.update(query)
+    return app.switch_page("ramanujan/scenes/worksheet.py").run()
+
+
+def test_questions_show_no_answer_and_the_key_shows_all():
+    asked = questions(Oscillator(k=10.0), "5")
+    blank = "\n".join(each.value for each in sheet(seed="5").markdown)
+    key = "\n".join(each.value for each in sheet(seed="5", paper="key").markdown)
+    for question in asked:
+        assert question.text in blank
+        assert question.text in key
+        assert question.answer in key
+        assert question.answer not in blank
+
+
+@pytest.mark.parametrize(
+    "query", [{"paper": "answers"}, {"paper": ""}, {"seed": "9" * 5000}, {"seed": "<b>"}, {"seed": ""}]
+)
+def test_a_bad_link_still_gives_a_sheet(query):
+    app = sheet(**query)
+    assert not app.exception
+    assert app.title[0].value == "Ramanujan’s oscillator: worksheet"
