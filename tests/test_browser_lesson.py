@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
+from playwright.sync_api import expect
 
 from ramanujan import lesson
 from tests.browser import next_frame, settle
@@ -50,6 +51,7 @@ def heading(page) -> str:
 
 def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs(visit):
     page = visit("lesson", motion="no-preference")
+    page.wait_for_selector(".st-key-stage .moving .body", state="attached")
     # The live region speaks half a second after things have come to rest.
     page.wait_for_function("!ramanujan.last('say')")
     before, place = page.evaluate(SAID), page.evaluate(PLACE)
@@ -64,7 +66,7 @@ def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs
     assert [word for word in TELLING[2:] if word in after][-3:] == ["Period", "full turn apart", "1 ↔ √1729"]
     assert f"{MACHINE.period:.4g}" in after
     assert "normalized" in page.evaluate(BUS)
-    page.wait_for_function(f"{inside('voice')}.textContent.includes('Your prediction was different.')")
+    expect(page.locator(".st-key-library [role=status]")).to_contain_text("Your prediction was different.")
 
 
 def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):

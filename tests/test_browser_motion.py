@@ -116,12 +116,12 @@ def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
 def test_the_cursor_follows_to_another_view_and_another_machine(visit):
     page = open_motion(visit, "?figure=Energy")
     page.get_by_label("Time cursor").fill("0.5")
-    choose(page, "Momentum")
+    choose(page, "momentum")
     nudge(page, "m", "End")
     (time,) = cursor_times(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
     assert time == pytest.approx(0.5 * cached.PERIODS * period, rel=0.02)
-    assert "figure=Momentum" in page.url
+    assert "figure=momentum" in page.url
 
 
 def test_the_csv_is_the_motion_shown(visit, tmp_path):

@@ -11,6 +11,7 @@ import random
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from playwright.sync_api import expect
 
 from ramanujan.scenes import pages
 from tests.benchmarks.visitor import Visitor
@@ -163,12 +164,12 @@ def test_back_and_forward_through_ten_changes(server: str, profile: object) -> N
     assert {value for _, value in titles} == {"2"}
     for expected in reversed(titles[:-1]):
         tab.go_back()
-        tab.wait_for_timeout(300)
+        expect(tab.locator("h1").first).to_have_text(expected[0])
+        expect(slider(tab)).to_have_value(expected[1])
         settle(tab)
-        assert (tab.locator("h1").first.inner_text(), slider(tab).input_value()) == expected
     for expected in titles[1:]:
         tab.go_forward()
-        tab.wait_for_timeout(300)
+        expect(tab.locator("h1").first).to_have_text(expected[0])
+        expect(slider(tab)).to_have_value(expected[1])
         settle(tab)
-        assert (tab.locator("h1").first.inner_text(), slider(tab).input_value()) == expected
     tab.close()

@@ -195,7 +195,7 @@ def check_bars(picture: Picture, drawn: dict) -> None:
 
 def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str) -> None:
     """Each arrow is as long as its value says by the reference arrow beside them, whose size is round."""
-    assert scale["text"].endswith(f" {unit}")
+    assert scale["text"].endswith(f"\u202f{unit}")
     mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
     assert round(mantissa, 9) in (1, 2, 5)
     per_unit = length(scale["box"]) / scale["value"]

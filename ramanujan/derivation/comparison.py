@@ -176,9 +176,9 @@ def as_fraction(given: NormalForm, right: NormalForm) -> list[str]:
     if denominator and not over(yours[0], above).names:
         return [_("Written as one fraction, your answer has the right numerator."), *in_short(denominator)]
     # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
-    if len(numerator) == 1:
+    if numerator and len(numerator) == 1:
         return [_("Written with the right denominator, your answer differs in one term."), *in_short(numerator)]
-    if len(denominator) == 1:
+    if denominator and len(denominator) == 1:
         return [_("Written with the right numerator, your answer differs in one term."), *in_short(denominator)]
     return _special_masses(given, right)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import string
 from dataclasses import dataclass
 from functools import cached_property, partial
 
@@ -10,12 +9,11 @@ import streamlit as st
 
 from ramanujan import Oscillator, page, stage
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.answers import QUESTIONS
-from ramanujan.derivation.parser import MAX_LENGTH
 from ramanujan.derivation.shares import PARTS
-from ramanujan.motion import InitialState
 from ramanujan.scenes import complaints, controls, links, look, stages, view, widgets
 from ramanujan.scenes.cached import derivation as cached
+from ramanujan.scenes.modes import three_modes
+from ramanujan.scenes.tryout import QUESTION, try_it
 from ramanujan.words import _
 
 LONGEST_ROUTE = 99
@@ -34,24 +32,6 @@ ROUTE = links.Choice(
 VIEW = links.Choice("show", ("lecture", "reading"), "lecture", old={"Lecture": "lecture", "Reading": "reading"})
 VALUES = links.Choice("values", ("symbols", "numbers"), "symbols", old={"Symbols": "symbols", "My numbers": "numbers"})
 BODY = links.Choice("body", tuple(PARTS), old={"lower cylinder": "cylinder", "top cylinder": "top"})
-QUESTION = links.Choice(
-    "question",
-    tuple(QUESTIONS),
-    next(iter(QUESTIONS)),
-    old={
-        "The kinetic energy of the block": "kinetic_energy_block",
-        "The kinetic energy of the hoop": "kinetic_energy_hoop",
-        "The kinetic energy of the lower cylinder": "kinetic_energy_cylinder",
-        "The kinetic energy of the slab": "kinetic_energy_slab",
-        "The kinetic energy of the top cylinder": "kinetic_energy_top",
-        "The potential energy": "potential_energy",
-        "The factor of the acceleration": "phi_equation",
-        "The factor of the block’s acceleration": "block_coupling",
-        "The factor of the top cylinder’s acceleration": "top_coupling",
-        "Ω²": "natural_frequency_squared",
-        "The mass ratio": "unit_mass_ratio",
-    },
-)
 STEP = links.Count("step", LONGEST_ROUTE)
 KEYS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION)
 
@@ -61,12 +41,6 @@ FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
     "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": (_("Notebook"), "ipynb", "application/x-ipynb+json"),
-}
-VERDICTS = {
-    "right": (st.success, ":material/check_circle:"),
-    "unsimplified": (st.info, ":material/compress:"),
-    "wrong": (st.warning, ":material/lightbulb:"),
-    "unreadable": (st.error, ":material/help:"),
 }
 
 
@@ -107,7 +81,7 @@ def show() -> None:
     explain(setting)
     take_home(setting)
     compare(setting.present)
-    three_modes(setting)
+    three_modes(setting.machine, setting.compression, setting.masses)
     margin()
     try_it()
     page.give_back("route", "show", "values", "body")
@@ -244,61 +218,6 @@ def compare(present: tuple[float, float, float]) -> None:
         st.markdown(_(":material/check: SymPy has checked that the difference between any two results is exactly 0."))
 
 
-def three_modes(setting: Setting) -> None:
-    """Draw the three modes side by side, each moving by itself."""
-    machine, compression = setting.machine, setting.compression
-    st.header(_("Three normal modes, one of them oscillates"), anchor=False)
-    st.markdown(
-        _(
-            "The mode shape $v$ lists how far $X$, $\\varphi$ and $\\Phi$ move together, and $\\Lambda$ is the mode’s "
-            "squared angular frequency. A mode that does not deform the spring has $\\Lambda=0$. It is called a zero "
-            "mode, and it conserves a momentum."
-        )
-    )
-    spectrum = cached.spectrum(setting.masses)
-    # Slow enough to watch: half of x₀ in the time of one period.
-    speed = compression / 2 / machine.period
-    shown = (
-        (
-            "swing",
-            None,
-            _("The machine oscillates"),
-            _(
-                "Here $\\Lambda=\\Omega^2$, and all three coordinates oscillate with this one frequency. A machine "
-                "released at rest keeps $p_X=p_\\Phi=0$, so it moves in this mode alone."
-            ),
-            spectrum.oscillating,
-        ),
-        (
-            "glide",
-            InitialState(X_dot=speed),
-            _("The whole machine glides"),
-            _("$\\Lambda=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
-            spectrum.glide,
-        ),
-        (
-            "roll",
-            InitialState(Phi_dot=speed / machine.radius),
-            _("The top cylinder rolls freely"),
-            _("$\\Lambda=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
-            spectrum.free_rolling,
-        ),
-    )
-    for column, (key, initial, title, words, shape) in zip(st.columns(3), shown, strict=True):
-        with column:
-            stages.mount(
-                stage.payload(machine, compression, initial=initial),
-                key=f"mode_{key}",
-                clock="modes",
-                layers=(),
-                compact=True,
-                label=title,
-            )
-            st.markdown(words)
-            st.latex(shape)
-    st.latex(spectrum.momenta)
-
-
 def margin() -> None:
     """Draw the notes on the paper; they are checked when someone wants to read them."""
     notes = st.expander(_("Notes on the paper: a few lines to correct"), key="margin", on_change="rerun")
@@ -315,42 +234,6 @@ def margin() -> None:
             )
 
 
-# ---- a place to try
-
-
-def try_it() -> None:
-    """Ask for a formula, and say whether it is right or what is missing."""
-    st.header(_("Try it yourself"), anchor=False)
-    asked = cached.questions()
-    titles = {name: question.quantity[:1].upper() + question.quantity[1:] for name, question in asked.items()}
-    key = widgets.menu(QUESTION, _("What do you want to work out?"), titles)
-    question = asked[key]
-    st.markdown(question.prompt)
-    names = " ".join(f"`{name}`" for name in question.names)
-    st.markdown(_(":small[You may use] {names}").format(names=names))
-    with st.form("answer", border=False):
-        text = st.text_input(
-            _("Your formula"),
-            key=f"answer_{key}",
-            placeholder=_("For example {formula}").format(formula=question.example),
-            max_chars=2 * MAX_LENGTH,
-        )
-        st.form_submit_button(_("Check"), type="primary")
-    if text:
-        verdict, read = cached.verdict(key, text), cached.as_read(text)
-        box, icon = VERDICTS[verdict.kind]
-        if read:
-            st.latex(read)
-        box(plain(verdict.message), icon=icon)
-    with st.spinner(_("Deriving the answer …"), show_time=False):
-        cached.prepare(key)
-
-
-def plain(text: str) -> str:
-    """Return text such that Markdown shows it as it is."""
-    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
-
-
 def dress() -> None:
     """Give the bodies' names their colours, formulas a box to scroll in, and each step of a lecture the same room."""
     colors = look.colors()
@@ -362,7 +245,7 @@ def dress() -> None:
     )
     st.markdown(
         f"<style>{bodies}"
-        ".st-key-results{overflow-x:auto}.st-key-results table{width:max-content}"
+        ".st-key-results{overflow:auto hidden}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
         f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
         "</style>",

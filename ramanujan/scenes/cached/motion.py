@@ -85,16 +85,17 @@ def figures(view: str, theme: str, *setting: float) -> tuple[Drawn, ...]:
 def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw where the bodies are, relative to the ground and to the block."""
     places = (
-        (_("relative to the ground"), motion.over_ground),
-        (_("relative to the block"), motion.over_block),
+        (_("relative to the ground"), _("ground"), motion.over_ground),
+        (_("relative to the block"), _("block"), motion.over_block),
     )
     panels = [
         _panel(
             title,
             "cm",
             [Curve(NAMES[body], _CM * x, colors[body], **_LINES.get(body, {})) for body, x in bodies.items()],
+            short,
         )
-        for title, bodies in places
+        for title, short, bodies in places
     ]
     return _over_time(motion, panels, colors)
 
@@ -171,8 +172,8 @@ def _contact_curve(contact: str, values: object, colors: Mapping[str, str]) -> C
     return Curve(CONTACTS[contact], values, contact_color(contact, colors), dash=dash)
 
 
-def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
-    return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
+def _panel(title: str, unit: str, curves: list[Curve], short: str = "") -> Panel:
+    return Panel(title, unit, curves, roomy([curve.values for curve in curves]), short)
 
 
 def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> Drawn:
