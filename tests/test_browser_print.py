@@ -11,7 +11,6 @@ CONTROLS = (
     "Copy link",
     "Equal masses",
     "Energy\nVelocities",
-    "More",
     "Projector",
     "Within one period",
     "Print this page",

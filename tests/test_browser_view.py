@@ -84,7 +84,7 @@ def test_a_machine_whose_motion_is_hidden_stands_still(visit, hide):
 
 SIZES = """(small) => {
   const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...(node.shadowRoot ? all(node.shadowRoot) : [])]);
-  const seen = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && !node.closest('.controls, .katex-mathml, .note, .pager, [data-away], .stSlider, label, button');
+  const seen = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && !node.closest('.controls, .katex-mathml, .note, .pager, .bartext, [data-away], .stSlider, label, button');
   const size = (node) => {
     const svg = node.ownerSVGElement, scale = svg && node.getScreenCTM ? node.getScreenCTM().d : 1;
     return parseFloat(getComputedStyle(node).fontSize) * (scale || 1);
@@ -110,7 +110,7 @@ def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit
     next_frame(page)
     assert page.locator("[data-testid=stExpandSidebarButton]").is_visible()
     now, count = map(int, page.locator(PLACE).inner_text().split("/"))
-    assert (now, count > 2) == (1, True)
+    assert (now, count > 1) == (1, True)
     for sheet in range(1, count + 1):
         assert page.evaluate(SIZES, 23.9) == [], sheet
         assert max(page.evaluate(TOO_HIGH)) <= 2, sheet
@@ -143,4 +143,4 @@ def test_the_switch_puts_the_view_into_the_address_and_takes_it_out(visit):
         page.locator("[data-testid=stExpandSidebarButton]").click()
     page.locator(".st-key-projector label").click()
     page.wait_for_function("!location.search.includes('projector')")
-    assert page.locator("[data-away]").count() == 0
+    page.wait_for_function("!document.querySelector('[data-away]')")

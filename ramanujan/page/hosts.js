@@ -96,7 +96,7 @@ const hosts = {
   /** The pieces of a page in their order: elements, and the paragraphs and formulas of a text. What is not seen anyway is left out. */
   pieces() {
     const body = document.querySelector(".stMainBlockContainer");
-    const elements = [...(body?.querySelectorAll(".stElementContainer, [role=tablist], [data-testid=stExpander]") ?? [])];
+    const elements = [...(body?.querySelectorAll(".stElementContainer, [role=tablist], .stPopover, [data-testid=stExpander]") ?? [])];
     const outer = elements.filter((node) => !node.parentElement.closest(".stElementContainer, [data-testid=stExpander]"));
     const pieces = outer.flatMap((node) => {
       const text = node.querySelector("[data-testid=stMarkdownContainer]");
