@@ -145,7 +145,7 @@ def test_the_first_page_and_the_files_say_the_same(masses):
         # Many short equations stand in two columns on the page, so the order may differ.
         of_page = [line for _, lines in on_page[name] for line in lines]
         assert sorted(re.findall(r"\$\$\n(.*?)\n\$\$", text)) == sorted(of_page)
-    six = [step.equations for step in first_page.summary.__wrapped__(*masses)]
+    six = [step.equations for step in first_page.summary.__wrapped__(masses)]
     of_route = dict(on_page["euler_lagrange"])
     for key, display in zip(first_page._SUMMARY, six, strict=True):
         assert equations(display)[-len(of_route[key]) :] == of_route[key]
