@@ -17,8 +17,8 @@ from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import epsilon, k, m, m_prime
 from ramanujan.lesson import STOPS, Stop
-from ramanujan.numerals import number, quantity
 from ramanujan.number_theory import BodyChoice
+from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.words import _
 
