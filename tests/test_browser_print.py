@@ -15,8 +15,9 @@ CONTROLS = (
     "Within one period",
     "Print this page",
 )
-CUT = """() => [...document.querySelectorAll('.katex-display > .katex, .js-plotly-plot .main-svg, .st-key-sheet_picture img')]
-  .filter((node) => node.checkVisibility() && node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
+CUT = """() => [...document.querySelectorAll('.katex-display > .katex, .main-svg, .st-key-sheet_picture img')]
+  .filter((node) => node.checkVisibility())
+  .filter((node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map((node) => node.textContent.slice(0, 40))"""
 """Formulas and figures that end beyond the edge of the paper."""
 PAPERS = {"A4": (794, 595.9), "Letter": (816, 612.0)}
