@@ -37,7 +37,7 @@ def test_arrow_keys_turn_the_steps_and_the_link_keeps_the_place(visit):
     assert step(page) == "1"
     assert press(page, "ArrowRight") == "2"
     for view in (1, 0):
-        page.locator(".st-key-view button").nth(view).click()
+        page.locator(".st-key-show button").nth(view).click()
         settle(page)
     assert press(page, "ArrowRight") == "3"
     # Where the arrows have another meaning they keep it.

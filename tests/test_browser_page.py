@@ -104,7 +104,9 @@ def test_theme_and_page_changes_leave_nothing_behind(visit):
         go("Oscillator", ".present-machine")
         assert known("motion") == set()
         assert page.locator(".present-machine").count() == 1
-        return page.evaluate(f"{BUS}.census()")
+        census = page.evaluate(f"{BUS}.census()")
+        # The time of a stage that stands still is published once it has moved.
+        return {topic: count for topic, count in census.items() if not topic.startswith("time/")}
 
     first = tour()
     before = listeners()

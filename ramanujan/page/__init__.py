@@ -79,13 +79,19 @@ def bring(theme: str) -> None:
     """Bring page.css and the scripts of all components to the page; call it before any of them is drawn.
 
     With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
-    that scroll sideways; and a new run of the page when the visitor switches the theme, so that figures follow.
+    that scroll sideways; a new run of the page when the visitor switches the theme, so that figures follow; and a ring
+    that follows the first page's machine on a curve. A figure has the ring if its layout's `meta` names the ring's
+    colour; its axes are the mass ratio ε and Ω²m/k.
 
     Parameters
     ----------
     theme : the one that this run draws with, light or dark
     """
-    data = {"theme": theme, "label": _("Wide content, the arrow keys scroll it")}
+    data = {
+        "theme": theme,
+        "label": _("Wide content, the arrow keys scroll it"),
+        "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
+    }
     _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
@@ -104,19 +110,6 @@ def feed(key: str, topics: Mapping[str, Any]) -> Any:
     topics : topic → value; a value that has not changed since the last run is not published again
     """
     return _component("feed")(key=key, data=dict(topics))
-
-
-def ring(stage: str) -> Any:
-    """Mark the machine of a stage on a curve by a ring that follows it; call it once, beside the figure.
-
-    A figure takes part by its layout's `meta`: ring is the colour. Its axes are the mass ratio ε and Ω²m/k.
-
-    Parameters
-    ----------
-    stage : the name of the stage
-    """
-    label = _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")
-    return _component("ring")(key="ring", data={"stage": stage, "label": label})
 
 
 def cursor(stage: str) -> Any:

@@ -29,7 +29,7 @@ const rooms = new WeakMap(); // parentElement → part → its room
 export default (component) => {
   const { parentElement } = component;
   if (!rooms.has(parentElement)) {
-    const own = ["theme", "voice", "reach"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
+    const own = ["theme", "voice", "reach", "ring"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
     rooms.set(parentElement, own);
   }
   const ends = rooms.get(parentElement).map(([name, room]) => bus.begin(name, { ...component, parentElement: room }));

@@ -4,21 +4,21 @@
 const RING = "present-machine";
 const SIZE = 22;
 
-export default function ({ data, parentElement }) {
+export default function ({ data: { ring }, parentElement }) {
   return live(parentElement, (signal) => {
     let graph = null;
     const show = () => {
-      const machine = bus.last(`present/${data.stage}`);
+      const machine = bus.last(`present/${ring.stage}`);
       const panel = graph && hosts.panels(graph)[0];
       if (!machine || machine.normalized === undefined) graph && erase(graph, RING);
-      else if (panel) mark(machine, graph, panel.getBoundingClientRect(), data.label);
+      else if (panel) mark(machine, graph, panel.getBoundingClientRect(), ring.label);
     };
     const drawn = (each) => {
       if (!each.layout?.meta?.ring) return;
       graph = each;
       show();
     };
-    bus.subscribe(`present/${data.stage}`, show, { signal });
+    bus.subscribe(`present/${ring.stage}`, show, { signal });
     hosts.watchGraphs(drawn, signal);
     signal.addEventListener("abort", () => graph && erase(graph, RING));
   }).end;

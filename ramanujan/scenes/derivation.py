@@ -160,7 +160,7 @@ def the_steps(setting: Setting, part: str | None) -> None:
     # Until the page decides which step is seen, it is the one of the address.
     now = links.held(STEP)
     others = f".st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now})"
-    st.markdown(f"<style>{others}{{display:none}}</style>", unsafe_allow_html=True)
+    st.html(f"<style>{others}{{display:none}}</style>")
     with st.container(border=True, key="lecture"):
         for number in range(1, setting.steps + 1):
             with st.container(key=f"step_{number}"):
@@ -243,13 +243,12 @@ def dress() -> None:
         "background-size:100% 4px;background-position:0 100%;background-repeat:no-repeat}"
         for place, body in enumerate(PARTS, start=1)
     )
-    st.markdown(
+    st.html(
         f"<style>{bodies}"
         ".st-key-results{overflow:auto hidden}.st-key-results table{width:max-content}"
         ".st-key-lecture{min-height:23rem}"
         f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
-        "</style>",
-        unsafe_allow_html=True,
+        "</style>"
     )
 
 

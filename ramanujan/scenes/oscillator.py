@@ -51,7 +51,6 @@ def the_curve() -> None:
             "They keep time where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
         )
     )
-    page.ring("oscillator")
     st.plotly_chart(
         cached.figure(look.theme()),
         key="curve",

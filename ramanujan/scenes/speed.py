@@ -41,7 +41,7 @@ PRECISION_WORDS = {"float64": _("float64"), "float32": _("float32")}
 def show() -> None:
     """Draw the page, then take its experiments."""
     st.title(_("Speed and accuracy"), anchor=False)
-    st.markdown("<style>[class*=st-key-table_]{overflow:auto hidden}</style>", unsafe_allow_html=True)
+    st.html("<style>[class*=st-key-table_]{overflow:auto hidden}</style>")
     st.markdown(
         _(
             "**How exact does this simulation have to be, and what does that cost?** Most simulations advance in small "

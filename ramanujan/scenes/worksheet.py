@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
+
 import streamlit as st
 
 from ramanujan import Oscillator
@@ -41,7 +43,10 @@ def head(machine: Oscillator, paper: str) -> None:
     st.title(titles[paper], anchor=False)
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
     with st.container(key="sheet_picture"):
-        st.image(machine_svg(machine, controls.compression()), width=560)
+        picture = b64encode(machine_svg(machine, controls.compression()).encode()).decode()
+        alt = _("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder.")
+        source = f"data:image/svg+xml;base64,{picture}"
+        st.markdown(f'<img alt="{alt}" src="{source}" style="width:560px;max-width:100%">', unsafe_allow_html=True)
     st.markdown(_("The machine: {values}.").format(values=values))
 
 
