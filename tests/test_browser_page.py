@@ -84,11 +84,11 @@ def test_theme_and_page_changes_leave_nothing_behind(visit):
         settle(page)
 
     def known(stage: str) -> set[str]:
-        """What the bus knows of a stage; the sidebar, which stays, listens for the compression of each."""
+        """What the bus knows of a stage; what stays on every page may listen for news of any."""
         topics = {
             topic.removesuffix(f"/{stage}") for topic in page.evaluate(f"{BUS}.census()") if topic.endswith(stage)
         }
-        return topics - {"compression"}
+        return {topic for topic in topics if page.evaluate(f"{BUS}.last('{topic}/{stage}') !== undefined")}
 
     def tour() -> dict[str, int]:
         go("Motion", ".time-cursor")
