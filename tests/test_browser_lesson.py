@@ -51,6 +51,7 @@ def heading(page) -> str:
 
 def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs(visit):
     page = visit("lesson", motion="no-preference")
+    page.wait_for_selector(f"{STAGE} .body.slab[transform]", state="attached")
     # The live region speaks half a second after things have come to rest.
     page.wait_for_function("!ramanujan.last('say')")
     before, place = page.evaluate(SAID), page.evaluate(PLACE)
