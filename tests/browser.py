@@ -117,3 +117,8 @@ def settle(page: Page, seconds: float = 60) -> None:
 def next_frame(page: Page) -> None:
     """Wait until the browser has drawn what just happened: to the end of the next animation frame."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+def inside(page: Page, expression: str) -> object:
+    """Evaluate a JavaScript expression with `root` as the stage's own document."""
+    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")

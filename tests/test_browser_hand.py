@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from ramanujan import Oscillator
-from tests.browser import ROOT, STAGE, next_frame, settle
+from tests.browser import ROOT, STAGE, inside, next_frame, settle
 from tests.slow_network import delayed
 
 SLAB = ".st-key-stage .moving .body.slab"
@@ -28,11 +28,6 @@ def visit(visit):
         return page
 
     return open_page
-
-
-def inside(page, expression: str):
-    """Evaluate a JavaScript expression with `root` as the stage's own document."""
-    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
 def normalized(page) -> float:

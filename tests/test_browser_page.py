@@ -6,7 +6,7 @@ import os
 
 import pytest
 
-from tests.browser import ROOT, STAGE, next_frame, settle
+from tests.browser import ROOT, STAGE, inside, next_frame, settle
 
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "2"))
 """How often theme and page are changed when leaks are looked for; fifty in a long run."""
@@ -26,11 +26,6 @@ def visit(visit):
         return page
 
     return open_page
-
-
-def inside(page, expression: str):
-    """Evaluate a JavaScript expression with `root` as the stage's own document."""
-    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
 def slab_over_block(page) -> float:

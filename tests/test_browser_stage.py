@@ -15,7 +15,7 @@ from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.scenes.cached.oscillator import CURVE_RANGE
 from ramanujan.scenes.quantities import QUANTITIES
-from tests.browser import STAGE, WATCH_LAG, next_frame, settle
+from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle
 from tests.reference import numpy_function
 
 
@@ -30,11 +30,6 @@ def visit(visit):
         return page
 
     return open_page
-
-
-def inside(page, expression: str):
-    """Evaluate a JavaScript expression with `root` as the stage's own document."""
-    return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
 def text(page, selector: str) -> str:

@@ -11,24 +11,11 @@ import re
 import pytest
 
 import ramanujan
+from tests.test_quantities import ROOMS as CHECKED_ROOMS
 
 PAGES = ("ramanujan.scenes",)
 """A page runs when it is imported."""
-ROOMS = (
-    "quantities",
-    "rounding",
-    "frequency",
-    "oscillator",
-    "motion",
-    "energy",
-    "contact",
-    "sampling",
-    "record",
-    "table",
-    "integrators",
-    "number_theory",
-    "accuracy",
-)
+ROOMS = ("quantities", "rounding", *CHECKED_ROOMS)
 """The numeric rooms, in which every public function has an example."""
 
 _FOUND = [module.name for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan.")]

@@ -41,16 +41,16 @@ _PARTS = {
     "keys": ("keys.js",),
     "link": ("link.js",),
     "moment": ("moment.js",),
-    "pager": ("pager.js",),
+    "pager": ("turning.js", "pager.js"),
     "pick": ("pick.js",),
     "reach": ("reach.js",),
     "receipt": ("receipt.js",),
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
-    "steps": ("steps.js",),
+    "steps": ("turning.js", "steps.js"),
     "stopwatch": ("stopwatch.js",),
     "theme": ("theme.js",),
-    "turn": ("turn.js",),
+    "turn": ("turning.js", "turn.js"),
     "voice": ("voice.js",),
 }
 """Component → its script's files; its HTML and CSS are the files of its name, or of its look, if there are any."""
@@ -95,6 +95,7 @@ def bring(theme: str) -> None:
     _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
+@cache
 def style(name: str = "page.css") -> str:
     """Return a style sheet of this folder without comments: page.css, or projector.css, which goes on top of it."""
     whole = (_HERE / name).read_text(encoding="utf-8")
@@ -261,13 +262,9 @@ def stopwatch(key: str) -> float | None:
     return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
 
 
+@cache
 def _component(name: str) -> Any:
     """Return a component of this folder, which asks the page's library for its part."""
-    return _asking(name)
-
-
-@cache
-def _asking(name: str) -> Any:
     return st.components.v2.component(f"ramanujan_{name}", js=_ASK.replace("NAME", json.dumps(name)))
 
 

@@ -73,7 +73,7 @@ class Pager {
   show() {
     this.now = Math.min(this.now, this.sheets.length - 1);
     this.sheets.forEach((sheet, i) => sheet.pieces.forEach(({ node }) => node.toggleAttribute(AWAY, i !== this.now)));
-    const text = this.words.place.replace("{now}", this.now + 1).replace("{count}", this.sheets.length);
+    const text = fill(this.words.place, { now: this.now + 1, count: this.sheets.length });
     if (this.place.textContent !== text) this.place.textContent = text;
     this.back.disabled = this.now === 0;
     this.next.disabled = this.now === this.sheets.length - 1;
@@ -89,8 +89,7 @@ class Pager {
   }
 
   press(event) {
-    const by = { PageDown: 1, PageUp: -1 }[event.key];
-    if (!by || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
-    if (this.turn(by)) event.preventDefault();
+    const by = turnOf(event, { PageDown: 1, PageUp: -1 });
+    if (by && this.turn(by)) event.preventDefault();
   }
 }

@@ -10,7 +10,6 @@ export default function ({ data, parentElement, setStateValue }) {
 }
 
 function lecture(root, signal) {
-  const [back, next] = root.querySelectorAll("button");
   const slider = root.querySelector("input");
   const sheet = document.head.appendChild(document.createElement("style"));
   let data, send, timer;
@@ -24,13 +23,7 @@ function lecture(root, signal) {
     // The server draws the steps; which one is seen is decided here alone.
     sheet.textContent = `.st-key-lecture [class*="st-key-step_"] { display: none !important; }
       .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex !important; }`;
-    const place = fill(data.place, { now, count: data.headings.length, heading: data.headings[now - 1] });
-    slider.value = now;
-    slider.setAttribute("aria-valuetext", place);
-    root.querySelector("output").textContent = `${now}/${data.headings.length}`;
-    back.setAttribute("aria-disabled", String(now === 1));
-    next.setAttribute("aria-disabled", String(now === data.headings.length));
-    if (speak) bus.publish("say", { sentence: place, urgent: true });
+    showPlace(root, data, now, speak);
   };
 
   /** Go to a step, and return whether there was one to go to. */
@@ -45,11 +38,11 @@ function lecture(root, signal) {
   };
 
   const on = (node, type, handler) => node.addEventListener(type, handler, { signal });
-  for (const button of [back, next]) on(button, "click", () => go(now + Number(button.dataset.by)));
+  for (const button of root.querySelectorAll("button")) on(button, "click", () => go(now + Number(button.dataset.by)));
   on(slider, "input", () => go(Number(slider.value)));
   on(document, "keydown", (event) => {
-    const by = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 }[event.key];
-    if (!by || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+    const by = turnOf(event, { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 });
+    if (!by) return;
     const focused = event.composedPath()[0];
     if (focused.matches?.(event.key === " " ? hosts.TAKES_SPACE : hosts.TAKES_KEYS)) return;
     // These keys also scroll the page: they turn a step only while the lecture is what one looks at.

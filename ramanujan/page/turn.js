@@ -10,19 +10,8 @@ export default function ({ data, parentElement, setTriggerValue }) {
 }
 
 function turner(root, signal) {
-  const [back, next] = root.querySelectorAll("button");
   const slider = root.querySelector("input");
   let data, send, now, asked = null;
-
-  const show = (speak) => {
-    const said = fill(data.place, { now, count: data.headings.length, heading: data.headings[now - 1] });
-    slider.value = now;
-    slider.setAttribute("aria-valuetext", said);
-    root.querySelector("output").textContent = `${now}/${data.headings.length}`;
-    back.setAttribute("aria-disabled", String(now === 1));
-    next.setAttribute("aria-disabled", String(now === data.headings.length));
-    if (speak) bus.publish("say", { sentence: said, urgent: true });
-  };
 
   /** Go to a stop, and return whether there was one to go to. */
   const go = (stop) => {
@@ -30,17 +19,17 @@ function turner(root, signal) {
     if (to === now) return false;
     asked = { stop: to, at: performance.now() };
     now = to;
-    show(true);
+    showPlace(root, data, now, true);
     send(to);
     return true;
   };
 
   const on = (node, type, handler) => node.addEventListener(type, handler, { signal });
-  for (const button of [back, next]) on(button, "click", () => go(now + Number(button.dataset.by)));
+  for (const button of root.querySelectorAll("button")) on(button, "click", () => go(now + Number(button.dataset.by)));
   on(slider, "change", () => go(Number(slider.value)));
   on(document, "keydown", (event) => {
-    const by = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }[event.key];
-    if (!by || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+    const by = turnOf(event, { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 });
+    if (!by) return;
     if (event.composedPath()[0].matches?.(hosts.TAKES_KEYS)) return;
     if (go(now + by)) event.preventDefault();
   });
@@ -52,7 +41,7 @@ function turner(root, signal) {
     if (asked && data.now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
     asked = null;
     now = data.now;
-    show(false);
+    showPlace(root, data, now, false);
   };
   return { receive };
 }
