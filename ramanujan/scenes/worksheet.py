@@ -46,7 +46,8 @@ def head(machine: Oscillator, paper: str) -> None:
         picture = b64encode(machine_svg(machine, controls.compression()).encode()).decode()
         alt = _("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder.")
         source = f"data:image/svg+xml;base64,{picture}"
-        st.markdown(f'<img alt="{alt}" src="{source}" style="width:560px;max-width:100%">', unsafe_allow_html=True)
+        look = "width:560px;max-width:100%;background:#fff"
+        st.markdown(f'<img alt="{alt}" src="{source}" style="{look}">', unsafe_allow_html=True)
     st.markdown(_("The machine: {values}.").format(values=values))
 
 
