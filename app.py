@@ -8,7 +8,7 @@ if __name__ != "__main__":
 
     app = st.App(__file__, middleware=[Middleware(Compressed)], lifespan=warmed_up)
 else:
-    from ramanujan.scenes import cached, complaints, controls, links, look, pages, quantities, view
+    from ramanujan.scenes import cached, complaints, controls, given, links, look, pages, quantities, view
 
     page, runner = pages.navigate()
     view.take_old()
@@ -22,3 +22,4 @@ else:
     complaints.begin(said)
     controls.sidebar()
     runner.run()
+    given.drawn()

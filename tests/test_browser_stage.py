@@ -279,7 +279,7 @@ def test_layers(visit):
 def test_reduced_motion_starts_with_a_still(visit):
     page = visit(motion="reduce")
     assert page.get_by_role("button", name="Play", exact=True).count() == 1
-    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 5
+    page.wait_for_function(f"{STAGE}.querySelectorAll('.ghosts > g').length === 5")
     place = slab(page)["x"]
     page.wait_for_timeout(300)
     assert slab(page)["x"] == place

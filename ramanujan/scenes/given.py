@@ -19,6 +19,8 @@ from ramanujan import page
 _WAITING = "given_waiting"
 _NUMBER = "given_number"
 _RECEIPT = "given_receipt"
+_DRAWN = "given_drawn"
+"""Session state: what the widgets held when the whole page was last drawn to its end."""
 _PATIENCE = 20.0
 """Seconds after which a value counts as received: a page that sends no receipt must not hold its sliders for ever."""
 
@@ -56,10 +58,35 @@ def hold() -> None:
         st.session_state[key] = each.value
 
 
-@st.fragment
 def receipt() -> None:
     """Let the page tell what it has received; a receipt reruns nothing but this."""
+    st.session_state.pop(_DRAWN, None)
+    _receipt()
+
+
+def drawn() -> None:
+    """Note what the page was drawn with, while a receipt is expected; call it at the end of a run."""
+    if st.session_state.get(_WAITING):
+        st.session_state[_DRAWN] = _settings()
+
+
+@st.fragment
+def _receipt() -> None:
     page.receipt(_RECEIPT, st.session_state.get(_NUMBER, 0))
+    # Streamlit sends what happens in one moment as one message, and as a fragment's if one part of it is: a click that
+    # meets a receipt would change the session and not the page.
+    if st.session_state.get(_DRAWN, settings := _settings()) != settings:
+        st.rerun()
+
+
+def _settings() -> dict[str, Any]:
+    """Return what the session holds in plain values, apart from what stands here."""
+    plain = (bool, int, float, str, tuple, list, dict, type(None))
+    return {
+        key: value
+        for key, value in st.session_state.items()
+        if isinstance(value, plain) and not str(key).startswith("given_")
+    }
 
 
 def _may_be_late() -> bool:
