@@ -4,9 +4,9 @@ import streamlit as st
 
 if __name__ != "__main__":
     # The server loads this file once, under its own name, and runs it for each visitor as the main script.
-    from ramanujan.scenes.server import Compressed, Middleware, warmed_up
+    from ramanujan.scenes.server import Compressed, Dressed, Middleware, warmed_up
 
-    app = st.App(__file__, middleware=[Middleware(Compressed)], lifespan=warmed_up)
+    app = st.App(__file__, middleware=[Middleware(Compressed), Middleware(Dressed)], lifespan=warmed_up)
 else:
     from ramanujan.scenes import cached, complaints, controls, given, links, look, pages, quantities, view
 

@@ -76,7 +76,7 @@ def script(*paths: Path | str) -> str:
 
 
 def bring(theme: str) -> None:
-    """Bring page.css and the scripts of all components to the page; call it before any of them is drawn.
+    """Bring the scripts of all components to the page; call it before any of them is drawn.
 
     With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
     that scroll sideways; a new run of the page when the visitor switches the theme, so that figures follow; and a ring
@@ -271,8 +271,9 @@ def _component(name: str) -> Any:
 @cache
 def _library() -> Any:
     parts = "\n".join(_part(name, files) for name, files in _PARTS.items())
-    given = f"const STYLE = {json.dumps(style())};\nconst parts = {{}};"
-    return st.components.v2.component("ramanujan_library", js=f"{script()}\n{given}\n{parts}\n{_bare('library.js')}")
+    return st.components.v2.component(
+        "ramanujan_library", js=f"{script()}\nconst parts = {{}};\n{parts}\n{_bare('library.js')}"
+    )
 
 
 def _part(name: str, files: tuple[str, ...]) -> str:

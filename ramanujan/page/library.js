@@ -1,9 +1,5 @@
 // Begins the components of the app, which ask for it by their names (ask.js); those that asked too early have waited.
 
-const sheet = document.getElementById("ramanujan") ?? document.head.appendChild(document.createElement("style"));
-sheet.id = "ramanujan";
-sheet.textContent = STYLE;
-
 const dressed = new WeakSet();
 
 bus.begin ??= (name, component) => {

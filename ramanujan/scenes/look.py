@@ -27,7 +27,6 @@ _OPTIONS = {
     **{body: f"{color}Color" for body, color in BODY_COLORS.items()},
     **{f"{body}_ink": f"{color}TextColor" for body, color in BODY_COLORS.items()},
 }
-_DRESSED = "dressed"
 
 
 def theme() -> str:
@@ -56,11 +55,7 @@ def dress() -> None:
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
     kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
     own = f":root{{{kept}--under:{under}}}"
-    # The library brings the rules, too, but later than the first headings: without them a first visit would jump.
-    rules = "" if st.session_state.get(_DRESSED) else page.style()
-    st.session_state[_DRESSED] = True
-    if view.is_projector():
-        rules += page.style("projector.css")
+    rules = page.style("projector.css") if view.is_projector() else ""
     # On paper, which is white, the light lines of a dark figure would not be seen.
     printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
     # Markdown with HTML in it loads a script first, and comes later than the headings.

@@ -1,7 +1,8 @@
-"""What the server does before any visitor comes, and for all of them alike: warm up, and send its scripts compressed.
+"""What the server does before any visitor comes, and for all of them alike: warm up, dress the page, compress scripts.
 
 The scripts of Streamlit's page are 8 MB. Streamlit leaves it to a proxy to compress them, and a laptop in a classroom
-has none.
+has none. What a script of the app says about styles is read after the first headings are drawn, on a slow machine
+seconds later; so the page's rules stand in the page itself, and nothing jumps.
 """
 
 from __future__ import annotations
@@ -18,13 +19,16 @@ from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
 import ramanujan
+from ramanujan import page
 
-__all__ = ["Compressed", "Middleware", "warm_up", "warmed_up"]
+__all__ = ["Compressed", "Dressed", "Middleware", "warm_up", "warmed_up"]
 
 _SCRIPTS = "/static/"
 _LEVEL = 6
 _SMALLEST = 1000
 """Bytes from which on a file gets smaller."""
+_ANOTHER = (b"accept-encoding", b"if-none-match", b"if-modified-since", b"range")
+"""Headers by which a browser asks for less than the whole file as it is."""
 
 
 @asynccontextmanager
@@ -72,6 +76,49 @@ class Compressed:
             return
         for message in self.kept[path]:
             await send(message)
+
+
+class Dressed:
+    """Middleware that puts the rules of page.css into Streamlit's page."""
+
+    def __init__(self, app: Any) -> None:
+        self.app, self.compressing = app, GZipMiddleware(self._insert, minimum_size=_SMALLEST)
+
+    async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
+        await (self.compressing if _may_be_page(scope) else self.app)(scope, receive, send)
+
+    async def _insert(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
+        headers = [(name, value) for name, value in scope["headers"] if name not in _ANOTHER]
+        start: dict[str, Any] = {}
+        parts: list[bytes] = []
+
+        async def dress(message: dict[str, Any]) -> None:
+            if message["type"] == "http.response.start" and _is_page(message):
+                start.update(message)
+            elif not start:
+                await send(message)
+            else:
+                parts.append(message.get("body", b""))
+                if not message.get("more_body"):
+                    # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
+                    body = b"".join(parts).replace(b"</body>", f"<style>{page.style()}</style></body>".encode(), 1)
+                    # What Streamlit says of its file is not true of this one.
+                    other = (b"content-length", b"etag", b"last-modified", b"accept-ranges")
+                    kept = [(name, value) for name, value in start["headers"] if name not in other]
+                    await send({**start, "headers": [*kept, (b"content-length", str(len(body)).encode())]})
+                    await send({"type": "http.response.body", "body": body})
+
+        await self.app({**scope, "headers": headers}, receive, dress)
+
+
+def _may_be_page(scope: dict[str, Any]) -> bool:
+    return (
+        scope["type"] == "http" and scope["method"] == "GET" and not scope["path"].startswith((_SCRIPTS, "/_stcore/"))
+    )
+
+
+def _is_page(start: dict[str, Any]) -> bool:
+    return start["status"] == 200 and dict(start["headers"]).get(b"content-type", b"").startswith(b"text/html")
 
 
 def _is_file(start: dict[str, Any]) -> bool:
