@@ -17,7 +17,7 @@ else:
     sidebar = "collapsed" if view.is_projector() else 340
     st.set_page_config(pages.tab_title(page), "🚕", layout="wide", initial_sidebar_state=sidebar)
     cached.warm_up()
-    look.dress()
+    look.dress(controls.BOXES)
     controls.take_typed()
     complaints.begin(said)
     controls.sidebar()

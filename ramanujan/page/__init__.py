@@ -14,6 +14,7 @@ The topics of the bus, where NAME is the name of a stage:
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+    box/KEY           what a slider's box must know of it, see `bring`; published by the library
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
     moment/NAME       {time [s], label}: the instant to which a button takes the stage, and what the button says
     say               {sentence, urgent}: news for the page's live region
@@ -75,7 +76,7 @@ def script(*paths: Path | str) -> str:
     return "\n".join(map(_bare, ("bus.js", "hosts.js", "sentences.js", *paths)))
 
 
-def bring(theme: str) -> None:
+def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     """Bring the scripts of all components to the page; call it before any of them is drawn.
 
     With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
@@ -86,9 +87,12 @@ def bring(theme: str) -> None:
     Parameters
     ----------
     theme : the one that this run draws with, light or dark
+    boxes : key of a slider → what its box (`exact`) must know: symbol, unit and meaning; label of the box; scale to SI
+        units; longest text; stages whose slab moves the value
     """
     data = {
         "theme": theme,
+        "boxes": boxes,
         "label": _("Wide content, the arrow keys scroll it"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
@@ -160,23 +164,24 @@ def link(private: Sequence[str] = ()) -> Any:
     return _component("link")(key="link", data={**told, "private": list(private)})
 
 
-def exact(key: str, data: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
+def exact(key: str, on_typed: Callable[[str], None]) -> Any:
     """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
+
+    What the box must know comes by `bring`. What changes comes by the topic exact/KEY: value, its full text, and
+    judged, the number of texts that have been answered so far.
 
     Parameters
     ----------
-    key : of the element
-    data : key of the slider; symbol, unit and meaning; label of the box; scale to SI units; longest text; stages whose
-        slab moves the value. What changes comes by the topic exact/KEY: value, its full text, and judged, the number of
-        texts that have been answered so far
+    key : of the slider
     on_typed : called with what was typed
     """
+    own = f"{key}_exact"
 
     def typed() -> None:
-        if (text := st.session_state[key].typed) is not None:
+        if (text := st.session_state[own].typed) is not None:
             on_typed(text)
 
-    return _component("exact")(key=key, data=dict(data), on_typed_change=typed)
+    return _component("exact")(key=own, data={"key": key}, on_typed_change=typed)
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -196,15 +201,18 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     return _component("pick")(key=key, data={"figure": figure}, on_picked_change=picked)
 
 
-def receipt(key: str, number: int) -> Any:
+def receipt(key: str, number: int, values: Mapping[str, float]) -> Any:
     """Let the page report the highest number that has reached it, as `received` in the state of this key.
 
     Parameters
     ----------
     key : of the element
     number : the number to be received
+    values : key of a slider → the value that it must show first
     """
-    return _component("receipt")(key=key, data={"number": number}, on_received_change=lambda: None)
+    return _component("receipt")(
+        key=key, data={"number": number, "values": dict(values)}, on_received_change=lambda: None
+    )
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:

@@ -4,14 +4,15 @@
 
 export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => exactBox(parentElement, signal));
-  begun.receive(data, (text) => setTriggerValue("typed", text));
+  begun.receive(data.key, (text) => setTriggerValue("typed", text));
   return end;
 }
 
 function exactBox(root, signal) {
+  let key, data; // what the library knows of the slider of this key
   const box = root.querySelector("input");
   const label = root.querySelector("label");
-  let data, send, watched;
+  let send, watched;
   let told = {}; // what the server said last: value, text, judged
   let slab = null; // x₀ while the slab is held, and until the server has answered
   let inHand = false;
@@ -21,7 +22,7 @@ function exactBox(root, signal) {
   /** What the slider holds: the server's text in full, unless the thumb stands elsewhere by now. */
   const held = () => {
     if (slab !== null) return slab;
-    const slider = hosts.slider(data.key);
+    const slider = hosts.slider(key);
     const same = !slider || Math.abs(Number(slider.value) - told.value) <= 0.501 * Number(slider.step);
     return same ? told.text ?? "" : slider.value;
   };
@@ -37,7 +38,7 @@ function exactBox(root, signal) {
   });
   signal.addEventListener("abort", () => changes.disconnect());
   const watch = () => {
-    const slider = hosts.slider(data.key);
+    const slider = hosts.slider(key);
     if (!slider || slider === watched) return;
     watched = slider;
     changes.disconnect();
@@ -73,7 +74,7 @@ function exactBox(root, signal) {
     box.setAttribute("aria-label", data.label);
     for (const [selector, text] of [[".symbol", data.symbol], [".unit", `[${data.unit}]`], ["small", data.meaning]])
       root.querySelector(selector).textContent = text;
-    bus.subscribe(`exact/${data.key}`, hear, { signal });
+    bus.subscribe(`exact/${key}`, hear, { signal });
     // While the slab is held, the value moves on the page alone.
     for (const name of data.stages)
       bus.subscribe(`compression/${name}`, (moved) => {
@@ -83,10 +84,14 @@ function exactBox(root, signal) {
       }, { signal });
   };
   return {
-    receive(given, sender) {
-      const first = !data;
-      [data, send] = [given, sender];
-      if (first) begin();
+    receive(name, sender) {
+      const first = !key;
+      [key, send] = [name, sender];
+      if (first) bus.subscribe(`box/${key}`, (given) => {
+        const known = data;
+        data = given;
+        if (!known) begin();
+      }, { signal });
     },
   };
 }

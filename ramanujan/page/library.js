@@ -23,7 +23,8 @@ for (const begin of bus.waiting?.splice(0) ?? []) begin();
 const rooms = new WeakMap(); // parentElement → part → its room
 
 export default (component) => {
-  const { parentElement } = component;
+  const { data, parentElement } = component;
+  for (const [key, box] of Object.entries(data.boxes)) bus.publish(`box/${key}`, box);
   if (!rooms.has(parentElement)) {
     const own = ["theme", "voice", "reach", "ring"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
     rooms.set(parentElement, own);

@@ -1,9 +1,39 @@
 // Tells the server which of the values that it gave to the widgets have arrived; why it must know is in scenes/given.py.
+// A value has arrived when its slider shows it: what the page sends before then still carries the old one.
+
+const LOOK = 50; // ms between two looks at the sliders
+const LOOKS = 40; // after which a slider that shows something else is believed
 
 let told = 0;
 
-export default function ({ data, setStateValue }) {
-  if (data.number <= told) return;
-  told = data.number;
-  setStateValue("received", data.number);
+export default function ({ data, parentElement, setStateValue }) {
+  const { begun, end } = live(parentElement, receipts);
+  begun.receive(data, (number) => setStateValue("received", number));
+  return end;
+}
+
+function receipts(signal) {
+  let timer;
+  signal.addEventListener("abort", () => clearTimeout(timer));
+
+  const receive = (data, send) => {
+    clearTimeout(timer);
+    if (data.number <= told) return;
+    const look = (left) => {
+      if (left && !Object.entries(data.values).every(shown)) {
+        timer = setTimeout(() => look(left - 1), LOOK);
+        return;
+      }
+      told = data.number;
+      send(told);
+    };
+    timer = setTimeout(() => look(LOOKS), LOOK);
+  };
+  return { receive };
+}
+
+/** Whether the slider of a key, if there is one, shows a value, rounded as its steps are. */
+function shown([key, value]) {
+  const slider = hosts.slider(key);
+  return !slider || Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step);
 }

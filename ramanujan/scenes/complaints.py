@@ -43,6 +43,11 @@ def show_note(key: str) -> None:
         (st.warning if complaint else st.info)(sentence)
 
 
+def are_shown() -> bool:
+    """Tell whether the page says anything to the person that its next run would not."""
+    return bool(st.session_state.get(_ABOUT_ADDRESS) or st.session_state.get(_SHOWN))
+
+
 def run_again() -> None:
     """Run the page again by itself, to show what has come in; what has been said to the person stays."""
     st.session_state[_RUN_AGAIN] = True

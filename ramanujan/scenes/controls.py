@@ -16,8 +16,10 @@ from ramanujan.scenes import cached, complaints, given, links, view, widgets
 from ramanujan.scenes.quantities import QUANTITIES, Quantity, read_number
 from ramanujan.words import _
 
-STAGES = ("oscillator", "motion", "stage_bodies")
+_STAGES = ("oscillator", "motion", "stage_bodies")
 """Names of the stages whose slab can be dragged: while it is held, the box of x₀ follows it."""
+BOXES = {key: widgets.box(each, _STAGES if key == "compression" else ()) for key, each in QUANTITIES.items()}
+"""What the page must know of the sliders' boxes."""
 
 PRESETS = {
     "equal": _("Equal masses"),
@@ -32,6 +34,10 @@ _TYPED = "typed"
 """Session state: key of a quantity → the text typed into its box, until the run that follows has judged it."""
 _JUDGED = "judged"
 _FIRST = "first_run"
+_FOLLOW = "follow"
+"""Session state: the key of the fragment that follows the machine, if the page was drawn to its end."""
+_MOVED = "moved"
+"""Session state: key of a quantity → the value of its slider, until what follows it is drawn."""
 _LINKED = "linked"
 """Session state: key of a quantity → its value when the session began."""
 
@@ -56,11 +62,7 @@ def sidebar() -> None:
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:
                 st.markdown(cached.symbols())
-        judged = st.session_state.get(_JUDGED, 0)
-        boxes = {
-            f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in values.items()
-        }
-        page.feed("boxes_feed", boxes)
+        page.feed("boxes_feed", _boxes())
         page.link(links.PRIVATE)
         view.switch()
         given.receipt()
@@ -68,10 +70,47 @@ def sidebar() -> None:
     st.session_state.setdefault(_LINKED, values)
 
 
+def follow(fragment: str) -> None:
+    """Let a slider rerun only this fragment of the page; call it when all of the page has been drawn.
+
+    Parameters
+    ----------
+    fragment : the key of the fragment with all that depends on the machine; it calls `followed`
+    """
+    st.session_state[_FOLLOW] = fragment
+
+
+def followed() -> dict[str, object]:
+    """Take in what the sliders hold, and return what their boxes are told: topics of the page's bus."""
+    st.session_state.pop(_MOVED, None)
+    return _boxes()
+
+
+def _boxes() -> dict[str, object]:
+    judged = st.session_state.get(_JUDGED, 0)
+    held = {key: quantity.present for key, quantity in QUANTITIES.items()}
+    return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}
+
+
+def _moved(key: str) -> None:
+    """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due."""
+    given.hold()
+    moved = {name: value for name, value in st.session_state.pop(_MOVED, {}).items() if name != key}
+    fragment = st.session_state.get(_FOLLOW)
+    # AppTest would lose sight of the rest of the page.
+    if fragment and given.in_browser() and not given.waits() and not complaints.are_shown():
+        st.session_state[_MOVED] = {**moved, key: st.session_state[key]}
+        st.rerun(fragment)
+
+
 def take_typed() -> None:
     """Judge what was typed into the boxes. Called once a run, before anything is drawn."""
+    st.session_state.pop(_FOLLOW, None)
     st.session_state[_FIRST] = _FIRST not in st.session_state
     given.hold()
+    # If another message has asked for the whole page meanwhile, Streamlit takes the sliders from an old address.
+    for key, value in st.session_state.pop(_MOVED, {}).items():
+        given.give(key, value)
     for key, text in st.session_state.pop(_TYPED, {}).items():
         _take_exact(QUANTITIES[key], text)
 
@@ -202,8 +241,7 @@ def _take_preset() -> None:
 
 
 def _slider(quantity: Quantity) -> float:
-    stages = STAGES if quantity.key == "compression" else ()
-    return widgets.slider_with_box(quantity, stages, enter)
+    return widgets.slider_with_box(quantity, enter, _moved)
 
 
 def _take_exact(quantity: Quantity, text: str) -> None:

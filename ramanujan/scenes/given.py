@@ -51,7 +51,7 @@ def hold() -> None:
     waiting = {
         key: each
         for key, each in st.session_state.get(_WAITING, {}).items()
-        if each.number > received and each.at > oldest and _may_be_late()
+        if each.number > received and each.at > oldest and in_browser()
     }
     st.session_state[_WAITING] = waiting
     for key, each in waiting.items():
@@ -64,15 +64,21 @@ def receipt() -> None:
     _receipt()
 
 
+def waits() -> bool:
+    """Tell whether the page has still to receive a value."""
+    return bool(st.session_state.get(_WAITING))
+
+
 def drawn() -> None:
     """Note what the page was drawn with, while a receipt is expected; call it at the end of a run."""
-    if st.session_state.get(_WAITING):
+    if waits():
         st.session_state[_DRAWN] = _settings()
 
 
 @st.fragment
 def _receipt() -> None:
-    page.receipt(_RECEIPT, st.session_state.get(_NUMBER, 0))
+    waiting = {key: each.value for key, each in st.session_state.get(_WAITING, {}).items()}
+    page.receipt(_RECEIPT, st.session_state.get(_NUMBER, 0), waiting)
     # Streamlit sends what happens in one moment as one message, and as a fragment's if one part of it is: a click that
     # meets a receipt would change the session and not the page.
     if st.session_state.get(_DRAWN, settings := _settings()) != settings:
@@ -89,6 +95,6 @@ def _settings() -> dict[str, Any]:
     }
 
 
-def _may_be_late() -> bool:
-    """Tell whether messages can cross: every browser names its time zone, while a test without one waits its turn."""
+def in_browser() -> bool:
+    """Tell whether a browser asks: it names its time zone. A test without one waits its turn, so no messages cross."""
     return st.context.timezone is not None

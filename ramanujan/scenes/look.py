@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import streamlit as st
 
@@ -49,8 +51,13 @@ def _colors(shown: str) -> dict[str, str]:
     }
 
 
-def dress() -> None:
-    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its live region."""
+def dress(boxes: Mapping[str, Mapping[str, Any]]) -> None:
+    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its live region.
+
+    Parameters
+    ----------
+    boxes : what the page must know of the sliders' boxes
+    """
     shown = theme()
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
     kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
@@ -60,6 +67,6 @@ def dress() -> None:
     printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
     # Markdown with HTML in it loads a script first, and comes later than the headings.
     st.html(f"<style>{own}{rules}{printed}</style>")
-    page.bring(shown)
+    page.bring(shown, boxes)
     if view.is_projector():
         page.pager()

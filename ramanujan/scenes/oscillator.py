@@ -16,14 +16,33 @@ KEYS = ()
 
 def show() -> None:
     """Draw the page."""
-    machine = controls.oscillator()
     opening()
-    stages.mount(
-        stage.payload(machine, controls.compression()), name="oscillator", on_released=controls.set_compression
-    )
+    stages.mount(None, name="oscillator", on_released=controls.set_compression)
     if not view.hides("curve"):
         the_curve()
-    if not view.hides("steps"):
+    steps = not view.hides("steps")
+    if steps:
+        st.header(_("The derivation in six steps"), anchor=False)
+    with st.container(key="steps"):
+        what_follows(steps)
+    if steps:
+        st.page_link(
+            pages.PAGES["derivation"].file, label=_("The whole derivation, in five ways"), icon=":material/function:"
+        )
+    controls.follow("machine")
+
+
+@st.fragment(key="machine")
+def what_follows(steps: bool) -> None:
+    """Tell the stage, the boxes and the reader what the sliders hold: a slider reruns nothing else."""
+    machine = controls.oscillator()
+    stage.tell(
+        stage.payload(machine, controls.compression()),
+        name="oscillator",
+        hide=view.on_stage(),
+        more=controls.followed(),
+    )
+    if steps:
         six_steps(machine)
 
 
@@ -34,7 +53,7 @@ def opening() -> None:
         st.title(_("Ramanujan’s oscillator"), anchor=False)
         first = _("Drag the slab and let go.")
         if not view.hides("clocks"):
-            first = _("Drag the slab and let go. Then move m′ until both clock hands turn together.")
+            first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
         question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
         st.markdown(f"**{question}** {first}")
     with lesson:
@@ -82,20 +101,15 @@ def take_clicked(point: dict[str, float]) -> None:
 def six_steps(machine: Oscillator) -> None:
     """Draw the derivation in short, in symbols and with the present numbers."""
     numbers = None if view.hides("numbers") else (machine.m, machine.m_prime, machine.k)
-    st.header(_("The derivation in six steps"), anchor=False)
-    if numbers:
-        st.caption(_("Each step appears in symbols, then with your numbers."))
-        st.caption(cached.numbers_stated(*numbers))
+    steps = "\n\n".join(
+        f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
+        for number, step in enumerate(cached.summary(numbers), start=1)
+    )
     # One text: each element of a page costs the server a message.
-    st.container(key="steps").markdown(
-        "\n\n".join(
-            f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
-            for number, step in enumerate(cached.summary(numbers), start=1)
-        )
-    )
-    st.page_link(
-        pages.PAGES["derivation"].file, label=_("The whole derivation, in five ways"), icon=":material/function:"
-    )
+    if numbers:
+        said = _("Each step appears in symbols, then with your numbers.")
+        steps = f":small[{said} {cached.numbers_stated(*numbers)}]\n\n{steps}"
+    st.markdown(steps)
 
 
 if __name__ == "__main__":

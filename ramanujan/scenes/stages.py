@@ -13,7 +13,7 @@ LIMITS = QUANTITIES["compression"].limits
 """The least and the largest x₀ [m]."""
 
 
-def mount(payload: Mapping[str, Any], **more: Any) -> Any:
+def mount(payload: Mapping[str, Any] | None, **more: Any) -> Any:
     """Put a stage on the page as `stage.mount` does, with the sliders, the range of x₀ and what the link hides."""
     hidden = {*view.on_stage(), *more.pop("hide", ())}
     return stage.mount(payload, limits=LIMITS, watch=WATCH, hide=hidden, **more)

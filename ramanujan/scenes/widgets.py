@@ -112,32 +112,34 @@ def page_slider(quantity: Quantity) -> float:
     return (value if quantity.least <= value <= quantity.most else quantity.default) * quantity.scale
 
 
-def slider_with_box(quantity: Quantity, stages: tuple[str, ...], enter: Callable[[str, str], None]) -> float:
+def slider_with_box(quantity: Quantity, enter: Callable[[str, str], None], moved: Callable[[str], None]) -> float:
     """Draw a slider with the box that takes an exact number, and return its value in this quantity's unit.
 
     Parameters
     ----------
     quantity : what is set
-    stages : names of the stages on which it can be dragged
     enter : called with the key and what was typed into the box
+    moved : called with the key when the slider was moved
     """
-    # The box stands above its slider but is made after it, so that it shows what the slider holds.
-    head = st.container(key=f"head_{quantity.key}")
-    value = slider(quantity, label_visibility="collapsed")
-    with head:
-        page.exact(
-            f"{quantity.key}_exact",
-            {
-                "key": quantity.key,
-                "symbol": quantity.symbol,
-                "unit": quantity.unit,
-                "meaning": quantity.short,
-                "label": _("Exact value: {quantity}").format(quantity=quantity.label),
-                "longest": LONGEST,
-                "scale": quantity.scale,
-                "stages": stages,
-            },
-            partial(enter, quantity.key),
-        )
-        complaints.show_note(quantity.key)
-    return value
+    page.exact(quantity.key, partial(enter, quantity.key))
+    complaints.show_note(quantity.key)
+    return slider(quantity, label_visibility="collapsed", on_change=moved, args=(quantity.key,))
+
+
+def box(quantity: Quantity, stages: tuple[str, ...]) -> dict[str, Any]:
+    """Return what the page must know of the box of a slider.
+
+    Parameters
+    ----------
+    quantity : what is set
+    stages : names of the stages on which it can be dragged
+    """
+    return {
+        "symbol": quantity.symbol,
+        "unit": quantity.unit,
+        "meaning": quantity.short,
+        "label": _("Exact value: {quantity}").format(quantity=quantity.label),
+        "longest": LONGEST,
+        "scale": quantity.scale,
+        "stages": stages,
+    }

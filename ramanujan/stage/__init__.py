@@ -47,6 +47,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import streamlit as st
@@ -160,7 +161,7 @@ def payload(
 
 
 def mount(
-    data: Mapping[str, Any],
+    data: Mapping[str, Any] | None,
     *,
     limits: tuple[float, float],
     watch: Mapping[str, Mapping[str, Any]],
@@ -180,7 +181,7 @@ def mount(
 
     Parameters
     ----------
-    data : the payload
+    data : the payload; None where `tell` brings it
     limits : the range of x₀ that the slab can be dragged through [m]
     watch : slider key → parameter and scale, for following a drag without the server
     key : of the stage among the page's elements
@@ -195,9 +196,6 @@ def mount(
     hide : the parts that are hidden, of `PARTS`; another run may hide others
     on_released : called with the compression [m] at which the slab was let go
     """
-    if unknown := set(hidden := sorted(hide)).difference(PARTS):
-        sentence = _("hide must be among {known}, and {unknown} is not")
-        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
     stage = _component()
     name = name or key
     fixed = {
@@ -219,8 +217,31 @@ def mount(
             on_released(st.session_state[key].released)
 
     result = stage(key=key, data=fixed, on_released_change=released)
-    page.feed(f"{key}_feed", {f"machine/{name}": {**data, "hide": hidden} if hidden else data})
+    if data is not None:
+        tell(data, key=key, name=name, hide=hide)
     return result
+
+
+def tell(
+    data: Mapping[str, Any],
+    *,
+    key: str = "stage",
+    name: str | None = None,
+    hide: Iterable[str] = (),
+    more: Mapping[str, Any] = MappingProxyType({}),
+) -> None:
+    """Tell a stage which machine it shows.
+
+    Parameters
+    ----------
+    data : the payload
+    key, name, hide : as in `mount`
+    more : topics of the page's bus that are told with it
+    """
+    if unknown := set(hidden := sorted(hide)).difference(PARTS):
+        sentence = _("hide must be among {known}, and {unknown} is not")
+        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
+    page.feed(f"{key}_feed", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **more})
 
 
 def warm_up() -> None:
