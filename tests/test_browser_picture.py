@@ -463,6 +463,7 @@ def test_the_derivation_lights_the_chosen_body_beside_its_steps(visit):
     page = visit("derivation?body=hoop&step=3")
     bodies = """[...document.querySelector(".st-key-beside [data-testid=stBidiComponentIsolated]").shadowRoot
       .querySelectorAll(".moving > *")].map(({ classList }) => [...classList])"""
+    page.wait_for_selector(".st-key-beside .moving", state="attached")
     page.wait_for_function(f"{bodies}.some((names) => names.includes('lit'))")
     for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
         if chosen != "hoop":
