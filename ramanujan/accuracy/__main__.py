@@ -139,7 +139,7 @@ def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Ta
         [(_kind(a), a.relative_error, a.seconds.median) for a in results(arithmetics(oscillator.mass_ratio))],
     )
     yield Table(
-        _("Results computed again, kept, or requested together"),
+        _("Time saved by keeping results or computing many at once"),
         (_("slow way"), _("slow way [s]"), _("fast way"), _("fast way [s]"), _("ratio")),
         [_compared(comparison) for comparison in results(caching(oscillator))],
     )

@@ -31,7 +31,7 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
 def _motion(states: Sequence[ClosedForm]) -> str:
     return _(
         "**Motion, stage and figures**: the closed form. From {first} to {last} periods its phase error is at most "
-        "{error} rad, and a state takes {time}, however late it is."
+        "{error} rad, and a state takes {time}, however long after the release."
     ).format(
         first=states[0].periods,
         last=number(states[-1].periods),
@@ -59,8 +59,8 @@ def _frequency(kinds: Sequence[Arithmetic], form: Sequence[Sweep]) -> str:
 def _formulas(kinds: Sequence[Arithmetic]) -> str:
     digits = [each for each in kinds if each.kind == "mpmath"]
     return _(
-        "**Formulas and steps of the derivation**: exact fractions. A fraction has no error and takes {fraction}. "
-        "mpmath takes {few} with {few_digits} digits and {many} with {many_digits} digits."
+        "**Formulas and steps of the derivation**: exact fractions. One value of Ω² takes {fraction} and has no "
+        "error. With mpmath it takes {few} with {few_digits} digits and {many} with {many_digits} digits."
     ).format(
         fraction=duration(_only(kinds, "fraction").seconds.median),
         few=duration(digits[0].seconds.median),
@@ -95,8 +95,12 @@ def _bytes() -> str:
 
 def _kept(compared: Comparison) -> str:
     sentences = {
-        "frequency": _("**Ω** is kept with the machine. To ask again is {ratio} times faster than a new machine."),
-        "state": _("**The solution** is kept with the machine. A second state is {ratio} times faster than the first."),
-        "states": _("**Many states** come from one call. For {n} states this is {ratio} times faster than one by one."),
+        "frequency": _("**Ω** is stored with its machine. Reading it again is {ratio} times faster than computing it."),
+        "state": _(
+            "**The solution** is stored with its machine. The next state is {ratio} times faster than the first."
+        ),
+        "states": _(
+            "**Many states** are computed in one call. For {n} states this is {ratio} times faster than one by one."
+        ),
     }
     return sentences[compared.name].format(ratio=number(compared.ratio), n=STATES)

@@ -209,13 +209,13 @@ def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
     said = [
         _(
             "**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines. Its "
-            "square root is no frequency, and a program that goes on with it computes NaN."
+            "square root is not a real number, so a program that computes with real numbers gets NaN."
         ).format(solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size)
         for s in sweeps
         if s.dtype == "float64" and s.without_frequency.any()
     ]
     said += [
-        _("**{solver}** returns exactly 0 for both zero modes, because only one column of K is not zero.").format(
+        _("**{solver}** returns exactly 0 for both zero modes, because only one entry of K is not zero.").format(
             solver=SOLVERS[s.solver].title
         )
         for s in sweeps
