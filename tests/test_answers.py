@@ -151,7 +151,7 @@ WRONG = [
     (RATIO, "(-√1729-1)/36", "other root"),
     (RATIO, "(√1729+1)/36", "b has the wrong sign"),
     (RATIO, "36/(√1729-1)", "the ratio m/m′"),
-    (RATIO, "(1729-1)/36", "leave out the root"),
+    (RATIO, "(1729-1)/36", "leave out the square root"),
     (RATIO, "(√1728-1)/36", "leave out b²"),
     (RATIO, "(√1730-1)/36", "without the root is right"),
     (RATIO, "1.127256827", "exact number agrees"),

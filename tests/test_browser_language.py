@@ -86,11 +86,21 @@ OVERLAPS = """() => {
     const top = Math.max(box.top + rest, seen.top), bottom = Math.min(box.bottom - rest, seen.bottom);
     if (right - left > 2 && bottom - top > 2) pieces.push({ owner, left, right, top, bottom, text, layer: seen.layer });
   };
+  // A slanted text fills little of the box around it: it counts as small squares along its middle line.
+  const boxes = (node) => {
+    const { a, b, c, d, e, f } = node.getScreenCTM(), box = node.getBBox();
+    if (Math.abs(a * b) < 0.01) return [node.getBoundingClientRect()];
+    const side = box.height * Math.hypot(a, b), count = Math.max(1, Math.floor(box.width / box.height));
+    return Array.from({ length: count }, (_, index) => {
+      const x = box.x + ((index + 0.5) * box.width) / count, y = box.y + box.height / 2;
+      return new DOMRect(a * x + c * y + e - 0.3 * side, b * x + d * y + f - side / 2, 0.6 * side, side);
+    });
+  };
   const shown = (node) => node?.checkVisibility({ visibilityProperty: true, opacityProperty: true });
   const walk = (root) => {
     for (const node of root.querySelectorAll("svg text")) {
       const text = node.textContent.trim();
-      if (text && shown(node)) add(node, node.getBoundingClientRect(), text, node.parentElement);
+      if (text && shown(node)) for (const box of boxes(node)) add(node, box, text, node.parentElement);
     }
     const texts = document.createTreeWalker(root, NodeFilter.SHOW_TEXT), range = document.createRange();
     for (let node = texts.nextNode(); node; node = texts.nextNode()) {
