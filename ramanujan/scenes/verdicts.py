@@ -207,13 +207,19 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
 def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
     """Say which solvers find both zero modes exactly, and how often the others return what is no frequency."""
     said = [
-        _(
-            "**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines. Its "
-            "square root is not a real number, so a program that computes with real numbers gets NaN."
-        ).format(solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size)
+        _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
+            solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size
+        )
         for s in sweeps
         if s.dtype == "float64" and s.without_frequency.any()
     ]
+    if said:
+        said.append(
+            _(
+                "The square root of such a value is not a real number, so a program that computes with real numbers "
+                "gets NaN."
+            )
+        )
     said += [
         _("**{solver}** returns exactly 0 for both zero modes, because only one entry of K is not zero.").format(
             solver=SOLVERS[s.solver].title
