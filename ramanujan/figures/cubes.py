@@ -1,0 +1,119 @@
+"""The stacks of cubes of the page 1729, which a person can turn and count."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import plotly.graph_objects as go
+
+from ramanujan.figures import template
+
+_UNIT = 2
+"""Length of a unit cube's edge in the figure: half an edge is then an integer, too, and fits into one byte."""
+
+
+def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> go.Figure:
+    """Draw cubes of unit cubes side by side: the faces as one mesh, the edges as one line for each cube.
+
+    Parameters
+    ----------
+    sides : number of unit cubes along an edge of each cube
+    widest : common sum of the sides of several figures, so that a unit cube has the same size in all of them
+    apart : whether the layers are pulled apart for counting
+    turn : direction of view [degrees]
+    colors : ink, paper, primary
+    """
+    gap = _UNIT // 2 if apart else 0
+    figure = go.Figure(layout={"template": template(colors), "height": 380, "showlegend": False})
+    corners, triangles = [], []
+    tallest = max(sides)
+    start = 0
+    for side in sides:
+        layers = side if apart else 1
+        thickness = side // layers
+        origin = np.array([start, (tallest - side) // 2 * _UNIT, 0])
+        rise = np.array([0, 0, thickness * _UNIT + gap])
+        shape = (side, side, thickness)
+        line = np.concatenate([origin + layer * rise + _UNIT * _edges_of_unit_cubes(shape) for layer in range(layers)])
+        x, y, z = line.T.astype(np.int8)
+        figure.add_scatter3d(
+            x=x, y=y, z=z, mode="lines", line={"color": colors["paper"], "width": 2.5}, hoverinfo="skip"
+        )
+        for layer in range(layers):
+            triangles.append(_BOX_TRIANGLES + 8 * len(corners))
+            corners.append(origin + layer * rise + _box(_UNIT * np.array(shape)))
+        start += (side + 2) * _UNIT
+    x, y, z = np.concatenate(corners).T.astype(np.float32)
+    i, j, k = np.concatenate(triangles).T.astype(np.uint8)
+    figure.add_mesh3d(
+        x=x,
+        y=y,
+        z=z,
+        i=i,
+        j=j,
+        k=k,
+        color=colors["primary"],
+        flatshading=True,
+        lighting={"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0},
+        lightposition={"x": 4000, "y": -9000, "z": 14000},
+        hoverinfo="skip",
+    )
+    angle = np.radians(turn)
+    half = (widest + 3) * _UNIT / 2
+    height = tallest * _UNIT + (tallest - 1) * gap
+    middle = {"x": (start - 2 * _UNIT) / 2, "y": tallest * _UNIT / 2, "z": height / 2}
+    hidden = {"visible": False, "showspikes": False}
+    figure.update_layout(
+        margin={"l": 0, "r": 0, "t": 0, "b": 0},
+        # A new direction from the slider is taken over; otherwise the view that a person has turned stays.
+        uirevision=f"{turn:g}",
+        scene={
+            **{
+                f"{axis}axis": {**hidden, "range": [float(centre - half), float(centre + half)]}
+                for axis, centre in middle.items()
+            },
+            "aspectmode": "manual",
+            # Larger than Plotly's box of one, since the cubes fill only the middle of it.
+            "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7},
+            "dragmode": "turntable",
+            "camera": {
+                "projection": {"type": "orthographic"},
+                "eye": {"x": float(0.85 * np.cos(angle)), "y": float(0.85 * np.sin(angle)), "z": 0.42},
+            },
+        },
+    )
+    return figure
+
+
+def _box(size: np.ndarray) -> np.ndarray:
+    """Return the eight corners of a box, drawn in by a hair so that the lines on its faces are not hidden in them."""
+    corners = np.array([[(n >> axis) & 1 for axis in range(3)] for n in range(8)])
+    hair = 0.02
+    return hair + corners * (size - 2 * hair)
+
+
+_BOX_TRIANGLES = np.array(
+    [
+        *([0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6]),
+        *([0, 1, 5], [0, 5, 4], [2, 3, 7], [2, 7, 6]),
+        *([0, 2, 6], [0, 6, 4], [1, 3, 7], [1, 7, 5]),
+    ]
+)
+
+
+def _edges_of_unit_cubes(shape: Sequence[int]) -> np.ndarray:
+    """Return one unbroken path over the surface of a box along all edges of its unit cubes, shape (n, 3).
+
+    For each axis it goes round the box at every step along that axis, and back to the corner that it came from.
+    """
+    path = []
+    for axis, count in enumerate(shape):
+        one, other = (i for i in range(3) if i != axis)
+        for step in range(count + 1):
+            for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0)):
+                point = [0, 0, 0]
+                point[axis], point[one], point[other] = step, a * shape[one], b * shape[other]
+                path.append(point)
+        path.append([0, 0, 0])
+    return np.array(path)
