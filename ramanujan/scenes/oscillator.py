@@ -63,11 +63,11 @@ def opening() -> None:
 def the_curve() -> None:
     """Draw the curve of Ω² with a ring at the present machine."""
     base = cached.curve()
-    st.header(_("When does it keep time with the plain mass?"), anchor=False)
+    st.header(_("When is it in step with the plain mass?"), anchor=False)
     st.markdown(
         _(
             "The plain mass $m$ on the spring $k$ has the angular frequency √(k/m), the machine has $\\Omega$. "
-            "They keep time where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
+            "They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
         )
     )
     st.plotly_chart(

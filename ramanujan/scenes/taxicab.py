@@ -28,7 +28,7 @@ def show() -> None:
         _(
             "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
             "smallest number that is a sum of two cubes in two different ways. Here the same number decides when two "
-            "oscillators keep time."
+            "oscillators stay in step."
         ).format(number=facts.number)
     )
     exactly_in_step(facts)
@@ -46,13 +46,13 @@ def _hides_curve() -> bool:
 
 def exactly_in_step(facts: cached.Condition) -> None:
     """The unit condition on the curve and as algebra."""
-    st.header(_("At which mass ratio does the machine keep time exactly?"), anchor=False)
+    st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
     picture, algebra = st.columns([3, 2], gap="medium")
     with algebra:
         st.markdown(
             _(
                 "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
-                "√(k/m). They keep time for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
+                "√(k/m). They stay in step for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )
@@ -75,7 +75,7 @@ def the_crossing() -> None:
             level=1.0,
             level_label=_("Ω² = k/m"),
             root=UNIT_MASS_RATIO,
-            root_label=_("<b>keeps time</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
+            root_label=_("<b>in step</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
             present=(machine.mass_ratio, machine.normalized_frequency_squared),
             colors=look.colors(),
         ),
