@@ -20,7 +20,8 @@ from typing import ClassVar
 import streamlit as st
 
 from ramanujan.lesson.class_codes import ALPHABET, LETTERS, parts_of
-from ramanujan.lesson.classes import ClassError, Seat, shared
+from ramanujan.lesson.classes import ClassError, Desk, Seat, shared
+from ramanujan.lesson.stop import Stop
 from ramanujan.scenes import links
 from ramanujan.words import _
 
@@ -86,6 +87,21 @@ def key_held() -> str | None:
 def seat_held() -> Seat | None:
     """Return the student's seat, if this session is a student's."""
     return st.session_state.get(_SEAT)
+
+
+def is_solved(stop: Stop, desk: Desk) -> bool:
+    """Tell whether the class has seen the right answer of a stop."""
+    return desk.stop == stop.id and desk.solved
+
+
+def has_seen(stop: Stop) -> bool | None:
+    """Return whether the class has seen the right answer of a stop; None for whoever is no lecturer."""
+    if (key := key_held()) is None:
+        return None
+    try:
+        return is_solved(stop, shared().desk(key))
+    except ClassError:
+        return False
 
 
 def open_class() -> None:

@@ -15,7 +15,7 @@ from ramanujan import Oscillator, page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import classroom, complaints, controls, progress, stages
+from ramanujan.scenes import class_session, classroom, complaints, controls, progress, stages
 from ramanujan.scenes.cached import lesson as cached
 from ramanujan.scenes.pages import PAGES
 from ramanujan.scenes.quantities import QUANTITIES
@@ -48,6 +48,12 @@ def predict(stop: Stop, option: str | None) -> None:
     """Take a prediction, or take it back, in a callback."""
     progress.predict(stop.id, option)
     load(stop, option is not None)
+
+
+def is_answered(stop: Stop) -> bool:
+    """Tell whether the page may show the right answer: there is a prediction, or the class has seen the answer."""
+    seen = class_session.has_seen(stop)
+    return stop.id in progress.predictions() if seen is None else seen
 
 
 def draw(stop: Stop, number: int) -> None:
@@ -132,11 +138,11 @@ def observe(stop: Stop, predicted: bool) -> None:
     several = len(stop.runs) > 1
     hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
     # Machines side by side belong to the stop; a single one follows the sliders.
-    mount = partial(stage.mount, limits=stages.LIMITS, watch={}) if several else stages.mount
+    own = {"watch": {}} if several else {"on_released": controls.set_compression}
     for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
         machine = run.machine if several else controls.oscillator()
         compression = run.compression if several else controls.compression()
-        mount(
+        stages.mount(
             payload(run, machine, compression, predicted),
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
@@ -146,7 +152,7 @@ def observe(stop: Stop, predicted: bool) -> None:
             narrow=True,
             label=run.label if several else None,
             hide=hidden,
-            on_released=None if several else controls.set_compression,
+            **own,
         )
 
 

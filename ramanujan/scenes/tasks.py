@@ -82,7 +82,7 @@ def machine(task: Task, setting: Setting) -> None:
             return
         # How this machine starts is set beside it, and not with the slab.
         initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)
-        stage.mount(
+        stages.mount(
             stage.payload(setting.machine, setting.release, initial=initial),
             limits=(RELEASE.limits[1],) * 2,
             watch={key: each for key, each in WATCH.items() if key != "compression"},
