@@ -88,7 +88,7 @@ SIZES = """(small) => {
   const inside = (node) => (node.shadowRoot ? all(node.shadowRoot) : []);
   const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...inside(node)]);
   const around = ['.controls, .katex-mathml, .note, .pager, .bartext, [data-away]',
-    '.stSlider, label, button, style, .mtight'];
+    '.stSlider, label, button, style, .mtight, tspan[style*="font-size:70%"]'];
   const drawn = { visibilityProperty: true, opacityProperty: true };
   const seen = (node) => node.checkVisibility(drawn) && !node.closest(around);
   const size = (node) => {
@@ -114,9 +114,9 @@ PICTURES = """() => {
 PLACE = ".st-key-pager .place"
 
 
-@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "lesson"])
+@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"])
 def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
-    page = visit(f"{path}?view=projector")
+    page = visit(f"{path}{'&' if '?' in path else '?'}view=projector")
     page.wait_for_selector(f"{PLACE}:not(:empty)")
     next_frame(page)
     assert page.locator("[data-testid=stExpandSidebarButton]").is_visible()

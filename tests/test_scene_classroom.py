@@ -137,6 +137,9 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
     answer(student, RIGHT)
     assert "Your answer came too late" in words(student)
     assert set(school.distribution(code_of(lecturer), STOP.id).values()) == {0}
+    # What was too late for the first vote is no reproach in the second.
+    press(lecturer, "again")
+    assert "too late" not in words(student.run())
 
 
 def test_an_answer_to_the_first_vote_is_not_counted_in_the_second(lecturer):

@@ -63,6 +63,8 @@ _SESSION = "class_session"
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
 """Session state: why the last thing that somebody did here was refused."""
+_SHOWN = "class_said_with"
+"""Session state: the question with which this was shown first."""
 
 
 def arrive() -> None:
@@ -131,7 +133,8 @@ def leave() -> None:
 
 def attempt(act: Callable, *values: object) -> None:
     """Do something in the class, or keep the sentence that says why not."""
-    st.session_state.pop(_SAID, None)
+    for name in (_SAID, _SHOWN):
+        st.session_state.pop(name, None)
     try:
         act(*values)
     except ClassError as error:
@@ -141,6 +144,12 @@ def attempt(act: Callable, *values: object) -> None:
 def refusal() -> str | None:
     """Return why the last attempt was refused, if it was."""
     return st.session_state.get(_SAID)
+
+
+def forget_refusal(question: tuple[str, int]) -> None:
+    """Forget a refusal that was shown with an earlier question than this one, stop and vote."""
+    if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
+        st.session_state.pop(_SAID)
 
 
 def _sit_at_desk(key: str) -> None:

@@ -24,6 +24,7 @@ from ramanujan.scenes.class_session import (
     arrive,
     attempt,
     change_seat,
+    forget_refusal,
     has_seen,
     is_solved,
     key_held,
@@ -69,10 +70,14 @@ def door() -> None:
             if st.form_submit_button(_("Join"), type="primary"):
                 attempt(take_seat, code)
                 st.rerun()
+        # Whoever typed a code looks here, and sees nothing of what stands below.
+        if code:
+            _warn()
         st.markdown(_("Lecturer: open a class, and your students answer on their phones."))
         st.button(_("Open a class"), key="class_open", on_click=_begin)
         st.caption(_("Nobody gives a name. Everything is deleted after 24 hours."))
-    _warn()
+    if not code:
+        _warn()
 
 
 def panel(stop: Stop) -> bool | None:
@@ -261,6 +266,7 @@ def _asked(seat: Seat, question: Question) -> None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         return
+    forget_refusal((question.stop, question.round))
     stop = lesson.stop(question.stop)
     st.title(stop.heading, anchor=False)
     st.markdown(stop.question)

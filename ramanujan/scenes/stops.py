@@ -75,9 +75,9 @@ def draw(stop: Stop, number: int) -> None:
         else:
             explain(stop, chosen)
     arrive(stop, predicted)
-    with words:
+    with words, st.container(key="lesson_caption"):
         st.markdown(f":small[{_caption(stop, predicted)}]")
-    with picture, st.container(key="observed"):
+    with picture, st.container(key="observed" if len(stop.runs) == 1 else "compared"):
         observe(stop, predicted)
 
 
