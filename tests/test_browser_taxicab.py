@@ -50,10 +50,12 @@ def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit
     page.locator(".st-key-turn [role=slider], .st-key-turn input[type=range]").first.focus()
     page.keyboard.press("ArrowLeft")
     page.wait_for_function(f"{eye} != {before}")
-    points = "document.querySelector('.st-key-cubes_12 .js-plotly-plot').data[0].x"
-    length = page.evaluate(f"({points}.length ?? {points}._inputArray.length)")
+    # While a figure is drawn anew, it may be gone for a moment.
+    points = "document.querySelector('.st-key-cubes_12 .js-plotly-plot')?.data[0].x"
+    count = f"(({points})?.length ?? ({points})?._inputArray.length)"
+    length = page.evaluate(count)
     page.locator(".st-key-apart label").click()
-    page.wait_for_function(f"({points}.length ?? {points}._inputArray.length) > {length}")
+    page.wait_for_function(f"{count} > {length}")
 
 
 def test_the_phone_does_not_scroll_sideways(visit: object) -> None:

@@ -15,6 +15,7 @@ from ramanujan.words import _, ngettext
 PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
 KEYS = tuple(links.Choice(place, tuple(BODIES), body) for place, body in PAPER.items())
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
+STAGE = "stage_bodies"
 STILL = {"displayModeBar": False, "scrollZoom": False}
 
 
@@ -49,17 +50,24 @@ def choose() -> None:
 
 def the_machine(story: cached.Story, chosen: list[str]) -> None:
     """Draw the machine with the chosen bodies in motion."""
+    stages.mount(None, key=STAGE, layers=(), on_released=controls.set_compression)
+    tell_machine(f"1 ↔ √{story.machine.discriminant}", chosen)
+
+
+@st.fragment(key="bodies_machine")
+def tell_machine(unity: str, chosen: list[str]) -> None:
+    """Tell the stage and the sliders' boxes which machine it is; a slider reruns nothing else of the section."""
     left, right, top = (float(BODIES[body]) for body in chosen)
-    stages.mount(
+    stage.tell(
         stage.payload(
             controls.oscillator(),
             controls.compression(),
             shape_factors={"hoop": left, "cylinder": right, "top": top},
-            unity=f"1 ↔ √{story.machine.discriminant}",
+            unity=unity,
         ),
-        key="stage_bodies",
-        layers=(),
-        on_released=controls.set_compression,
+        key=STAGE,
+        hide=view.on_stage(),
+        more=controls.followed(),
     )
 
 

@@ -36,7 +36,7 @@ _TYPED = "typed"
 _JUDGED = "judged"
 _FIRST = "first_run"
 _FOLLOW = "follow"
-"""Session state: the key of the fragment that follows the machine, if the page was drawn to its end."""
+"""Session state: the keys of the fragments that follow the machine, if the page was drawn to its end."""
 _MOVED = "moved"
 """Session state: key of a quantity → the value of its slider, until what follows it is drawn."""
 _LINKED = "linked"
@@ -76,14 +76,14 @@ def sidebar(withheld: Collection[str] = ()) -> None:
     st.session_state.setdefault(_LINKED, values)
 
 
-def follow(fragment: str) -> None:
-    """Let a slider rerun only this fragment of the page; call it when all of the page has been drawn.
+def follow(*fragments: str) -> None:
+    """Let a slider rerun only these fragments of the page; call it when all of the page has been drawn.
 
     Parameters
     ----------
-    fragment : the key of the fragment with all that depends on the machine; it calls `followed`
+    fragments : the keys of the fragments with all that depends on the machine; one of them calls `followed`
     """
-    st.session_state[_FOLLOW] = fragment
+    st.session_state[_FOLLOW] = fragments
 
 
 def followed() -> dict[str, object]:
@@ -102,11 +102,11 @@ def _moved(key: str) -> None:
     """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due."""
     given.hold()
     moved = {name: value for name, value in st.session_state.pop(_MOVED, {}).items() if name != key}
-    fragment = st.session_state.get(_FOLLOW)
+    fragments = st.session_state.get(_FOLLOW)
     # AppTest would lose sight of the rest of the page.
-    if fragment and given.in_browser() and not given.waits() and not complaints.are_shown():
+    if fragments and given.in_browser() and not given.waits() and not complaints.are_shown():
         st.session_state[_MOVED] = {**moved, key: st.session_state[key]}
-        st.rerun(fragment)
+        st.rerun(fragments)
 
 
 def take_typed() -> None:

@@ -46,10 +46,9 @@ FILES = {
 
 @dataclass(frozen=True)
 class Setting:
-    """What a person has set: the machine, its release, and how the route is shown."""
+    """What a person has set: the machine, and how the route is shown."""
 
     machine: Oscillator
-    compression: float
     route: str
     is_lecture: bool
     in_numbers: bool
@@ -80,11 +79,13 @@ def show() -> None:
     the_steps(setting, part)
     explain(setting)
     take_home(setting)
-    compare(setting.present)
-    three_modes(setting.machine, setting.compression, setting.masses)
+    compare()
+    three_modes(setting.masses)
     margin()
     try_it()
     page.give_back("route", "show", "values", "body")
+    if not setting.in_numbers:
+        controls.follow("beside", "results", "modes")
 
 
 # ---- what is shown, and how
@@ -100,8 +101,7 @@ def choose() -> Setting:
         values = "symbols"
         if not view.hides("numbers"):
             values = widgets.chips(VALUES, _("Symbols or numbers"), VALUES_WORDS, **hidden)
-    machine, compression = controls.oscillator(), controls.compression()
-    return Setting(machine, compression, route, how == "lecture", values == "numbers")
+    return Setting(controls.oscillator(), route, how == "lecture", values == "numbers")
 
 
 def choose_body_beside_machine(setting: Setting) -> None:
@@ -117,13 +117,19 @@ def choose_body_beside_machine(setting: Setting) -> None:
         if setting.is_lecture:
             turn_pages(setting.route, [step.heading for step in cached.route(setting.route).steps])
     with picture:
-        stages.mount(
-            stage.payload(setting.machine, setting.compression, lit=links.held(BODY)),
-            key="beside",
-            clock="beside",
-            layers=("coordinates",),
-            compact=True,
-        )
+        stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
+        tell_beside()
+
+
+@st.fragment(key="beside")
+def tell_beside() -> None:
+    """Tell the machine beside the steps, and the sliders' boxes, what is set."""
+    stage.tell(
+        stage.payload(controls.oscillator(), controls.compression(), lit=links.held(BODY)),
+        key="beside",
+        hide=view.on_stage(),
+        more=controls.followed(),
+    )
 
 
 def start_over() -> None:
@@ -203,8 +209,11 @@ def take_home(setting: Setting) -> None:
 # ---- what all routes have in common
 
 
-def compare(present: tuple[float, float, float]) -> None:
+@st.fragment(key="results")
+def compare() -> None:
     """Draw the table in which all routes meet."""
+    machine = controls.oscillator()
+    present = machine.m, machine.m_prime, machine.k
     st.header(_("All routes give the same frequency"), anchor=False)
     rows = [
         (result.title, str(result.steps), f"$\\displaystyle {result.symbols}$", f"$\\Omega^2 {result.numbers}$")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import streamlit as st
 
-from ramanujan import Oscillator, stage
+from ramanujan import stage
 from ramanujan.motion import InitialState
-from ramanujan.scenes import stages
+from ramanujan.scenes import controls, stages, view
 from ramanujan.scenes.cached import derivation as cached
 from ramanujan.words import _
 
 
-def three_modes(machine: Oscillator, compression: float, masses: cached.Masses) -> None:
+def three_modes(masses: cached.Masses) -> None:
     """Draw the three modes side by side, each moving by itself."""
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     st.markdown(
@@ -22,12 +22,9 @@ def three_modes(machine: Oscillator, compression: float, masses: cached.Masses) 
         )
     )
     spectrum = cached.spectrum(masses)
-    # Slow enough to watch: half of x₀ in the time of one period.
-    speed = compression / 2 / machine.period
     shown = (
         (
             "swing",
-            None,
             _("The machine oscillates"),
             _(
                 "Here $\\Lambda=\\Omega^2$, and all three coordinates oscillate with this one frequency. A machine "
@@ -37,29 +34,33 @@ def three_modes(machine: Oscillator, compression: float, masses: cached.Masses) 
         ),
         (
             "glide",
-            InitialState(X_dot=speed),
             _("The whole machine glides"),
             _("$\\Lambda=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
             spectrum.glide,
         ),
         (
             "roll",
-            InitialState(Phi_dot=speed / machine.radius),
             _("The top cylinder rolls freely"),
             _("$\\Lambda=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
             spectrum.free_rolling,
         ),
     )
-    for column, (key, initial, title, words, shape) in zip(st.columns(3), shown, strict=True):
+    for column, (key, title, words, shape) in zip(st.columns(3), shown, strict=True):
         with column:
-            stages.mount(
-                stage.payload(machine, compression, initial=initial),
-                key=f"mode_{key}",
-                clock="modes",
-                layers=(),
-                compact=True,
-                label=title,
-            )
+            stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title)
             st.markdown(words)
             st.latex(shape)
     st.latex(spectrum.momenta)
+    tell_modes()
+
+
+@st.fragment(key="modes")
+def tell_modes() -> None:
+    """Tell the three stages which machine moves in its modes; a slider reruns nothing else of the section."""
+    machine, compression = controls.oscillator(), controls.compression()
+    # Slow enough to watch: half of x₀ in the time of one period.
+    speed = compression / 2 / machine.period
+    starts = {"swing": None, "glide": InitialState(X_dot=speed), "roll": InitialState(Phi_dot=speed / machine.radius)}
+    for key, initial in starts.items():
+        told = stage.payload(machine, compression, initial=initial)
+        stage.tell(told, key=f"mode_{key}", hide=view.on_stage())

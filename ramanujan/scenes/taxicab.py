@@ -39,6 +39,11 @@ def show() -> None:
     bodies.other_bodies()
     targets.another_frequency()
     targets.open_question(facts)
+    controls.follow("bodies_machine", *([] if _hides_curve() else ["unit_curve"]))
+
+
+def _hides_curve() -> bool:
+    return view.hides("curve") or view.hides("numbers")
 
 
 def exactly_in_step(facts: cached.Condition) -> None:
@@ -55,34 +60,39 @@ def exactly_in_step(facts: cached.Condition) -> None:
         )
         for line in facts.equations:
             st.latex(line)
-    if view.hides("curve") or view.hides("numbers"):
-        return
-    with picture:
-        machine = controls.oscillator()
-        ratios, values = cached.curve(0.01, 30.0)
-        st.plotly_chart(
-            level_crossing(
-                ratios,
-                values,
-                level=1.0,
-                level_label=_("Ω² = k/m"),
-                root=UNIT_MASS_RATIO,
-                root_label=_("<b>keeps time</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
-                present=(machine.mass_ratio, machine.normalized_frequency_squared),
-                colors=look.colors(),
-            ),
-            key="unit_curve",
-            theme=None,
-            config=STILL,
-            alt=_(
-                "Ω²m/k of the paper’s machine falls as ε grows, so it is 1 at one ratio only, ε = {root}. With your "
-                "masses, ε = {ratio}, it is {value}."
-            ).format(
-                root=f"{UNIT_MASS_RATIO:.9f}",
-                ratio=number(machine.mass_ratio, 4),
-                value=number(machine.normalized_frequency_squared, 7),
-            ),
-        )
+    if not _hides_curve():
+        with picture:
+            the_crossing()
+
+
+@st.fragment(key="unit_curve")
+def the_crossing() -> None:
+    """Draw the curve, with the present machine on it."""
+    machine = controls.oscillator()
+    ratios, values = cached.curve(0.01, 30.0)
+    st.plotly_chart(
+        level_crossing(
+            ratios,
+            values,
+            level=1.0,
+            level_label=_("Ω² = k/m"),
+            root=UNIT_MASS_RATIO,
+            root_label=_("<b>keeps time</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
+            present=(machine.mass_ratio, machine.normalized_frequency_squared),
+            colors=look.colors(),
+        ),
+        key="unit_curve",
+        theme=None,
+        config=STILL,
+        alt=_(
+            "Ω²m/k of the paper’s machine falls as ε grows, so it is 1 at one ratio only, ε = {root}. With your "
+            "masses, ε = {ratio}, it is {value}."
+        ).format(
+            root=f"{UNIT_MASS_RATIO:.9f}",
+            ratio=number(machine.mass_ratio, 4),
+            value=number(machine.normalized_frequency_squared, 7),
+        ),
+    )
 
 
 @st.fragment
