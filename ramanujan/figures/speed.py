@@ -92,8 +92,9 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
         traces,
         colors,
         520,
-        yaxis=_log_axis(_("energy error |E/E₀ − 1|"), _range([c.energy for c in curves], _ENERGY_SHOWN)) | _UPPER,
-        yaxis2=_log_axis(_("phase error [rad]"), _range([*(c.phase for c in curves), exact[1]], _PHASE_SHOWN)) | _LOWER,
+        yaxis=_log_axis(_("energy error<br>|E/E₀ − 1|"), _range([c.energy for c in curves], _ENERGY_SHOWN)) | _UPPER,
+        yaxis2=_log_axis(_("phase error<br>[rad]"), _range([*(c.phase for c in curves), exact[1]], _PHASE_SHOWN))
+        | _LOWER,
         xaxis={"type": "log", "title": _title(_("periods")), "anchor": "y2", "fixedrange": True, "dtick": 1} | _TICKS,
     )
 
@@ -257,6 +258,16 @@ def _figure(traces: list[dict[str, Any]], colors: Colors, height: int, **axes: A
     layout["legend"] |= {"itemclick": False, "itemdoubleclick": False}
     layout["margin"] = {"l": 60, "r": 12, "t": 12, "b": 20}
     return drawn(traces, layout)
+
+
+def in_large_print(figure: Drawn) -> Drawn:
+    """Return a figure with room for words that a lecture hall can read: higher, and with its legend farther down."""
+    sent = figure.to_dict()
+    layout = sent["layout"]
+    height = min(layout["height"] + 80, 600)
+    return Drawn(
+        {**sent, "layout": {**layout, "height": height, "legend": {**layout["legend"], "y": -95 / (height - 200)}}}
+    )
 
 
 def _steps(dtype: str, n: int) -> str:

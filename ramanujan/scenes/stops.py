@@ -77,8 +77,15 @@ def draw(stop: Stop, number: int) -> None:
     arrive(stop, predicted)
     with words, st.container(key="lesson_caption"):
         st.markdown(f":small[{_caption(stop, predicted)}]")
-    with picture, st.container(key="observed" if len(stop.runs) == 1 else "compared"):
+    with picture, st.container(key=f"observed_{_arrangement(stop, predicted)}"):
         observe(stop, predicted)
+
+
+def _arrangement(stop: Stop, predicted: bool) -> str:
+    """Return by what the style sheets know how much room the picture takes on a projector."""
+    if len(stop.runs) > 1:
+        return "several"
+    return "dials" if stop.dials and predicted else "one"
 
 
 def ask(stop: Stop) -> None:

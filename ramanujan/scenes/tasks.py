@@ -75,7 +75,7 @@ def verdict(task: Task, setting: Setting) -> None:
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
     shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": True, "hide": task.hides}
-    with st.container(key="observed"):
+    with st.container(key="observed_dials"):
         if "release" not in task.fields:
             payload = stage.payload(setting.machine, setting.compression)
             stages.mount(payload, on_released=controls.set_compression, **shown)
