@@ -264,7 +264,7 @@ def in_large_print(figure: Drawn) -> Drawn:
     """Return a figure with room for words that a lecture hall can read: higher, and with its legend farther down."""
     sent = figure.to_dict()
     layout = sent["layout"]
-    height = min(layout["height"] + 80, 600)
+    height = min(layout["height"] + 80, 570)
     return Drawn(
         {**sent, "layout": {**layout, "height": height, "legend": {**layout["legend"], "y": -95 / (height - 200)}}}
     )

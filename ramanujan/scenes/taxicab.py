@@ -189,7 +189,7 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
         # The figure above prints empty; a screen reader has heard of it.
         drawing = b64encode(cubes_svg(sides, **drawn).encode()).decode()
         st.markdown(
-            f'<img alt="" src="data:image/svg+xml;base64,{drawing}" style="width:100%">', unsafe_allow_html=True
+            f'<img alt="" src="data:image/svg+xml;base64,{drawing}" style="display:block;margin:auto;width:7cm">', unsafe_allow_html=True
         )
     st.markdown(f"{volumes} = **{number}**", text_alignment="center")
 
