@@ -188,9 +188,8 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
     with st.container(key=f"on_paper_{larger}"):
         # The figure above prints empty; a screen reader has heard of it.
         drawing = b64encode(cubes_svg(sides, **drawn).encode()).decode()
-        st.markdown(
-            f'<img alt="" src="data:image/svg+xml;base64,{drawing}" style="display:block;margin:auto;width:7cm">', unsafe_allow_html=True
-        )
+        style = "display:block;margin:auto;width:7cm"
+        st.markdown(f'<img alt="" src="data:image/svg+xml;base64,{drawing}" style="{style}">', unsafe_allow_html=True)
     st.markdown(f"{volumes} = **{number}**", text_alignment="center")
 
 
