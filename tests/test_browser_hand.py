@@ -176,11 +176,17 @@ def test_many_drags_over_a_slow_network_end_where_the_server_is(slowly):
         page.mouse.down()
         page.mouse.move(x + by, y, steps=3)
         page.mouse.up()
+    # A wheel over a slider scrolls, and sets nothing.
+    page.mouse.move(*thumb(page, "k"))
+    before = page.locator(".st-key-k input[type=range]").input_value()
+    page.mouse.wheel(0, 240)
+    page.mouse.wheel(0, -240)
     page.get_by_text("Light rollers").click()
     settle(page)
     page.wait_for_timeout(800)
     settle(page)
     told = page.evaluate(TOLD)
+    assert told["k"] == float(before)
     drawn = page.evaluate(PRESENT)
     assert drawn == told
     assert told["m_prime"] == pytest.approx(0.1 * told["m"])

@@ -438,3 +438,10 @@ def test_a_change_sends_at_most_twenty_kilobytes(visit):
     page.get_by_text("Light rollers").click()
     settle(page)
     assert 1000 < sum(page.frames_received[start:]) <= 20_000
+    # A slider draws anew what follows it, and nothing else: a whole page is four times as many messages.
+    start = len(page.frames_received)
+    page.locator(".st-key-k input[type=range]").focus()
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert 1000 < sum(page.frames_received[start:]) <= 10_000
+    assert len(page.frames_received[start:]) <= 15
