@@ -94,7 +94,7 @@ const hosts = {
   NARROW: "(max-width: 768px)",
 
   /** What stays together on one sheet of a projector: the lesson's words beside its machine, machines to compare, a row of controls. */
-  TOGETHER: ".stHorizontalBlock:has(.st-key-observed_one), .st-key-observed_several, .stHorizontalBlock:not(:has(> .stColumn))",
+  TOGETHER: ".stHorizontalBlock:has(.st-key-observed_one):not(:has(.st-key-class_result)), .st-key-class_result, .st-key-observed_several, .stHorizontalBlock:not(:has(> .stColumn))",
 
   /** The pieces of a page in their order: elements, and the paragraphs and formulas of a text. What is not seen anyway is left out. */
   pieces() {
