@@ -133,6 +133,18 @@ def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit
             next_frame(page)
 
 
+def test_on_a_projector_the_machine_stands_beside_what_is_asked_of_it_again(visit):
+    page = visit("lesson?view=projector&chosen=two-clocks.ahead")
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"/\s*2$"))
+    page.get_by_role("button", name="Predict again").click()
+    settle(page)
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"/\s*1$"))
+    assert page.locator("[data-away]").count() == 0
+    words, machine = (page.locator(place).bounding_box() for place in (".st-key-options", ".st-key-observed_one > *"))
+    assert words["x"] + words["width"] <= machine["x"]
+    assert abs(words["y"] - machine["y"]) < machine["height"]
+
+
 def test_without_a_projector_the_words_are_smaller_and_the_page_is_one(visit):
     """Negative control."""
     page = visit("motion")
