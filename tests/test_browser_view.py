@@ -131,6 +131,9 @@ def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit
         if sheet < count:
             page.locator(".st-key-pager .next").click()
             next_frame(page)
+    page.set_viewport_size({"width": 1920, "height": 1080})
+    next_frame(page)
+    assert page.evaluate(SIZES, 23.9) == []
 
 
 def test_on_a_projector_the_machine_stands_beside_what_is_asked_of_it_again(visit):
