@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import socket
 import subprocess
@@ -10,7 +11,7 @@ import time
 import urllib.request
 from pathlib import Path
 
-from playwright.sync_api import Page, WebSocket
+from playwright.sync_api import Error, Page, WebSocket
 from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
@@ -42,7 +43,7 @@ WATCH_LAG = f"""() => {{
 
 _FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY}
 _QUIET = 250
-"""Milliseconds without a message after which a page is taken to have drawn; a slider waits 200 before it sends."""
+"""Milliseconds of silence, by the page's own timer, after which it has drawn; a slider waits 200 before it sends."""
 
 
 class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
@@ -104,13 +105,22 @@ def count_anew(page: Page) -> None:
 
 
 def settle(page: Page, seconds: float = 60) -> None:
-    """Wait until the app has answered: every question answered, nothing running, nothing received for a while."""
+    """Wait until the app has answered: every question answered, nothing running, nothing sent or received for a while.
+
+    The page's own timer says how long a while is. Where the machine is slow it is late with the rest of the page, and
+    not before what waits for a shorter time.
+    """
     end = time.monotonic() + seconds
-    seen = -1
-    while seen != len(page.frames_received) or page.unanswered:
+    seen = None
+    while seen != (len(page.frames_sent), len(page.frames_received)) or page.unanswered:
         assert time.monotonic() < end, "the app did not answer"
-        seen = len(page.frames_received)
-        page.wait_for_timeout(_QUIET)
+        seen = (len(page.frames_sent), len(page.frames_received))
+        if page.unanswered:
+            page.wait_for_timeout(20)
+        else:
+            # A page that is being left has no timer any more.
+            with contextlib.suppress(Error):
+                page.evaluate("(ms) => new Promise((done) => setTimeout(done, ms))", _QUIET)
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
 
 

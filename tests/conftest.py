@@ -81,6 +81,7 @@ def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable
             listen(tabs[-1])
         page = tabs[len(opened)]
         opened.append(page)
+        page.bring_to_front()  # a tab behind another draws once a second
         page.on("pageerror", note)
         page.set_viewport_size({"width": width, "height": height})
         page.emulate_media(color_scheme=theme, reduced_motion=motion)

@@ -97,7 +97,7 @@ class Picture:
 
     def __init__(self, page: object, name: str) -> None:
         self.page, self.name = page, name
-        page.wait_for_function(f"globalThis.ramanujan?.last('time/{name}')")
+        page.wait_for_function(f"globalThis.ramanujan?.last?.('time/{name}')")
 
     def show(self, machine: Oscillator, compression: float, initial: InitialState | None = None) -> None:
         """Show a machine in place of the page's own, by the door through which the server's numbers come."""

@@ -1,4 +1,4 @@
-"""The app in its pseudo-language: no sentence was forgotten, and longer words are neither cut nor too wide."""
+"""The app in its pseudo-language: no sentence was forgotten, and longer words are neither cut nor on top of others."""
 
 from __future__ import annotations
 
@@ -61,6 +61,77 @@ CUT = """() => {
   return found;
 }"""
 """What is wider than its place and does not scroll; Streamlit's bar of pages folds what does not fit into a menu."""
+OVERLAPS = """() => {
+  const pieces = [], clips = new Map();
+  const up = (node) => node.assignedSlot ?? node.parentElement ?? node.getRootNode().host;
+  const main = document.querySelector("[data-testid=stMain]");
+  // What an element shows of its content, and the layer that it lies on: a bar that is fixed covers what scrolls.
+  const clip = (node) => {
+    if (!node || node === document.body) return { left: -1e6, right: 1e6, top: -1e6, bottom: 1e6, layer: null };
+    if (clips.has(node)) return clips.get(node);
+    const style = getComputedStyle(node);
+    let found = clip(up(node));
+    if (["fixed", "sticky"].includes(style.position)) found = { ...clip(document.body), layer: node };
+    if (style.overflow !== "visible" && style.display !== "inline" && !node.contains(main)) {
+      const box = node.getBoundingClientRect();
+      found = { ...found, left: Math.max(found.left, box.left), right: Math.min(found.right, box.right),
+        top: Math.max(found.top, box.top), bottom: Math.min(found.bottom, box.bottom) };
+    }
+    clips.set(node, found);
+    return found;
+  };
+  const add = (owner, box, text, parent) => {
+    const seen = clip(parent), rest = 0.2 * box.height;
+    const left = Math.max(box.left, seen.left), right = Math.min(box.right, seen.right);
+    const top = Math.max(box.top + rest, seen.top), bottom = Math.min(box.bottom - rest, seen.bottom);
+    if (right - left > 2 && bottom - top > 2) pieces.push({ owner, left, right, top, bottom, text, layer: seen.layer });
+  };
+  // A slanted text fills little of the box around it: it counts as small squares along its middle line.
+  const boxes = (node) => {
+    const { a, b, c, d, e, f } = node.getScreenCTM(), box = node.getBBox();
+    if (Math.abs(a * b) < 0.01) return [node.getBoundingClientRect()];
+    const side = box.height * Math.hypot(a, b), count = Math.max(1, Math.floor(box.width / box.height));
+    return Array.from({ length: count }, (_, index) => {
+      const x = box.x + ((index + 0.5) * box.width) / count, y = box.y + box.height / 2;
+      return new DOMRect(a * x + c * y + e - 0.3 * side, b * x + d * y + f - side / 2, 0.6 * side, side);
+    });
+  };
+  const shown = (node) => node?.checkVisibility({ visibilityProperty: true, opacityProperty: true });
+  const walk = (root) => {
+    for (const node of root.querySelectorAll("svg text")) {
+      const text = node.textContent.trim();
+      if (text && shown(node)) for (const box of boxes(node)) add(node, box, text, node.parentElement);
+    }
+    const texts = document.createTreeWalker(root, NodeFilter.SHOW_TEXT), range = document.createRange();
+    for (let node = texts.nextNode(); node; node = texts.nextNode()) {
+      const parent = node.parentElement, text = node.textContent.trim();
+      if (!text || parent?.closest("svg, .katex, script, style, noscript") || !shown(parent)) continue;
+      range.selectNodeContents(node);
+      for (const box of range.getClientRects()) add(node, box, text, parent);
+    }
+    for (const node of root.querySelectorAll("*")) if (node.shadowRoot) walk(node.shadowRoot);
+  };
+  walk(document.body);
+  const found = new Set();
+  pieces.sort((one, other) => one.top - other.top);
+  pieces.forEach((one, index) => {
+    for (const other of pieces.slice(index + 1)) {
+      if (other.top > one.bottom - 2) break;
+      const wide = Math.min(one.right, other.right) - Math.max(one.left, other.left);
+      if (wide > 2 && one.owner !== other.owner && one.layer === other.layer)
+        found.add(`${one.text.slice(0, 40)} × ${other.text.slice(0, 40)}`);
+    }
+  });
+  return [...found];
+}"""
+"""Pieces of text that lie on one another; of a line's height the middle three fifths count."""
+COVER = """() => {
+  const [h1, tick] = [document.querySelector("h1"), document.querySelector(".js-plotly-plot svg .xtick text")];
+  h1.insertAdjacentHTML("afterend", "<div style='position:relative;height:0;top:-3rem;margin:0'>over the title</div>");
+  if (tick) tick.parentElement.appendChild(tick.cloneNode()).textContent = "over a tick";
+  return tick ? ["over the title", "over a tick"] : ["over the title"];
+}"""
+"""Puts a text over the title, and one over a figure's tick; returns them."""
 
 pytestmark = pytest.mark.xdist_group("browser test_browser_language")
 
@@ -82,7 +153,7 @@ def page(profile: object) -> Iterator[object]:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_no_sentence_was_forgotten_and_none_is_cut(page, name):
+def test_no_sentence_was_forgotten_none_is_cut_and_none_covers_another(page, name):
     page.set_viewport_size({"width": 1280, "height": 720})
     count_anew(page)
     page.goto(f"{page.app}/{PAGES[name].address}")
@@ -91,6 +162,12 @@ def test_no_sentence_was_forgotten_and_none_is_cut(page, name):
     assert "⟦" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
     assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
     assert page.evaluate(CUT) == []
+    assert page.evaluate(OVERLAPS) == []
     page.set_viewport_size({"width": 390, "height": 844})
     settle(page)
     assert page.evaluate(CUT) == []
+    assert page.evaluate(OVERLAPS) == []
+    # Negative control: a text that is put over another one is found.
+    covers = page.evaluate(COVER)
+    found = page.evaluate(OVERLAPS)
+    assert all(any(cover in pair for pair in found) for cover in covers), found

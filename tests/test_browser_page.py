@@ -7,6 +7,7 @@ import os
 import pytest
 
 from tests.browser import ROOT, STAGE, inside, next_frame, settle
+from tests.test_browser_access import switch
 
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "2"))
 """How often theme and page are changed when leaks are looked for; fifty in a long run."""
@@ -89,8 +90,7 @@ def test_theme_and_page_changes_leave_nothing_behind(visit):
         go("Motion", ".time-cursor")
         assert known("oscillator") == set()
         for theme in ("dark", "light"):
-            page.emulate_media(color_scheme=theme, reduced_motion="reduce")
-            page.wait_for_timeout(400)
+            switch(page, theme)
             settle(page)
         assert page.locator(".time-cursor").count() == page.evaluate(
             "[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {layout, data}) =>"

@@ -63,6 +63,7 @@ def open_once(profile, server):
             pages[address].set_default_timeout(120_000)
             pages[address].emulate_media(reduced_motion="reduce")
             pages[address].goto(f"{server}/{address}")
+        pages[address].bring_to_front()  # a tab behind another draws once a second
         pages[address].set_viewport_size({"width": 1280, "height": 720})
         picture = Picture(pages[address], name)
         picture.layers("energy")
@@ -331,6 +332,7 @@ def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
 
 def test_nothing_below_the_stage_moves_whatever_the_machine(picture, pushed):
     for shown, width in product((picture, pushed), (1280, 390)):
+        shown.page.bring_to_front()
         shown.page.set_viewport_size({"width": width, "height": 844})
         seen = set()
         for machine, compression in machines(1)[1:4]:
@@ -461,6 +463,7 @@ def test_the_derivation_lights_the_chosen_body_beside_its_steps(visit):
     page = visit("derivation?body=hoop&step=3")
     bodies = """[...document.querySelector(".st-key-beside [data-testid=stBidiComponentIsolated]").shadowRoot
       .querySelectorAll(".moving > *")].map(({ classList }) => [...classList])"""
+    page.wait_for_selector(".st-key-beside .moving", state="attached")
     page.wait_for_function(f"{bodies}.some((names) => names.includes('lit'))")
     for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
         if chosen != "hoop":

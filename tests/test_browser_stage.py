@@ -407,23 +407,30 @@ def test_two_hundred_changes_leave_nothing_behind(visit):
         metrics = {metric["name"]: metric["value"] for metric in client.send("Performance.getMetrics")["metrics"]}
         return {name: metrics[name] for name in ("JSHeapUsedSize", "JSEventListeners", "Nodes")}
 
-    def drag(times: int) -> None:
-        """So many changes by the thumb, and one more by the server's answer."""
+    def drag(times: int, way: int) -> None:
+        """So many changes by the thumb, to the right or to the left, and one more by the server's answer."""
         x, y = thumb(page, "k")
         page.mouse.move(x, y)
         page.mouse.down()
         for i in range(times):
-            page.mouse.move(x + 1 + 2 * (i % 40), y)
-            page.wait_for_timeout(20)
+            page.mouse.move(x + way * 2 * (i + 1), y)
+            next_frame(page)
         page.mouse.up()
         settle(page)
 
-    for _ in range(3):
-        drag(20)
-    before = counted()
-    for _ in range(8):
-        drag(25)
+    page.evaluate(
+        """() => {
+          window.drawn = 0;
+          ramanujan.subscribe("present/oscillator", () => (window.drawn += 1));
+        }"""
+    )
+    for i in range(2):
+        drag(25, (-1) ** i)
+    before, drawn = counted(), page.evaluate("window.drawn")
+    for i in range(8):
+        drag(25, (-1) ** i)
     after = counted()
+    assert page.evaluate("window.drawn") - drawn >= 200
     # Streamlit and Plotly keep a little of their own; a listener or a node for each change would be 200 and more.
     assert after["JSEventListeners"] - before["JSEventListeners"] < 50
     assert after["Nodes"] - before["Nodes"] < 150

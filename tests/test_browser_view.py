@@ -29,7 +29,7 @@ DOCUMENT = """() => {
 }"""
 """All words of the page, those for the eye and those for a screen reader, also inside the components."""
 
-SAID = "globalThis.ramanujan?.last('machine/oscillator') && ramanujan.last('say') === undefined"
+SAID = "globalThis.ramanujan?.last?.('machine/oscillator') && ramanujan.last('say') === undefined"
 """The stage has drawn, and the live region has said what it had to say."""
 
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from ramanujan import Oscillator, derivation
 from ramanujan.derivation import ROUTES, Route, Step
-from ramanujan.derivation.euler_lagrange import unit_condition
+from ramanujan.derivation.elimination import unit_condition
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Routes, equation

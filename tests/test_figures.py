@@ -12,8 +12,11 @@ from plotly.basedatatypes import BaseFigure
 from streamlit.testing.v1 import AppTest
 
 from ramanujan.figures import drawn
+from ramanujan.scenes.pages import PAGES
+from tests.browser import ROOT
 
-PAGES = ("motion", "taxicab", "speed")
+DRAWN = {path.stem for path in (ROOT / "ramanujan" / "figures").glob("*.py")} & set(PAGES)
+"""Pages with figures: those of a page are in the file of its name."""
 
 
 def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
@@ -26,21 +29,21 @@ def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
         drawn([{"type": "scatter", "colour": "red"}], {}).checked()
 
 
-@pytest.mark.parametrize("page", PAGES)
-def test_plotly_knows_every_property_of_a_page(app: AppTest, page: str, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("name", PAGES)
+def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     import streamlit as st
 
     sent = []
     chart = st.plotly_chart
     monkeypatch.setattr(st, "plotly_chart", lambda figure, **more: (sent.append(figure), chart(figure, **more))[1])
-    app.query_params["periods"] = "1"
-    app.switch_page(f"ramanujan/scenes/{page}.py").run()
-    if page == "motion":
-        for view in ("displacements", "energy", "momentum", "forces"):
+    app.query_params.update(dict(part.split("=") for part in PAGES[name].quick.split("&") if part))
+    app.switch_page(PAGES[name].file).run()
+    for key in PAGES[name].keys:
+        for view in key.options if key.name == "figure" else ():
             app.session_state["figure"] = view
             app.run()
     assert not app.exception
-    assert sent
+    assert bool(sent) == (name in DRAWN)
     for figure in sent:
         assert isinstance(figure, BaseFigure)
         checked = type(figure).checked(figure) if hasattr(figure, "checked") else figure

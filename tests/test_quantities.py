@@ -42,8 +42,12 @@ ROOMS = (
 STEPS = {method.step.__name__ for method in METHODS.values()}
 UNCHECKED = {
     "frequency_squared": "works in whatever arithmetic its arguments bring with them",
-    "float_type": "is itself a check, like those of quantities",
     "main": "takes the words of a command line and answers them with one sentence and an exit status",
+    **dict.fromkeys(("float_type", "method_named", "steps_within"), "is itself a check, like those of quantities"),
+    **dict.fromkeys(
+        ("blocks", "errors", "exact", "seconds_per_step", "powers_of_ten", "ulp_errors"),
+        "is inside an experiment, which checks once before its first piece",
+    ),
     **dict.fromkeys(STEPS, "is the inner loop; `trajectory` checks once for all steps"),
 }
 

@@ -15,6 +15,7 @@ import sympy as sp
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import normalized_frequency_squared, stage
+from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice, machines
 from ramanujan.scenes.cached import taxicab as cached
@@ -174,7 +175,7 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize("apart", [False, True])
 def test_unit_cubes_can_be_counted_in_the_drawn_lines(apart: bool) -> None:
     sides = (4, 3)
-    figure = figures.cube_stack(sides, widest=9, apart=apart, turn=30, colors=COLORS)
+    figure = cubes.cube_stack(sides, widest=9, apart=apart, turn=30, colors=COLORS)
     *lines, mesh = figure.data
     for side, line in zip(sides, lines, strict=True):
         points = np.array([line.x, line.y, line.z], dtype=int).T

@@ -14,6 +14,7 @@ import numpy as np
 
 from ramanujan.accuracy import (
     FORMS,
+    SOLVERS,
     arithmetics,
     caching,
     cheapest,
@@ -25,6 +26,7 @@ from ramanujan.accuracy import (
     results,
     work_precision,
 )
+from ramanujan.accuracy.choices import ARRAY, STATES, Arithmetic, Comparison
 from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch
 from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.integrators import METHODS
@@ -41,6 +43,21 @@ _VERDICTS = {
     ZERO: _("zero"),
     PLAUSIBLE: _("wrong but plausible"),
 }
+_ALONG = {"ratio": _("mass ratio"), "scale": _("scale")}
+_CURVES = {"cosine": _("a cosine"), "frequency": _("Ω² over the mass ratio")}
+_KINDS = {
+    "float32": _("float32"),
+    "float64": _("float64"),
+    "array": _("float64, one of {n} values in an array"),
+    "fraction": _("exact fraction"),
+    "mpmath": _("mpmath, {n} digits"),
+}
+_COMPARED = {
+    "frequency": (_("Ω of a new machine"), _("Ω of the same machine again")),
+    "state": (_("one state of a new machine"), _("another state of the same machine")),
+    "states": (_("{n} states one by one"), _("{n} states in one call")),
+}
+"""Comparison → its slow and its fast way."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +126,7 @@ def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Ta
     yield Table(
         _("Points of a curve 400 pixels high"),
         (_("curve"), _("points"), _("error on screen [pixels]"), _("bytes"), _("seconds")),
-        [(c.curve, c.points, c.pixels, c.bytes, c.seconds.median) for c in results(curve_sampling())],
+        [(_CURVES[c.curve], c.points, c.pixels, c.bytes, c.seconds.median) for c in results(curve_sampling())],
     )
     yield Table(
         _("Closed form"),
@@ -119,24 +136,32 @@ def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Ta
     yield Table(
         _("Ω²m/k in several kinds of arithmetic"),
         (_("arithmetic"), _("relative error"), _("seconds")),
-        [(a.name, a.relative_error, a.seconds.median) for a in results(arithmetics(oscillator.mass_ratio))],
+        [(_kind(a), a.relative_error, a.seconds.median) for a in results(arithmetics(oscillator.mass_ratio))],
     )
     yield Table(
-        _("Results computed again, kept, or requested together"),
+        _("Time saved by keeping results or computing many at once"),
         (_("slow way"), _("slow way [s]"), _("fast way"), _("fast way [s]"), _("ratio")),
-        [(c.slow, c.slow_seconds.median, c.fast, c.fast_seconds.median, c.ratio) for c in results(caching(oscillator))],
+        [_compared(comparison) for comparison in results(caching(oscillator))],
     )
+
+
+def _kind(evaluated: Arithmetic) -> str:
+    return _KINDS[evaluated.kind].format(n=ARRAY if evaluated.digits is None else evaluated.digits)
+
+
+def _compared(comparison: Comparison) -> tuple[Cell, ...]:
+    slow, fast = (words.format(n=STATES) for words in _COMPARED[comparison.name])
+    return slow, comparison.slow_seconds.median, fast, comparison.fast_seconds.median, comparison.ratio
 
 
 def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
     ends = (_("from"), _("to"), _("Ω² at the lower end"), _("Ω² at the upper end"))
     worst = _("largest error of a right value [ulp]")
-    along = {"mass ratio": _("mass ratio"), "scale": _("scale")}
     yield Table(
         _("Forms of Ω² over the range of floating point"),
         (_("form"), "dtype", _("along"), _("verdict"), *ends, worst),
         [
-            (FORMS[sweep.form].title, sweep.dtype, along[sweep.along], *_stretch_cells(stretch), sweep.worst_right_ulp)
+            (FORMS[sweep.form].title, sweep.dtype, _ALONG[sweep.along], *_stretch_cells(stretch), sweep.worst_right_ulp)
             for sweep in results(extremes(dtypes=_dtypes(options)))
             for stretch in sweep.stretches
         ],
@@ -153,7 +178,7 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
         ),
         [
             (
-                s.solver,
+                SOLVERS[s.solver].title,
                 s.dtype,
                 np.nanmax(s.error_ulp),
                 np.nanmax(np.abs(s.zero_modes)),

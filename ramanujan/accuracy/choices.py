@@ -20,7 +20,6 @@ from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared, normalized_f
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, real, sequence
-from ramanujan.words import _
 
 Value: TypeAlias = float | np.floating | np.ndarray | Fraction | mpmath.mpf
 """A value of one kind of arithmetic."""
@@ -31,8 +30,12 @@ DIGITS = (15, 30, 50, 100)
 LARGEST_MASS_RATIO = 4.0
 """Right end of the sampled Ω² curve."""
 
+ARRAY = 10_000
+"""Values in the array of `arithmetics`."""
+STATES = 100
+"""States in one call in `caching`."""
+
 _BETWEEN = np.arange(1, 32)[:, None] / 32
-_ARRAY = 10_000
 
 
 @dataclass(frozen=True)
@@ -63,20 +66,27 @@ class ClosedForm:
 
 @dataclass(frozen=True)
 class Arithmetic:
-    """One evaluation of Ω²m/k in one kind of arithmetic: its relative error and the seconds it takes."""
+    """One evaluation of Ω²m/k in one kind of arithmetic: its relative error and the seconds it takes.
 
-    name: str
+    kind : "float32", "float64", "array" (one of ARRAY values in float64), "fraction", or "mpmath"
+    digits : decimal digits that mpmath carries; None for the other kinds
+    """
+
+    kind: str
+    digits: int | None
     relative_error: float
     seconds: Timing
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """The same result, computed in a slow and in a fast way."""
+    """The same result, computed in a slow and in a fast way.
 
-    slow: str
+    name : "frequency" or "state", of a new machine and of the same one again; "states", STATES singly and in one call
+    """
+
+    name: str
     slow_seconds: Timing
-    fast: str
     fast_seconds: Timing
 
     @property
@@ -153,21 +163,21 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
     ------
     ValueError : the mass ratio is negative or not finite, or a number of digits is not from 1 to 300.
 
-    >>> [piece.result.name for piece in arithmetics(1.0, [30])][-2:]
-    ['fraction', 'mpmath, 30 digits']
+    >>> [(piece.result.kind, piece.result.digits) for piece in arithmetics(1.0, [30])][-2:]
+    [('fraction', None), ('mpmath', 30)]
     """
     epsilon = real("mass_ratio", mass_ratio)
     # This call raises ValueError for a negative ratio.
     normalized_frequency_squared(epsilon)
     wholes = [integer("digits", n, 1, 300) for n in sequence("digits", digits)]
-    many, few = np.full(_ARRAY, epsilon), np.float32(epsilon)
-    cases: list[tuple[str, Callable[[], Value], int]] = [
-        ("float32", lambda: normalized_frequency_squared(few), 1),
-        ("float64", lambda: normalized_frequency_squared(epsilon), 1),
-        (f"float64, one of {_ARRAY}", lambda: normalized_frequency_squared(many), _ARRAY),
-        ("fraction", lambda: _at(Fraction(epsilon)), 1),
+    many, few = np.full(ARRAY, epsilon), np.float32(epsilon)
+    cases: list[tuple[str, int | None, Callable[[], Value], int]] = [
+        ("float32", None, lambda: normalized_frequency_squared(few), 1),
+        ("float64", None, lambda: normalized_frequency_squared(epsilon), 1),
+        ("array", None, lambda: normalized_frequency_squared(many), ARRAY),
+        ("fraction", None, lambda: _at(Fraction(epsilon)), 1),
     ]
-    cases += [(f"mpmath, {n} digits", _with_digits(n, epsilon), 1) for n in wholes]
+    cases += [("mpmath", n, _with_digits(n, epsilon), 1) for n in wholes]
     exact = _at(Fraction(epsilon))
     return each(lambda case: _arithmetic(*case, exact), cases)
 
@@ -187,11 +197,11 @@ def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
     ------
     ValueError : oscillator is not an `Oscillator`.
 
-    >>> next(caching(Oscillator())).result.fast
-    'Ω of the same machine again'
+    >>> next(caching(Oscillator())).result.name
+    'frequency'
     """
     instance("oscillator", oscillator, Oscillator)
-    return each(lambda compare: compare(oscillator), [_frequency_again, _motion_again, _motion_at_once])
+    return each(lambda compare: compare(oscillator), [_frequency_again, _state_again, _states_at_once])
 
 
 def _sampled(name: str, curve: Callable, end: float, points: int, height: int) -> CurveSampling:
@@ -212,10 +222,12 @@ def _closed_form(oscillator: Oscillator, periods: int) -> ClosedForm:
     return ClosedForm(periods, largest_phase_error(oscillator, times), measure(lambda: motion(oscillator, initial, t)))
 
 
-def _arithmetic(name: str, evaluate: Callable[[], Value], values: int, exact: Fraction) -> Arithmetic:
+def _arithmetic(
+    kind: str, digits: int | None, evaluate: Callable[[], Value], values: int, exact: Fraction
+) -> Arithmetic:
     value, timing = np.ravel(evaluate())[0], measure(evaluate)
     per_value = Timing(timing.median / values, timing.low / values, timing.high / values)
-    return Arithmetic(name, float(abs(_fraction(value) / exact - 1)), per_value)
+    return Arithmetic(kind, digits, float(abs(_fraction(value) / exact - 1)), per_value)
 
 
 def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
@@ -242,24 +254,19 @@ def _fraction(value: Value) -> Fraction:
 def _frequency_again(oscillator: Oscillator) -> Comparison:
     new = _new_machines(oscillator)
     cold = measure(lambda: next(new).natural_frequency)
-    return Comparison(
-        _("Ω of a new machine"), cold, _("Ω of the same machine again"), measure(lambda: oscillator.natural_frequency)
-    )
+    return Comparison("frequency", cold, measure(lambda: oscillator.natural_frequency))
 
 
-def _motion_again(oscillator: Oscillator) -> Comparison:
+def _state_again(oscillator: Oscillator) -> Comparison:
     new, initial = _new_machines(oscillator), InitialState(phi=1.0)
     cold = measure(lambda: motion(next(new), initial, 1.0))
-    again = measure(lambda: motion(oscillator, initial, 1.0))
-    return Comparison(_("one state of a new machine"), cold, _("another state of the same machine"), again)
+    return Comparison("state", cold, measure(lambda: motion(oscillator, initial, 1.0)))
 
 
-def _motion_at_once(oscillator: Oscillator) -> Comparison:
-    initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, 100)
+def _states_at_once(oscillator: Oscillator) -> Comparison:
+    initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, STATES)
     singly = measure(lambda: [motion(oscillator, initial, t) for t in times])
-    at_once = measure(lambda: motion(oscillator, initial, times))
-    one_by_one = _("{n} states one by one").format(n=times.size)
-    return Comparison(one_by_one, singly, _("{n} states in one call").format(n=times.size), at_once)
+    return Comparison("states", singly, measure(lambda: motion(oscillator, initial, times)))
 
 
 def _new_machines(oscillator: Oscillator) -> Iterator[Oscillator]:

@@ -1,8 +1,8 @@
 """Ω² for very large and very small numbers: the error of each formula in ulp, and its value where it fails.
 
 The FORMS of Ω² are algebraically equal, so all of them are exact in exact arithmetic. Two sweeps cover the range of
-floating point. "mass ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s. The
-reference value is computed with 50 digits from the same floats. A third sweep tests general eigenvalue solvers.
+floating point. "ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s. The
+reference value is computed with 50 digits from the same floats.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.progress import REFERENCE, Piece, exact_frequency_squared, float_type
 from ramanujan.frequency import frequency_squared, normalized_frequency_squared
-from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import integer, sequence, some_of
 from ramanujan.words import _
 
-RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow/nan", "zero", "plausible wrong"
+RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow", "zero", "plausible"
+"""The verdicts: few enough ulp; some digits lost; ∞ or NaN; 0; finite and not 0, but wrong."""
 RIGHT_ULP = 4.0
 """Up to this error a value counts as right: the rounding errors of a few operations add up to it."""
 PLAUSIBLE_ERROR = 1e-2
@@ -28,10 +28,10 @@ PLAUSIBLE_ERROR = 1e-2
 DECADES = {"float32": 37, "float64": 300}
 """The sweeps run from 10^−d to 10^d, so that m′ = ε and Ω² stay normal numbers."""
 
-_CHUNK = 100
+CHUNK = 100
+"""Samples between two reports."""
 
 Values = NDArray[np.floating]
-Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Sweep:
 
     Parameters
     ----------
-    form, dtype, along : name in FORMS; "float32" or "float64"; "mass ratio" or "scale"
+    form, dtype, along : name in FORMS; "float32" or "float64"; "ratio" or "scale"
     x : ε or s
     value : Ω² as the form returns it
     error_ulp : |value − truth| in units of the truth's last place; NaN or ∞ where the value is
@@ -89,30 +89,6 @@ class Sweep:
             Stretch(str(self.verdict[a]), *map(float, (self.x[a], self.x[b], self.value[a], self.value[b])))
             for a, b in zip(starts, ends, strict=True)
         ]
-
-
-@dataclass(frozen=True, eq=False)
-class EigenSweep:
-    """A general eigenvalue solver along the mass ratio; arrays with one row per sample.
-
-    Parameters
-    ----------
-    solver, dtype : name in SOLVERS; "float32" or "float64"
-    mass_ratio : ε
-    error_ulp : error of the oscillating mode's eigenvalue Ω², in ulp; NaN where the solver gave up
-    zero_modes : what it returns for the two eigenvalues that are exactly 0, shape (samples, 2), complex [rad²/s²]
-    """
-
-    solver: str
-    dtype: str
-    mass_ratio: np.ndarray
-    error_ulp: np.ndarray
-    zero_modes: np.ndarray
-
-    @property
-    def without_frequency(self) -> np.ndarray:
-        """Whether a zero mode is negative or complex, so that its square root is not a frequency; shape (samples,)."""
-        return np.any((self.zero_modes.real < 0) | (self.zero_modes.imag != 0), axis=1)
 
 
 def extremes(
@@ -144,31 +120,6 @@ def extremes(
     return _sweeps(names, kinds, density)
 
 
-def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 1) -> Iterator[Piece[EigenSweep]]:
-    """Return an iterator over the eigen-solvers: one `EigenSweep` per dtype and solver, for m = k = R = 1 and m′ = ε.
-
-    Parameters
-    ----------
-    dtypes : "float32", "float64"
-    samples_per_decade : samples between two powers of ten, from 1 to 20
-
-    Returns
-    -------
-    iterator over pieces of work, some of which carry an `EigenSweep`
-
-    Raises
-    ------
-    ValueError : an argument is outside its range.
-
-    >>> sweeps = [piece.result for piece in eigen_solvers(["float32"]) if piece.result]
-    >>> len(sweeps) == len(SOLVERS)
-    True
-    """
-    kinds = [(dtype, float_type("dtypes", dtype)) for dtype in sequence("dtypes", dtypes)]
-    density = integer("samples_per_decade", samples_per_decade, 1, 20)
-    return _eigen_sweeps(kinds, density)
-
-
 def _paper(m: Values, m_prime: Values, k: Values) -> Values:
     return 8 * k / (7 * m_prime + 8 * m - 8 * (m_prime + m) ** 2 / (7 * m / 3 + 2 * m_prime))
 
@@ -196,100 +147,50 @@ FORMS: dict[str, Form] = {
         "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); else r = m/m′: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
         _scaled,
     ),
-    "effective mass": Form(_("effective mass"), "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
-    "partial fractions": Form(_("the app’s form"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _app),
+    "effective_mass": Form(_("effective mass"), "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
+    "partial_fractions": Form(_("the app’s form"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _app),
 }
 """The forms of Ω² by name; `normalized_frequency_squared` evaluates the last one."""
 
 
-# q = (X, φ, Φ) from the displacements relative to the ground (block, slab, top cylinder), right positive, for R = 1.
-_GROUND = np.array([[-1, 0, 0], [-0.5, 0.5, 0], [-1, 0, 1]], dtype=np.float32)
-
-
-def _eigvals(M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    return np.linalg.eigvals(np.linalg.solve(M, K))
-
-
-def _eigvals_over_ground(M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    """The same for the displacements of block, slab and top cylinder relative to the ground; K then has two columns."""
-    return _eigvals(_GROUND.T @ M @ _GROUND, _GROUND.T @ K @ _GROUND)
-
-
-def _eigh_cholesky(M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    """Eigenvalues of L⁻¹KL⁻ᵀ with M = LLᵀ: symmetric, so they are real."""
-    L = np.linalg.cholesky(M)
-    reduced = np.linalg.solve(L, np.linalg.solve(L, K).T)
-    return np.linalg.eigvalsh((reduced + reduced.T) / 2)
-
-
-SOLVERS: dict[str, Eigenvalues] = {
-    "eigvals of M⁻¹K": _eigvals,
-    "eigvals of M⁻¹K, ground displacements": _eigvals_over_ground,
-    "eigh after Cholesky": _eigh_cholesky,
-}
-"""General eigenvalue solvers by name: (M, K) for R = 1 → the three eigenvalues Ω², in any order.
-
-In the coordinates (X, φ, Φ) two columns of K are zero, so the first solver finds both zero modes exactly. The second
-one shows that this depends on the coordinates.
-"""
-
-
 def _sweeps(names: list[str], kinds: list[tuple[str, type[np.floating]]], density: int) -> Iterator[Piece[Sweep]]:
     done, work = 0, 2 * sum(DECADES[dtype] for dtype, _kind in kinds) * (len(names) + 1)
-    for along in ("mass ratio", "scale"):
+    for along in ("ratio", "scale"):
         for dtype, kind in kinds:
-            x = _samples(dtype, kind, density)
+            x = powers_of_ten(dtype, kind, density)
             one = np.ones_like(x)
-            m, m_prime, k = (one, x, one) if along == "mass ratio" else (x, x, x)
+            m, m_prime, k = (one, x, one) if along == "ratio" else (x, x, x)
             truth: list[mpmath.mpf] = []
-            for start in range(0, x.size, _CHUNK):
-                chunk = slice(start, start + _CHUNK)
+            for start in range(0, x.size, CHUNK):
+                chunk = slice(start, start + CHUNK)
                 truth += map(exact_frequency_squared, m[chunk], m_prime[chunk], k[chunk])
                 yield Piece((done + DECADES[dtype] * len(truth) / x.size) / work)
             done += DECADES[dtype]
             for name in names:
                 with np.errstate(all="ignore"):
                     value = FORMS[name].evaluate(m, m_prime, k)
-                error_ulp, relative = _errors(value, truth, kind)
+                error_ulp, relative = ulp_errors(value, truth, kind)
                 done += DECADES[dtype]
                 verdict = _verdicts(value, error_ulp, relative)
                 yield Piece(done / work, Sweep(name, dtype, along, x, value, error_ulp, verdict))
 
 
-def _eigen_sweeps(kinds: list[tuple[str, type[np.floating]]], density: int) -> Iterator[Piece[EigenSweep]]:
-    done, work = 0, sum(DECADES[dtype] for dtype, _kind in kinds) * len(SOLVERS)
-    for dtype, kind in kinds:
-        ratios = _samples(dtype, kind, density)
-        truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]
-        machines = [Oscillator(m_prime=float(ratio), radius=1.0) for ratio in ratios]
-        for name, solver in SOLVERS.items():
-            modes, zeros = np.full(ratios.size, np.nan, kind), np.full((ratios.size, 2), np.nan, complex)
-            for i, machine in enumerate(machines):
-                modes[i], zeros[i] = _sorted_modes(solver, machine, kind)
-                if i % _CHUNK == _CHUNK - 1:
-                    yield Piece((done + DECADES[dtype] * i / ratios.size) / work)
-            done += DECADES[dtype]
-            yield Piece(done / work, EigenSweep(name, dtype, ratios, _errors(modes, truth, kind)[0], zeros))
+def powers_of_ten(dtype: str, kind: type[np.floating], density: int) -> np.ndarray:
+    """Return the powers of ten from 10^−d to 10^d and density − 1 values between neighbours, rounded to the dtype.
 
-
-def _sorted_modes(solver: Eigenvalues, machine: Oscillator, kind: type[np.floating]) -> tuple[float, np.ndarray]:
-    """Return the oscillating mode's eigenvalue, the largest, and the other two; NaN where the solver gives up."""
-    try:
-        values = solver(machine.mass_matrix.astype(kind), machine.stiffness_matrix.astype(kind))
-    except np.linalg.LinAlgError:
-        return np.nan, np.full(2, np.nan)
-    ordered = values[np.argsort(values.real)]
-    return ordered[2].real, ordered[:2]
-
-
-def _samples(dtype: str, kind: type[np.floating], density: int) -> np.ndarray:
-    """Return the powers of ten from 10^−d to 10^d and density − 1 values between neighbours, rounded to the dtype."""
+    >>> powers_of_ten("float32", np.float32, 1).size
+    75
+    """
     decades = DECADES[dtype]
     return (10.0 ** (np.arange(-decades * density, decades * density + 1) / density)).astype(kind)
 
 
-def _errors(value: np.ndarray, truth: list[mpmath.mpf], kind: type[np.floating]) -> tuple[np.ndarray, np.ndarray]:
-    """Return |value − truth| in ulp of the truth and relative to it; NaN and ∞ pass through."""
+def ulp_errors(value: np.ndarray, truth: list[mpmath.mpf], kind: type[np.floating]) -> tuple[np.ndarray, np.ndarray]:
+    """Return |value − truth| in ulp of the truth and relative to it; NaN and ∞ pass through.
+
+    >>> ulp_errors(np.array([1 + 2.0**-51]), [REFERENCE.mpf(1)], np.float64)[0]
+    array([2.])
+    """
     ulps = np.spacing(np.array([float(t) for t in truth]).astype(kind))
     errors = [_error(float(v), t, float(ulp)) for v, t, ulp in zip(value, truth, ulps, strict=True)]
     return tuple(np.array(errors).T)

@@ -22,20 +22,11 @@ from ramanujan.derivation.comparison import (
     shown_name,
     term_by_term,
 )
+from ramanujan.derivation.expansion import NegativeRootError, NormalForm, TooLargeError, UncertainRootError, constant
 from ramanujan.derivation.expressions import NAMES, Expression, length, names, numbers
-from ramanujan.derivation.normal_form import (
-    VARIABLES,
-    NegativeRootError,
-    NormalForm,
-    TooLargeError,
-    UncertainRootError,
-    constant,
-    minus,
-    normal_form,
-    over,
-    times,
-)
+from ramanujan.derivation.normal_form import minus, normal_form, over, times
 from ramanujan.derivation.parser import UnreadableError, parse
+from ramanujan.derivation.polynomials import VARIABLES
 from ramanujan.derivation.questions import (
     MOTION,
     NUMBER,

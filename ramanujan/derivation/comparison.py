@@ -8,21 +8,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from ramanujan.derivation.normal_form import (
-    MINUS_ONE,
-    ONE,
-    VARIABLES,
-    ZERO,
-    Monomial,
-    NormalForm,
-    UncertainRootError,
-    at,
-    coefficients,
-    fraction,
-    name_form,
-    over,
-    times,
-)
+from ramanujan.derivation.expansion import NormalForm, UncertainRootError
+from ramanujan.derivation.normal_form import MINUS_ONE, ONE, ZERO, at, coefficients, fraction, name_form, over, times
+from ramanujan.derivation.polynomials import VARIABLES, Monomial
 from ramanujan.numerals import superscript
 from ramanujan.words import _, ngettext
 

@@ -117,8 +117,8 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
             _(
                 "In a normal mode the largest kinetic energy equals the largest potential energy. The largest "
                 "$\\dot\\varphi$ is $\\Omega$ times the largest $\\varphi$. So $\\Omega^2$ is the first ratio below "
-                "divided by the second (Rayleigh’s quotient). The second one, the inertia, depends on how much the "
-                "block and the top cylinder move along: $\\xi=\\dot X/(R\\dot\\varphi)$ and "
+                "divided by the second (Rayleigh’s quotient). The second one, the inertia, depends on how fast block "
+                "and top cylinder move compared with the rollers: $\\xi=\\dot X/(R\\dot\\varphi)$ and "
                 "$\\eta=\\dot\\Phi/\\dot\\varphi$."
             ),
             (
@@ -128,7 +128,7 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
         ),
         Step(
             "least",
-            _("Find how block and top cylinder move along"),
+            _("Find how block and top cylinder move"),
             _(
                 "In a normal mode Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the "
                 "inertia depends on them, so its derivatives must vanish. The matrix of its second derivatives is "

@@ -12,20 +12,8 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.expressions import SPELLING
-from ramanujan.derivation.normal_form import (
-    MINUS_ONE,
-    VARIABLES,
-    ZERO,
-    NormalForm,
-    coefficients,
-    minus,
-    over,
-    plus,
-    times,
-)
+from ramanujan.derivation.altered import right
 from ramanujan.derivation.symbols import (
-    COORDINATES,
     HOOP,
     SOLID_CYLINDER,
     VELOCITIES,
@@ -34,10 +22,8 @@ from ramanujan.derivation.symbols import (
     Phi,
     R,
     X,
-    k,
     m,
     m_prime,
-    machine,
     phi,
     t,
 )
@@ -46,8 +32,6 @@ from ramanujan.words import _
 ROLLING = ("hoop", "cylinder", "top")
 LOWER_ROLLERS = ("hoop", "cylinder")
 RIDERS = ("hoop", "cylinder", "slab", "top")
-
-_COORDINATES = tuple(SPELLING[q] for q in COORDINATES)
 
 CALLED = {
     "block": _("the block"),
@@ -76,55 +60,13 @@ class Mistake:
     @property
     def altered(self) -> tuple[str, ...]:
         """The names of the bodies that the mistake changes."""
-        return tuple(body.name for body in self.bodies.bodies if body != _right()[body.name])
+        return tuple(body.name for body in self.bodies.bodies if body != right()[body.name])
 
 
 @cache
 def mistakes() -> tuple[Mistake, ...]:
     """Return every mistake that changes bodies; the more common ones come first."""
     return tuple(Mistake(hint, bodies) for family in _FAMILIES for hint, bodies in family())
-
-
-def single_mass(bodies: Machine, name: str) -> NormalForm | None:
-    """Return one result of the elimination for a machine: the factor of φ̈ in Ẍ, in Φ̈ or in the φ equation, or Ω².
-
-    The X and Φ equations are solved for Ẍ and Φ̈, which are inserted into the φ equation, as in
-    `euler_lagrange.eliminate`. The mass matrix and polynomials make this fast enough for many machines. The spring's
-    deformation is taken to depend on φ alone.
-
-    Parameters
-    ----------
-    bodies : the machine
-    name : block_coupling, top_coupling, phi_equation or natural_frequency_squared; None is returned where that divides
-        by zero
-    """
-    stiffness = _form(k * bodies.deformation.coeff(phi) ** 2)
-    if name == "phi_equation":
-        # The question writes the φ equation with 4kRφ as its last term.
-        above, below = times(_inertia(bodies, "phi", "phi"), _form(4 * k * R)), stiffness
-    else:
-        determinant, block, top, inertia = _eliminated(bodies)
-        above, below = {
-            "block_coupling": (block, determinant),
-            "top_coupling": (top, determinant),
-            "natural_frequency_squared": (times(stiffness, determinant), inertia),
-        }[name]
-    return None if below.is_zero else over(above, below)
-
-
-@cache
-def _eliminated(bodies: Machine) -> tuple[NormalForm, NormalForm, NormalForm, NormalForm]:
-    """Return D, B, T and J of Ẍ = (B/D)φ̈, Φ̈ = (T/D)φ̈ and Ω² = stiffness·D/J."""
-    M = {(i, j): _inertia(bodies, _COORDINATES[i], _COORDINATES[j]) for i in range(3) for j in range(i, 3)}
-    if M[2, 2].is_zero:
-        # Without a top cylinder the Φ equation is empty.
-        determinant, block, top = M[0, 0], times(MINUS_ONE, M[0, 1]), ZERO
-    else:
-        determinant = minus(times(M[0, 0], M[2, 2]), times(M[0, 2], M[0, 2]))
-        block = minus(times(M[0, 2], M[1, 2]), times(M[0, 1], M[2, 2]))
-        top = minus(times(M[0, 1], M[0, 2]), times(M[0, 0], M[1, 2]))
-    inertia = plus(times(M[1, 1], determinant), times(M[0, 1], block), times(M[1, 2], top))
-    return determinant, block, top, inertia
 
 
 def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
@@ -169,40 +111,8 @@ def overlooked_in_energy(body: Body) -> Iterator[tuple[str, sp.Expr]]:
     )
 
 
-@cache
-def _inertia(bodies: Machine, q: str, other: str) -> NormalForm:
-    """Return the entry of the mass matrix that belongs to two coordinates."""
-    right = _right()
-    if bodies == right:
-        return plus(*(_share(body, q, other) for body in bodies.bodies))
-    # A mistake leaves most bodies as they are.
-    changed = [(body, right[body.name]) for body in bodies.bodies if body != right[body.name]]
-    changes = (minus(_share(body, q, other), _share(original, q, other)) for body, original in changed)
-    return plus(_inertia(right, q, other), *changes)
-
-
-@cache
-def _share(body: Body, q: str, other: str) -> NormalForm:
-    """Return the contribution of a body to an entry of the mass matrix."""
-    moved, turned = _rates_of(body.displacement), _rates_of(body.angle)
-    translation = times(_form(body.mass), moved.get(q, ZERO), moved.get(other, ZERO))
-    rotation = times(_form(body.moment_of_inertia), turned.get(q, ZERO), turned.get(other, ZERO))
-    return plus(translation, rotation)
-
-
-@cache
-def _rates_of(displacement: sp.Expr) -> dict[str, NormalForm]:
-    """Return the factor of each coordinate in a displacement or an angle."""
-    by_product = coefficients(_form(displacement), _COORDINATES)
-    return {VARIABLES[product.index(1)]: coefficient for product, coefficient in by_product.items()}
-
-
-_form = cache(NormalForm.of)
-_right = cache(machine)
-
-
 def _altered(names: tuple[str, ...], change: Callable[[Body], Body]) -> Machine:
-    return Machine(tuple(change(body) if body.name in names else body for body in _right().bodies))
+    return Machine(tuple(change(body) if body.name in names else body for body in right().bodies))
 
 
 def _moved(names: tuple[str, ...], old: sp.Expr, new: sp.Expr) -> Machine:
@@ -239,7 +149,7 @@ def _spin_from_the_ground() -> Iterator[tuple[str, Machine]]:
 def _wrong_inertia() -> Iterator[tuple[str, Machine]]:
     for name in ROLLING:
         for shape, factor in _SHAPES.items():
-            if factor != _right()[name].shape_factor:
+            if factor != right()[name].shape_factor:
                 yield (
                     _(
                         "You get this result if {body} has the moment of inertia of {shape}. What is the moment of "
@@ -294,7 +204,7 @@ def _wrong_travel() -> Iterator[tuple[str, Machine]]:
             "You get this result if the slab moves only as far as the centres of its rollers. How fast does the top of "
             "a rolling body move?"
         ),
-        _altered(("slab",), lambda body: replace(body, displacement=_right()["hoop"].displacement)),
+        _altered(("slab",), lambda body: replace(body, displacement=right()["hoop"].displacement)),
     )
     for names in (*((name,) for name in LOWER_ROLLERS), LOWER_ROLLERS):
         yield (
@@ -302,7 +212,7 @@ def _wrong_travel() -> Iterator[tuple[str, Machine]]:
                 "You get this result if you give {bodies} the displacement of the slab. How far does the centre of a "
                 "roller move when its top moves by 2Rφ?"
             ).format(bodies=_called(names)),
-            _altered(names, lambda body: replace(body, displacement=_right()["slab"].displacement)),
+            _altered(names, lambda body: replace(body, displacement=right()["slab"].displacement)),
         )
     for name, own, other, wrong in (
         ("hoop", phi, Phi, "Φ"),

@@ -190,7 +190,7 @@ def build() -> Route:
             "frequency",
             _("Read off the frequency"),
             _(
-                "The angular acceleration of the hoop is $\\ddot\\varphi$. Its solution is the equation of a harmonic "
+                "Solving for the angular acceleration of the hoop, $\\ddot\\varphi$, gives the equation of a harmonic "
                 "oscillator, $\\ddot\\varphi+\\Omega^2\\varphi=0$."
             ),
             (equation(phi.diff(t, 2), cut.solution[roller]), equation(Omega_squared, frequency)),

@@ -13,7 +13,7 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.euler_lagrange import UnitCondition, unit_condition
+from ramanujan.derivation.elimination import UnitCondition, unit_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime

@@ -13,7 +13,7 @@ from itertools import combinations_with_replacement
 
 import sympy as sp
 
-from ramanujan.derivation.euler_lagrange import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
+from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation

@@ -10,7 +10,7 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.euler_lagrange import eliminate
+from ramanujan.derivation.elimination import eliminate
 from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, X, machine, phi, t
 
 Omega = sp.Symbol("Omega", positive=True)

@@ -6,7 +6,8 @@ from fractions import Fraction
 
 from sympy.polys.rings import PolyElement
 
-from ramanujan.derivation.normal_form import VARIABLES, Monomial, NormalForm
+from ramanujan.derivation.expansion import NormalForm
+from ramanujan.derivation.polynomials import VARIABLES, Monomial
 from ramanujan.numerals import superscript
 
 _UNITS = {

@@ -1,4 +1,4 @@
-"""Plotly figures from arrays: one function for each figure, one file for each page, and the look that they share.
+"""Plotly figures from arrays: one function for each figure, a file or two for each page, and the look that they share.
 
 The caller gives the numbers and the colours; the functions here compute neither physics nor themes. Every figure fits a
 phone: labels are anchored inside the axes and do not overlap.

@@ -1,74 +1,119 @@
-"""Cubes of unit cubes as a still drawing for paper, where a browser leaves out what a graphics card has drawn."""
+"""The stacks of cubes of the page 1729, which a person can turn and count."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+import plotly.graph_objects as go
 
-_TILT = np.arctan2(0.42, 0.85)
-"""How far the view looks down [rad]; as in `taxicab.cube_stack`."""
-_SHADES = {"top": "#4f97a6", "x": "#0b6477", "y": "#2d7e90"}
+from ramanujan.figures import template
+
+_UNIT = 2
+"""Length of a unit cube's edge in the figure: half an edge is then an integer, too, and fits into one byte."""
 
 
-def cubes_svg(sides: Sequence[int], *, widest: int, apart: bool, turn: float) -> str:
-    """Return cubes side by side as SVG, each with its unit cubes, in the view of `taxicab.cube_stack`.
+def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> go.Figure:
+    """Draw cubes of unit cubes side by side: the faces as one mesh, the edges as one line for each cube.
 
     Parameters
     ----------
     sides : number of unit cubes along an edge of each cube
-    widest : common sum of the sides of several drawings, so that a unit cube has the same size in all of them
+    widest : common sum of the sides of several figures, so that a unit cube has the same size in all of them
     apart : whether the layers are pulled apart for counting
     turn : direction of view [degrees]
+    colors : ink, paper, primary
     """
-    angle = np.radians(turn)
-    right = np.array([-np.sin(angle), np.cos(angle), 0])
-    up = np.array([-np.cos(angle) * np.sin(_TILT), -np.sin(angle) * np.sin(_TILT), np.cos(_TILT)])
-    # Pixels, ten to an edge; down is positive.
-    view = 10 * np.array([right, -up])
-    rise = view @ np.array([0, 0, 1.5])
-    parts, corners, start = [], [], 0
+    gap = _UNIT // 2 if apart else 0
+    figure = go.Figure(layout={"template": template(colors), "height": 380, "showlegend": False})
+    corners, triangles = [], []
+    tallest = max(sides)
+    start = 0
     for side in sides:
         layers = side if apart else 1
-        origin, size = np.array([start, (max(sides) - side) // 2, 0]), np.array([side, side, side // layers])
-        layer = "".join(_face(*face, view) for face in _seen(origin, size, angle))
-        copies = (f'<use href="#c{side}" y="{rise[1] * n:.1f}"/>' for n in range(1, layers))
-        parts.append(f'<g id="c{side}">{layer}</g>{"".join(copies)}')
-        top = rise * (layers - 1)
-        corners += [view @ (origin + size * corner) + shift for corner in np.ndindex(2, 2, 2) for shift in (0, top)]
-        start += side + 2
-    # What is farther away is drawn first.
-    drawn = "".join(parts if np.cos(angle) > 0 else reversed(parts))
-    least, most = np.min(corners, axis=0), np.max(corners, axis=0)
-    width, height = 10 * (widest + 4), most[1] - least[1] + 10
-    left, upper = (least + most - (width, height)) / 2
-    box = f"{left:.0f} {upper:.0f} {width:.0f} {height:.0f}"
-    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}">{drawn}</svg>'
-
-
-def _seen(origin: np.ndarray, size: np.ndarray, angle: float) -> list[tuple[str, np.ndarray, np.ndarray, np.ndarray]]:
-    """Return the three faces that are seen: name, corner and the two edges that leave it."""
-    x, y, z = np.diag(size)
-    near_x = origin + x * (np.cos(angle) > 0)
-    near_y = origin + y * (np.sin(angle) > 0)
-    return [("x", near_x, y, z), ("y", near_y, x, z), ("top", origin + z, x, y)]
-
-
-def _face(name: str, corner: np.ndarray, first: np.ndarray, second: np.ndarray, view: np.ndarray) -> str:
-    """Return a face with the edges of its unit cubes."""
-    along, across = (int(edge.max()) for edge in (first, second))
-    lines = [_line(corner + first * n / along, second, view) for n in range(along + 1)]
-    lines += [_line(corner + second * n / across, first, view) for n in range(across + 1)]
-    outline = " ".join(_point(view @ (corner + edge)) for edge in (0 * first, first, first + second, second))
-    return (
-        f'<path d="M{outline}z" fill="{_SHADES[name]}"/>'
-        f'<path d="{"".join(lines)}" stroke="#fff" stroke-width=".8" data-face="{name}"/>'
+        thickness = side // layers
+        origin = np.array([start, (tallest - side) // 2 * _UNIT, 0])
+        rise = np.array([0, 0, thickness * _UNIT + gap])
+        shape = (side, side, thickness)
+        line = np.concatenate([origin + layer * rise + _UNIT * _edges_of_unit_cubes(shape) for layer in range(layers)])
+        x, y, z = line.T.astype(np.int8)
+        figure.add_scatter3d(
+            x=x, y=y, z=z, mode="lines", line={"color": colors["paper"], "width": 2.5}, hoverinfo="skip"
+        )
+        for layer in range(layers):
+            triangles.append(_BOX_TRIANGLES + 8 * len(corners))
+            corners.append(origin + layer * rise + _box(_UNIT * np.array(shape)))
+        start += (side + 2) * _UNIT
+    x, y, z = np.concatenate(corners).T.astype(np.float32)
+    i, j, k = np.concatenate(triangles).T.astype(np.uint8)
+    figure.add_mesh3d(
+        x=x,
+        y=y,
+        z=z,
+        i=i,
+        j=j,
+        k=k,
+        color=colors["primary"],
+        flatshading=True,
+        lighting={"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0},
+        lightposition={"x": 4000, "y": -9000, "z": 14000},
+        hoverinfo="skip",
     )
+    angle = np.radians(turn)
+    half = (widest + 3) * _UNIT / 2
+    height = tallest * _UNIT + (tallest - 1) * gap
+    middle = {"x": (start - 2 * _UNIT) / 2, "y": tallest * _UNIT / 2, "z": height / 2}
+    hidden = {"visible": False, "showspikes": False}
+    figure.update_layout(
+        margin={"l": 0, "r": 0, "t": 0, "b": 0},
+        # A new direction from the slider is taken over; otherwise the view that a person has turned stays.
+        uirevision=f"{turn:g}",
+        scene={
+            **{
+                f"{axis}axis": {**hidden, "range": [float(centre - half), float(centre + half)]}
+                for axis, centre in middle.items()
+            },
+            "aspectmode": "manual",
+            # Larger than Plotly's box of one, since the cubes fill only the middle of it.
+            "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7},
+            "dragmode": "turntable",
+            "camera": {
+                "projection": {"type": "orthographic"},
+                "eye": {"x": float(0.85 * np.cos(angle)), "y": float(0.85 * np.sin(angle)), "z": 0.42},
+            },
+        },
+    )
+    return figure
 
 
-def _line(start: np.ndarray, edge: np.ndarray, view: np.ndarray) -> str:
-    return f"M{_point(view @ start)}l{_point(view @ edge)}"
+def _box(size: np.ndarray) -> np.ndarray:
+    """Return the eight corners of a box, drawn in by a hair so that the lines on its faces are not hidden in them."""
+    corners = np.array([[(n >> axis) & 1 for axis in range(3)] for n in range(8)])
+    hair = 0.02
+    return hair + corners * (size - 2 * hair)
 
 
-def _point(at: np.ndarray) -> str:
-    return f"{at[0]:.1f} {at[1]:.1f}"
+_BOX_TRIANGLES = np.array(
+    [
+        *([0, 1, 3], [0, 3, 2], [4, 5, 7], [4, 7, 6]),
+        *([0, 1, 5], [0, 5, 4], [2, 3, 7], [2, 7, 6]),
+        *([0, 2, 6], [0, 6, 4], [1, 3, 7], [1, 7, 5]),
+    ]
+)
+
+
+def _edges_of_unit_cubes(shape: Sequence[int]) -> np.ndarray:
+    """Return one unbroken path over the surface of a box along all edges of its unit cubes, shape (n, 3).
+
+    For each axis it goes round the box at every step along that axis, and back to the corner that it came from.
+    """
+    path = []
+    for axis, count in enumerate(shape):
+        one, other = (i for i in range(3) if i != axis)
+        for step in range(count + 1):
+            for a, b in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0)):
+                point = [0, 0, 0]
+                point[axis], point[one], point[other] = step, a * shape[one], b * shape[other]
+                path.append(point)
+        path.append([0, 0, 0])
+    return np.array(path)

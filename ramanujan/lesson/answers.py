@@ -152,7 +152,7 @@ TASKS = (
         _("Half of the energy"),
         _("After which part of a period does the spring hold half of the energy? Type it as a number or a fraction."),
         (
-            _("At release the spring holds everything, after a quarter of a period nothing."),
+            _("At release the spring holds all of the energy. A quarter of a period later it holds none."),
             _(
                 "The spring’s energy is proportional to the square of its compression, and the compression follows "
                 "a cosine."

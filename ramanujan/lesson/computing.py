@@ -118,8 +118,8 @@ STOPS = (
         id="steps",
         heading=_("Ten steps or a thousand?"),
         question=_(
-            "Two programs compute the motion in small time steps. The first uses explicit Euler with {many} steps "
-            "per period. The second uses velocity Verlet with {few}. In which run is the energy further off after "
+            "Two programs compute the motion in small time steps. The first uses explicit Euler with {many} steps per "
+            "period. The second uses velocity Verlet with {few}. In which run is the error of the energy larger after "
             "{periods} periods?"
         ).format(many=STEPS["explicit_euler"], few=STEPS["velocity_verlet"], periods=PERIODS),
         options=options(
@@ -174,6 +174,6 @@ STOPS = (
         hides=FREQUENCY,
         size="small",
         page="speed",
-        link_label=_("See where each formula ends on the page Speed and accuracy"),
+        link_label=_("See where each formula fails on the page Speed and accuracy"),
     ),
 )

@@ -61,7 +61,7 @@ STOPS = (
         id="zero-modes",
         heading=_("Motion without oscillation"),
         question=_(
-            "You may push the machine in any way. In how many independent ways can it move on for ever without "
+            "You may push the machine in any way. In how many independent ways can it keep moving for ever without "
             "oscillating?"
         ),
         options=options(

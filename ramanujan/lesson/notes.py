@@ -54,7 +54,7 @@ NOTES = (
     ),
     Note(
         "stiffness",
-        _("It is dimensional analysis: k alone sets the scale of time."),
+        _("It is dimensional analysis: k can enter a period only as 1/√k."),
         _("“More” is common: a stiff spring is thought to favour the complicated machine."),
     ),
     Note(
@@ -107,7 +107,7 @@ NOTES = (
     ),
     Note(
         "1729",
-        _("It tells apart what follows from the coefficients and what is a coincidence."),
+        _("It separates what follows from the coefficients from what is a coincidence."),
         _("Many expect a deep reason for both sums. Say clearly that none is known."),
     ),
     Note(

@@ -115,8 +115,8 @@ def _why_spelled() -> str:
     (x, y), second = _sums()
     p, q = number_theory.norm_form()
     return _(
-        "The root holds b² − 4ac = {b}² + 4·{a}·{c}. Here {b}² = {x}³ and 4·{a}·{c} = {y}³. The other sum, "
-        "{second}, does not appear in the coefficients. There is a reason for {number} = {p}² + 3·{q}²: this shape "
+        "Under the root is b² − 4ac = {b}² + 4·{a}·{c}. Here {b}² = {x}³ and 4·{a}·{c} = {y}³. The other sum, "
+        "{second}, does not appear in the coefficients. There is a reason for {number} = {p}² + 3·{q}²: this form "
         "follows from the moments of inertia. No reason is known why it is also the smallest sum of two positive "
         "cubes in two ways."
     ).format(a=a, b=b, c=-c, x=x, y=y, second=_cubes(second), number=int(condition.discriminant), p=p, q=q)

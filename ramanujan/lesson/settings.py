@@ -142,7 +142,7 @@ def top_at_rest(setting: Setting) -> Verdict:
     if float(np.abs(ground_velocities(machine, rates)["block"]).max()) < MOVING:
         return Verdict(
             False,
-            _("Everything is at rest. The block has to move at {least} at least.").format(
+            _("Everything is at rest. The block must move at {least} or faster.").format(
                 least=quantity(1.0, "cm/s", 1)
             ),
         )
@@ -249,7 +249,7 @@ TASKS = (
         "top-at-rest",
         _("A cylinder that stays behind"),
         _(
-            "Can you let the block move for ever while the top cylinder’s centre rests relative to the ground? "
+            "Can you let the block move for ever while the top cylinder’s centre stays at rest relative to the ground? "
             "Choose how the machine starts."
         ),
         (

@@ -15,11 +15,9 @@ root of
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from itertools import combinations_with_replacement
 from math import gcd, lcm
 from types import MappingProxyType
 
@@ -173,50 +171,6 @@ class BodyChoice:
         return tuple(integers.sums_of_two_cubes(self.discriminant))
 
 
-def machines(target: int | Fraction = 1) -> list[BodyChoice]:
-    """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES.
-
-    Parameters
-    ----------
-    target : w = Ω²m/k, dimensionless
-
-    Returns
-    -------
-    the machines
-
-    Raises
-    ------
-    ValueError : the target is not an exact number that all 40 machines can reach.
-
-    >>> sorted(machine.discriminant for machine in machines() if machine.cubes)
-    [1064, 1729, 5896]
-    """
-    pairs = combinations_with_replacement(BODIES, 2)
-    return [BodyChoice(left, right, top, target) for left, right in pairs for top in BODIES]
-
-
-def one_change_away(target: int | Fraction = 1) -> list[BodyChoice]:
-    """Return the nine of the 40 machines that differ from the paper's in exactly one body.
-
-    Parameters
-    ----------
-    target : w = Ω²m/k, dimensionless
-
-    Returns
-    -------
-    the machines, in the order of `machines`
-
-    Raises
-    ------
-    ValueError : the target is not an exact number that all 40 machines can reach.
-
-    >>> len(one_change_away())
-    9
-    """
-    paper = BodyChoice()
-    return [machine for machine in machines(target) if _bodies_changed(machine, paper) == 1]
-
-
 def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
     """Return (x, y) such that x² + 3y² is the paper's discriminant for Ω²m/k = p/q, times a square.
 
@@ -313,9 +267,3 @@ def _primitive(*coefficients: Fraction) -> integers.Quadratic:
     a, b, c = (int(x * denominator) for x in coefficients)
     divisor = gcd(a, b, c)
     return a // divisor, b // divisor, c // divisor
-
-
-def _bodies_changed(one: BodyChoice, other: BodyChoice) -> int:
-    """Return how many bodies must be exchanged to turn one machine into the other; lower rollers have no order."""
-    lower = Counter([one.left, one.right]) - Counter([other.left, other.right])
-    return lower.total() + (one.top != other.top)

@@ -93,7 +93,7 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     data = {
         "theme": theme,
         "boxes": boxes,
-        "label": _("Wide content, the arrow keys scroll it"),
+        "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
     _library()(key="library", data=data, on_switched_change=lambda: None)

@@ -82,7 +82,7 @@ def told(story: cached.Story) -> None:
     if not view.hides("numbers"):
         with_your_masses(machine)
     with st.container(horizontal=True):
-        st.button(_("Set its own mass ratio"), key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
+        st.button(_("Set this mass ratio"), key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
         st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)
 
 
@@ -116,13 +116,13 @@ def _about_cubes(story: cached.Story) -> str:
 def _about_field(machine: BodyChoice) -> str:
     sentence = (
         _(
-            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant, so no other scale for $\\varepsilon$ "
-            "could hide this number."
+            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant: this number stays if $\\varepsilon$ "
+            "is multiplied by any fraction."
         )
         if machine.field_discriminant == machine.discriminant
         else _(
-            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**: this number remains, whatever "
-            "scale you choose for $\\varepsilon$."
+            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**: this number stays if "
+            "$\\varepsilon$ is multiplied by any fraction."
         )
     )
     return sentence.format(field=machine.field_discriminant)
@@ -159,9 +159,9 @@ def forty_machines(chosen: BodyChoice) -> None:
         theme=None,
         config=STILL,
         alt=_(
-            "The discriminants of all {count} machines, ten pairs of lower rollers by four bodies on top. Only {best} "
-            "is a sum of two positive cubes in two ways; {one} and {other} are such a sum in one way. Marked: {chosen} "
-            "({name})."
+            "The discriminants of all {count} machines, ten pairs of lower rollers, each with four bodies on top. "
+            "Only {best} is a sum of two positive cubes in two ways; {one} and {other} are such a sum in one way. "
+            "Marked: {chosen} ({name})."
         ).format(**facts, chosen=chosen.discriminant, name=name(chosen)),
     )
     st.caption(

@@ -104,16 +104,18 @@ def cost_diagram(found: tuple[Any, ...], asked: tuple[Any, ...], by: str, tolera
         if ranked:
             show_table(verdicts.choice_table(ranked), "cheapest")
         else:
-            st.markdown(_("No run has so small an error."))
+            st.markdown(_("No run has an error that small."))
 
 
 def _how_measured(asked: tuple[Any, ...], spread: float) -> str:
     m, m_prime, k, periods = asked
     return ngettext(
         "Measured on this server for m = {m}, m′ = {m_prime}, k = {k} and {n} period. Solid: float64; dotted: "
-        "float32. Times are medians of repeated runs; the middle half of the repeats typically spans {spread}.",
+        "float32. Times are medians of repeated runs; the middle half of the runs typically spans {spread} of the "
+        "median.",
         "Measured on this server for m = {m}, m′ = {m_prime}, k = {k} and {n} periods. Solid: float64; dotted: "
-        "float32. Times are medians of repeated runs; the middle half of the repeats typically spans {spread}.",
+        "float32. Times are medians of repeated runs; the middle half of the runs typically spans {spread} of the "
+        "median.",
         periods,
     ).format(
         m=quantity(m, "kg", 6, strip=True),

@@ -8,7 +8,8 @@ import numpy as np
 import streamlit as st
 
 from ramanujan.accuracy import FORMS
-from ramanujan.accuracy.extremes import EigenSweep, Sweep
+from ramanujan.accuracy.extremes import Sweep
+from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.progress import REFERENCE
 from ramanujan.numerals import number
 from ramanujan.scenes import experiments, links, look, own_choices, verdicts, widgets

@@ -16,9 +16,9 @@ def three_modes(masses: cached.Masses) -> None:
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     st.markdown(
         _(
-            "The mode shape $v$ lists how far $X$, $\\varphi$ and $\\Phi$ move together, and $\\Lambda$ is the mode’s "
-            "squared angular frequency. A mode that does not deform the spring has $\\Lambda=0$. It is called a zero "
-            "mode, and it conserves a momentum."
+            "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\Lambda$ is "
+            "the mode’s squared angular frequency. A mode that does not deform the spring has $\\Lambda=0$. It is "
+            "called a zero mode, and it conserves a momentum."
         )
     )
     spectrum = cached.spectrum(masses)

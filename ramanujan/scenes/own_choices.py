@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ramanujan.accuracy import FORMS
-from ramanujan.accuracy.choices import Arithmetic, ClosedForm, Comparison, CurveSampling
+from ramanujan.accuracy.choices import STATES, Arithmetic, ClosedForm, Comparison, CurveSampling
 from ramanujan.accuracy.extremes import Sweep
 from ramanujan.numerals import duration, number
 from ramanujan.scenes.thinned import FIGURE_HEIGHT, SCREEN_HEIGHT
@@ -16,7 +16,7 @@ from ramanujan.words import _
 
 def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
     """List what the app uses where, why, and the measurement behind it."""
-    kinds = {f.name: f for f in found if isinstance(f, Arithmetic)}
+    kinds = [f for f in found if isinstance(f, Arithmetic)]
     items = [
         _motion([f for f in found if isinstance(f, ClosedForm)]),
         _frequency(kinds, [s for s in sweeps if s.form == list(FORMS)[-1] and s.dtype == "float64"]),
@@ -31,7 +31,7 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
 def _motion(states: Sequence[ClosedForm]) -> str:
     return _(
         "**Motion, stage and figures**: the closed form. From {first} to {last} periods its phase error is at most "
-        "{error} rad, and a state takes {time}, however late it is."
+        "{error} rad, and a state takes {time}, however long after the release."
     ).format(
         first=states[0].periods,
         last=number(states[-1].periods),
@@ -40,30 +40,33 @@ def _motion(states: Sequence[ClosedForm]) -> str:
     )
 
 
-def _frequency(kinds: dict[str, Arithmetic], form: Sequence[Sweep]) -> str:
-    many = next(kind for name, kind in kinds.items() if name.startswith("float64, one of"))
+def _only(kinds: Sequence[Arithmetic], name: str) -> Arithmetic:
+    return next(each for each in kinds if each.kind == name)
+
+
+def _frequency(kinds: Sequence[Arithmetic], form: Sequence[Sweep]) -> str:
     return _(
         "**Ω²**: {formula}. It is right to {error} ulp over the whole range of float64. A value takes {many} in an "
         "array and {one} by itself."
     ).format(
         formula=FORMS[list(FORMS)[-1]].formula,
         error=number(max(s.worst_right_ulp for s in form)),
-        many=duration(many.seconds.median),
-        one=duration(kinds["float64"].seconds.median),
+        many=duration(_only(kinds, "array").seconds.median),
+        one=duration(_only(kinds, "float64").seconds.median),
     )
 
 
-def _formulas(kinds: dict[str, Arithmetic]) -> str:
-    digits = [kind for name, kind in kinds.items() if name.startswith("mpmath")]
+def _formulas(kinds: Sequence[Arithmetic]) -> str:
+    digits = [each for each in kinds if each.kind == "mpmath"]
     return _(
-        "**Formulas and steps of the derivation**: exact fractions. A fraction has no error and takes {fraction}. "
-        "mpmath takes {few} with {few_digits} digits and {many} with {many_digits} digits."
+        "**Formulas and steps of the derivation**: exact fractions. One value of Ω² takes {fraction} and has no "
+        "error. With mpmath it takes {few} with {few_digits} digits and {many} with {many_digits} digits."
     ).format(
-        fraction=duration(kinds["fraction"].seconds.median),
+        fraction=duration(_only(kinds, "fraction").seconds.median),
         few=duration(digits[0].seconds.median),
-        few_digits=digits[0].name.split()[1],
+        few_digits=digits[0].digits,
         many=duration(digits[-1].seconds.median),
-        many_digits=digits[-1].name.split()[1],
+        many_digits=digits[-1].digits,
     )
 
 
@@ -91,6 +94,13 @@ def _bytes() -> str:
 
 
 def _kept(compared: Comparison) -> str:
-    return _("**{fast}**: {ratio} times faster than {slow}.").format(
-        fast=compared.fast, ratio=number(compared.ratio), slow=compared.slow
-    )
+    sentences = {
+        "frequency": _("**Ω** is stored with its machine. Reading it again is {ratio} times faster than computing it."),
+        "state": _(
+            "**The solution** is stored with its machine. The next state is {ratio} times faster than the first."
+        ),
+        "states": _(
+            "**Many states** are computed in one call. For {n} states this is {ratio} times faster than one by one."
+        ),
+    }
+    return sentences[compared.name].format(ratio=number(compared.ratio), n=STATES)

@@ -27,7 +27,10 @@ def another_frequency() -> None:
     picture, words = st.columns([3, 2], gap="medium")
     with words:
         st.markdown(
-            _("Here the bodies are the paper’s again. Ask for another ratio of frequencies: $\\Omega^2m/k=p/q$.")
+            _(
+                "Here the bodies are the paper’s again. Choose another value for the normalized frequency squared: "
+                "$\\Omega^2m/k=p/q$."
+            )
         )
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)

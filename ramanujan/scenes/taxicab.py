@@ -9,7 +9,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, number_theory
-from ramanujan.figures.cubes import cubes_svg
+from ramanujan.figures.cubes_on_paper import cubes_svg
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number

@@ -11,7 +11,8 @@ import numpy as np
 from ramanujan import Oscillator
 from ramanujan.accuracy import FORMS, Piece, error_history
 from ramanujan.accuracy.extremes import RIGHT, Sweep
-from ramanujan.accuracy.work_precision import History, WorkPrecision
+from ramanujan.accuracy.history import History
+from ramanujan.accuracy.work_precision import WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.motion import released

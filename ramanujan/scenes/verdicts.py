@@ -7,9 +7,10 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from ramanujan.accuracy import FORMS
+from ramanujan.accuracy import FORMS, SOLVERS
 from ramanujan.accuracy.choices import ClosedForm
-from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, EigenSweep, Stretch, Sweep
+from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
+from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import Choice
 from ramanujan.integrators import METHODS, Method
@@ -19,13 +20,6 @@ from ramanujan.words import _, ngettext
 
 _SEEN = 0.05
 """Phase error [rad] that an eye can see between two machines side by side: about a hundredth of a full turn."""
-
-_SOLVERS = {
-    "eigvals of M⁻¹K": _("eigvals of M⁻¹K"),
-    "eigvals of M⁻¹K, ground displacements": _("eigvals of M⁻¹K, displacements relative to the ground"),
-    "eigh after Cholesky": _("eigh after a Cholesky factorization"),
-}
-"""Eigen-solver, as the experiment names it → what one calls it."""
 
 Table = list[tuple[str, ...]]
 
@@ -213,16 +207,22 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
 def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
     """Say which solvers find both zero modes exactly, and how often the others return what is no frequency."""
     said = [
-        _(
-            "**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines. Its "
-            "square root is no frequency, and a program that goes on with it computes NaN."
-        ).format(solver=_SOLVERS[s.solver], count=int(s.without_frequency.sum()), all=s.error_ulp.size)
+        _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
+            solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size
+        )
         for s in sweeps
         if s.dtype == "float64" and s.without_frequency.any()
     ]
+    if said:
+        said.append(
+            _(
+                "The square root of such a value is not a real number, so a program that computes with real numbers "
+                "gets NaN."
+            )
+        )
     said += [
-        _("**{solver}** returns exactly 0 for both zero modes, because only one column of K is not zero.").format(
-            solver=_SOLVERS[s.solver]
+        _("**{solver}** returns exactly 0 for both zero modes, because only one entry of K is not zero.").format(
+            solver=SOLVERS[s.solver].title
         )
         for s in sweeps
         if s.dtype == "float64" and np.all(s.zero_modes == 0)
@@ -239,7 +239,7 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
         largest = float(np.nanmax(np.abs(s.zero_modes)))
         rows.append(
             (
-                _SOLVERS[s.solver],
+                SOLVERS[s.solver].title,
                 s.dtype,
                 quantity(float(np.nanmax(s.error_ulp)), "ulp"),
                 quantity(largest, "rad²/s²") if largest else _("exactly 0"),

@@ -54,7 +54,7 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import page
-from ramanujan.derivation.euler_lagrange import eliminate
+from ramanujan.derivation.elimination import eliminate
 from ramanujan.derivation.newton import contact_forces
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import javascript

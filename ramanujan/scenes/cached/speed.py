@@ -44,15 +44,20 @@ class Along:
 
 
 SWEEPS = {
-    f"{short}_{dtype}": Along(along, dtype, symbol, quantity)
-    for short, along, symbol, quantity in (
-        ("ratio", "mass ratio", "ε", _("mass ratio ε = m′/m, with m = 1 kg and k = 1 N/m")),
-        ("scale", "scale", "s", _("scale s = m/kg = m′/kg = k/(N/m)")),
+    f"{along}_{dtype}": Along(along, dtype, symbol, quantity)
+    for along, symbol, quantity in (
+        ("ratio", "ε", _("mass ratio ε = m′/m, with m = 1 kg and k = 1 N/m")),
+        ("scale", "s", _("scale s = m/kg = m′/kg = k/(N/m)")),
     )
     for dtype in ("float64", "float32")
 }
 """The sweeps by their ids."""
-OLD_SWEEPS = {f"{sweep.along}, {sweep.dtype}": name for name, sweep in SWEEPS.items()}
+OLD_SWEEPS = {
+    "mass ratio, float64": "ratio_float64",
+    "mass ratio, float32": "ratio_float32",
+    "scale, float64": "scale_float64",
+    "scale, float32": "scale_float32",
+}
 """What addresses called the sweeps before they had ids."""
 
 

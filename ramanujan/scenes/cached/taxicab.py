@@ -20,7 +20,7 @@ from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
-from ramanujan.figures import Drawn, kept
+from ramanujan.figures import Drawn, cubes, kept
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BodyChoice
 from ramanujan.scenes.cached import route
@@ -36,7 +36,7 @@ COUNTED_PART = 20
 @st.cache_resource(show_spinner=False, max_entries=64)
 def cube_stack(sides: list[int], *, widest: int, apart: bool, turn: float, colors: dict[str, str]) -> Drawn:
     """Return the figure of a stack of cubes."""
-    return kept(figures.cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors))
+    return kept(cubes.cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors))
 
 
 @st.cache_resource(show_spinner=False, max_entries=80)
