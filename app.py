@@ -20,6 +20,6 @@ else:
     look.dress(controls.BOXES)
     controls.take_typed()
     complaints.begin(said)
-    controls.sidebar()
+    controls.sidebar(page.withheld())
     runner.run()
     given.drawn()

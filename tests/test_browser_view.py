@@ -88,7 +88,7 @@ SIZES = """(small) => {
   const inside = (node) => (node.shadowRoot ? all(node.shadowRoot) : []);
   const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...inside(node)]);
   const around = ['.controls, .katex-mathml, .note, .pager, .bartext, [data-away]',
-    '.stSlider, label, button, style, .mtight'];
+    '.stSlider, label, button, style, .mtight, tspan[style*="font-size:70%"]'];
   const drawn = { visibilityProperty: true, opacityProperty: true };
   const seen = (node) => node.checkVisibility(drawn) && !node.closest(around);
   const size = (node) => {
@@ -114,14 +114,15 @@ PICTURES = """() => {
 PLACE = ".st-key-pager .place"
 
 
-@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "lesson"])
+@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"])
 def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
-    page = visit(f"{path}?view=projector")
+    page = visit(f"{path}{'&' if '?' in path else '?'}view=projector")
     page.wait_for_selector(f"{PLACE}:not(:empty)")
     next_frame(page)
     assert page.locator("[data-testid=stExpandSidebarButton]").is_visible()
     now, count = map(int, page.locator(PLACE).inner_text().split("/"))
-    assert (now, count > 1) == (1, True)
+    # What is asked in the lesson stands beside the machine, on one sheet; other pages take several.
+    assert (now, count > 1) == (1, path != "lesson")
     for sheet in range(1, count + 1):
         assert page.evaluate(SIZES, 23.9) == [], sheet
         assert max(page.evaluate(TOO_HIGH)) <= 2, sheet
@@ -130,6 +131,21 @@ def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit
         if sheet < count:
             page.locator(".st-key-pager .next").click()
             next_frame(page)
+    page.set_viewport_size({"width": 1920, "height": 1080})
+    next_frame(page)
+    assert page.evaluate(SIZES, 23.9) == []
+
+
+def test_on_a_projector_the_machine_stands_beside_what_is_asked_of_it_again(visit):
+    page = visit("lesson?view=projector&chosen=two-clocks.ahead")
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"/\s*2$"))
+    page.get_by_role("button", name="Predict again").click()
+    settle(page)
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"/\s*1$"))
+    assert page.locator("[data-away]").count() == 0
+    words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-options button", "svg.machine"))
+    assert words["x"] + words["width"] <= machine["x"]
+    assert abs(words["y"] - machine["y"]) < machine["height"]
 
 
 def test_without_a_projector_the_words_are_smaller_and_the_page_is_one(visit):

@@ -55,6 +55,24 @@ def lecturer() -> AppTest:
     return press(press(visitor(), "open"), "go")
 
 
+def test_no_preset_tells_the_answer_before_the_class_has_seen_it():
+    # The lecturer has predicted it in another hour; this class has not.
+    stop = lesson.stop("exactly")
+    lecturer = press(press(visitor(stop=stop.id, chosen=f"exactly.{stop.answer()}"), "open"), "go")
+    student = visitor(**{"class": address(lecturer)["class"]})
+
+    def offered(app: AppTest) -> bool:
+        return "Unit frequency (1729)" in app.pills(key="preset").options
+
+    assert not offered(lecturer)
+    for step in ("ask", "reveal"):
+        assert not offered(press(lecturer, step))
+    assert offered(press(lecturer, "solve"))
+    assert not offered(student)
+    assert not offered(student.run())
+    assert offered(press(student, "leave"))
+
+
 def address(app: AppTest) -> dict[str, str]:
     """Return what stands in the address."""
     return {key: value if isinstance(value, str) else value[0] for key, value in app.query_params.items()}
@@ -119,6 +137,9 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
     answer(student, RIGHT)
     assert "Your answer came too late" in words(student)
     assert set(school.distribution(code_of(lecturer), STOP.id).values()) == {0}
+    # What was too late for the first vote is no reproach in the second.
+    press(lecturer, "again")
+    assert "too late" not in words(student.run())
 
 
 def test_an_answer_to_the_first_vote_is_not_counted_in_the_second(lecturer):

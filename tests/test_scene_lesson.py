@@ -168,6 +168,29 @@ def test_a_machine_is_shown_exactly_in_step_only_after_the_prediction(opened):
     assert app.slider(key="m_prime").value == UNIT_MASS_RATIO
 
 
+@pytest.mark.parametrize("name", IDS)
+def test_no_preset_tells_the_answer_before_the_prediction(opened, name):
+    stop = lesson.stop(name)
+    app = opened(stop=name)
+    asked = name in ("by-hand", "exactly")
+    for preset in app.pills(key="preset").options:
+        sound(app.pills(key="preset").set_value(preset).run())
+        if asked:
+            assert f"{UNIT_MASS_RATIO:.3g}" not in sent(app)
+    assert ("Unit frequency (1729)" in app.pills(key="preset").options) == (not asked)
+    choose(app, name, other_than(stop))
+    assert "Unit frequency (1729)" in app.pills(key="preset").options
+
+
+def test_a_link_hides_parts_of_every_stage(opened):
+    stops = [{"stop": stop.id, "chosen": f"{stop.id}.{stop.answer()}"} for stop in lesson.STOPS]
+    tasks = [{"part": "tasks", "task": task.id} for task in lesson.TASKS if task.stage]
+    for address in [*stops, *tasks]:
+        stages = fed(opened(**address, hide="plain,arrows"))
+        assert stages
+        assert all({"plain", "arrows"} <= set(told["hide"]) for told in stages), address
+
+
 def test_hints_come_one_by_one(opened):
     app = opened(stop="two-clocks")
     hints = lesson.stop("two-clocks").hints

@@ -94,8 +94,8 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
         traces,
         colors,
         520,
-        yaxis=log_axis(_("energy error |E/E₀ − 1|"), shown_range([c.energy for c in curves], _ENERGY_SHOWN)) | UPPER,
-        yaxis2=log_axis(_("phase error [rad]"), shown_range([*(c.phase for c in curves), exact[1]], _PHASE_SHOWN))
+        yaxis=log_axis(_("energy error<br>|E/E₀ − 1|"), shown_range([c.energy for c in curves], _ENERGY_SHOWN)) | UPPER,
+        yaxis2=log_axis(_("phase error<br>[rad]"), shown_range([*(c.phase for c in curves), exact[1]], _PHASE_SHOWN))
         | LOWER,
         xaxis={"type": "log", "title": axis_title(_("periods")), "anchor": "y2", "fixedrange": True, "dtick": 1}
         | TICKS,
@@ -242,6 +242,16 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
         380,
         xaxis={**TICKS, "type": "log", "title": axis_title(_("periods")), "dtick": 3, "fixedrange": True},
         yaxis=log_axis(_("phase error [rad]"), (1e-17, 200.0)),
+    )
+
+
+def in_large_print(figure: Drawn) -> Drawn:
+    """Return a figure with room for words that a lecture hall can read: higher, and with its legend farther down."""
+    sent = figure.to_dict()
+    layout = sent["layout"]
+    height = min(layout["height"] + 80, 570)
+    return Drawn(
+        {**sent, "layout": {**layout, "height": height, "legend": {**layout["legend"], "y": -95 / (height - 200)}}}
     )
 
 

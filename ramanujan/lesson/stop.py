@@ -67,6 +67,7 @@ class Stop:
     minutes : how long the stop takes in a class
     runs : the machines; the first is shown before the prediction
     hides : what a prediction must not see, names of `stage.PARTS`
+    presets : presets of the sidebar that would tell the answer, names in `controls.PRESETS`
     layers : what the stage shows besides after the prediction
     dials : the stage shows its clocks and its gauge after the prediction
     then : the machine after the prediction, where it is another one
@@ -88,6 +89,7 @@ class Stop:
     page: str
     link_label: str
     hides: tuple[str, ...] = EVERYTHING
+    presets: tuple[str, ...] = ()
     layers: tuple[str, ...] = ()
     dials: bool = False
     then: Oscillator | None = None

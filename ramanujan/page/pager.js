@@ -72,6 +72,9 @@ class Pager {
 
   show() {
     this.now = Math.min(this.now, this.sheets.length - 1);
+    const pieces = new Set(this.sheets.flatMap((sheet) => sheet.pieces.map(({ node }) => node)));
+    // What was a piece of its own may be a part of a larger one now.
+    for (const node of document.querySelectorAll(`[${AWAY}]`)) if (!pieces.has(node)) node.removeAttribute(AWAY);
     this.sheets.forEach((sheet, i) => sheet.pieces.forEach(({ node }) => node.toggleAttribute(AWAY, i !== this.now)));
     const text = fill(this.words.place, { now: this.now + 1, count: this.sheets.length });
     if (this.place.textContent !== text) this.place.textContent = text;

@@ -20,7 +20,8 @@ from typing import ClassVar
 import streamlit as st
 
 from ramanujan.lesson.class_codes import ALPHABET, LETTERS, parts_of
-from ramanujan.lesson.classes import ClassError, Seat, shared
+from ramanujan.lesson.classes import ClassError, Desk, Seat, shared
+from ramanujan.lesson.stop import Stop
 from ramanujan.scenes import links
 from ramanujan.words import _
 
@@ -62,6 +63,8 @@ _SESSION = "class_session"
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
 """Session state: why the last thing that somebody did here was refused."""
+_SHOWN = "class_said_with"
+"""Session state: the question with which this was shown first."""
 
 
 def arrive() -> None:
@@ -86,6 +89,21 @@ def key_held() -> str | None:
 def seat_held() -> Seat | None:
     """Return the student's seat, if this session is a student's."""
     return st.session_state.get(_SEAT)
+
+
+def is_solved(stop: Stop, desk: Desk) -> bool:
+    """Tell whether the class has seen the right answer of a stop."""
+    return desk.stop == stop.id and desk.solved
+
+
+def has_seen(stop: Stop) -> bool | None:
+    """Return whether the class has seen the right answer of a stop; None for whoever is no lecturer."""
+    if (key := key_held()) is None:
+        return None
+    try:
+        return is_solved(stop, shared().desk(key))
+    except ClassError:
+        return False
 
 
 def open_class() -> None:
@@ -115,7 +133,8 @@ def leave() -> None:
 
 def attempt(act: Callable, *values: object) -> None:
     """Do something in the class, or keep the sentence that says why not."""
-    st.session_state.pop(_SAID, None)
+    for name in (_SAID, _SHOWN):
+        st.session_state.pop(name, None)
     try:
         act(*values)
     except ClassError as error:
@@ -125,6 +144,12 @@ def attempt(act: Callable, *values: object) -> None:
 def refusal() -> str | None:
     """Return why the last attempt was refused, if it was."""
     return st.session_state.get(_SAID)
+
+
+def forget_refusal(question: tuple[str, int]) -> None:
+    """Forget a refusal that was shown with an earlier question than this one, stop and vote."""
+    if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
+        st.session_state.pop(_SAID)
 
 
 def _sit_at_desk(key: str) -> None:

@@ -24,6 +24,9 @@ from ramanujan.scenes.class_session import (
     arrive,
     attempt,
     change_seat,
+    forget_refusal,
+    has_seen,
+    is_solved,
     key_held,
     leave,
     open_class,
@@ -67,10 +70,14 @@ def door() -> None:
             if st.form_submit_button(_("Join"), type="primary"):
                 attempt(take_seat, code)
                 st.rerun()
+        # Whoever typed a code looks here, and sees nothing of what stands below.
+        if code:
+            _warn()
         st.markdown(_("Lecturer: open a class, and your students answer on their phones."))
         st.button(_("Open a class"), key="class_open", on_click=_begin)
         st.caption(_("Nobody gives a name. Everything is deleted after 24 hours."))
-    _warn()
+    if not code:
+        _warn()
 
 
 def panel(stop: Stop) -> bool | None:
@@ -80,13 +87,8 @@ def panel(stop: Stop) -> bool | None:
     -------
     None for whoever has no class; else whether the class has seen the right answer, so that the page may show it, too
     """
-    if (key := key_held()) is None:
-        return None
-    try:
-        solved = _is_solved(stop, shared().desk(key))
-    except ClassError:
-        solved = False
-    _desk(stop, solved)
+    if (solved := has_seen(stop)) is not None:
+        _desk(stop, solved)
     return solved
 
 
@@ -160,10 +162,6 @@ def _joined(people: int) -> str:
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
 
 
-def _is_solved(stop: Stop, desk: Desk) -> bool:
-    return desk.stop == stop.id and desk.solved
-
-
 @st.fragment(run_every=DESK_EVERY)
 def _desk(stop: Stop, solved: bool) -> None:
     """Draw the desk beside a page that shows the right answer or not; where that has changed, run the whole page."""
@@ -177,7 +175,7 @@ def _desk(stop: Stop, solved: bool) -> None:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
-        if _is_solved(stop, desk) != solved:
+        if is_solved(stop, desk) != solved:
             st.rerun()
         st.markdown(f"**{_attendance(stop, desk)}**")
         with st.container(horizontal=True, gap="small"):
@@ -268,6 +266,7 @@ def _asked(seat: Seat, question: Question) -> None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         return
+    forget_refusal((question.stop, question.round))
     stop = lesson.stop(question.stop)
     st.title(stop.heading, anchor=False)
     st.markdown(stop.question)

@@ -8,6 +8,7 @@ used, from wherever it comes, is answered with one sentence, and the last good v
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import streamlit as st
 
@@ -42,13 +43,18 @@ _LINKED = "linked"
 """Session state: key of a quantity → its value when the session began."""
 
 
-def sidebar() -> None:
-    """Draw the sidebar. Called once a run, before the page."""
+def sidebar(withheld: Collection[str] = ()) -> None:
+    """Draw the sidebar. Called once a run, before the page.
+
+    Parameters
+    ----------
+    withheld : presets that are not offered, because they would tell what the page asks
+    """
     with st.sidebar:
         page.sheet()
         st.pills(
             _("Presets"),
-            list(PRESETS),
+            [name for name in PRESETS if name not in withheld],
             format_func=PRESETS.__getitem__,
             key=_PRESET,
             on_change=_take_preset,

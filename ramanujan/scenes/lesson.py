@@ -30,6 +30,17 @@ def show() -> None:
     page.give_back("part")
 
 
+def withheld() -> tuple[str, ...]:
+    """Return the presets that would tell the answer of the present stop, or to a student that of any stop."""
+    class_session.arrive()
+    if class_session.seat_held():
+        return tuple(name for stop in lesson.STOPS for name in stop.presets)
+    now = lesson.stop(links.held(progress.STOP))
+    if links.held(progress.PART) != "stops" or stops.is_answered(now):
+        return ()
+    return now.presets
+
+
 def keep_address() -> None:
     """Keep in the address also what the present part of the page does not draw, and drop what it cannot use."""
     for key in KEYS:

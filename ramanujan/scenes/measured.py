@@ -8,7 +8,8 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.scenes import experiments, thinned, verdicts
+from ramanujan.figures.speed import in_large_print
+from ramanujan.scenes import experiments, thinned, verdicts, view
 from ramanujan.scenes.cached import speed as cached
 
 CHOSEN, MEASURED, OTHERS = range(3)
@@ -44,6 +45,8 @@ class Setting:
 
 def chart(figure: Any, key: str, alt: str) -> None:
     """Put a figure on the page."""
+    if view.is_projector():
+        figure = in_large_print(figure)
     st.plotly_chart(figure, key=key, theme=None, config=_QUIET, alt=alt)
 
 

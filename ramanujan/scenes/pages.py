@@ -6,6 +6,7 @@ the address. Navigation, tests and benchmarks take everything from here.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from importlib import import_module
 
@@ -48,6 +49,10 @@ class Page:
     def keys(self) -> tuple[Key, ...]:
         """What the page keeps in the address beside the machine."""
         return import_module(f"ramanujan.scenes.{self.name}").KEYS
+
+    def withheld(self) -> Collection[str]:
+        """Return the presets of the sidebar that would tell what the page asks."""
+        return getattr(import_module(f"ramanujan.scenes.{self.name}"), "withheld", tuple)()
 
 
 PAGES = {

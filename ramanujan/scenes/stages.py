@@ -1,4 +1,4 @@
-"""The stages of the pages: each follows the sliders of the sidebar."""
+"""The stages of the pages: each hides what the link hides, and follows the sliders of the sidebar."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ LIMITS = QUANTITIES["compression"].limits
 
 
 def mount(payload: Mapping[str, Any] | None, **more: Any) -> Any:
-    """Put a stage on the page as `stage.mount` does, with the sliders, the range of x₀ and what the link hides."""
+    """Put a stage on the page as `stage.mount` does, without what the link hides.
+
+    It follows the sliders, and x₀ has their range, unless `limits` and `watch` say otherwise.
+    """
     hidden = {*view.on_stage(), *more.pop("hide", ())}
-    return stage.mount(payload, limits=LIMITS, watch=WATCH, hide=hidden, **more)
+    return stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)

@@ -15,7 +15,7 @@ from ramanujan import Oscillator, page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import classroom, complaints, controls, progress, stages
+from ramanujan.scenes import class_session, classroom, complaints, controls, progress, stages
 from ramanujan.scenes.cached import lesson as cached
 from ramanujan.scenes.pages import PAGES
 from ramanujan.scenes.quantities import QUANTITIES
@@ -50,6 +50,12 @@ def predict(stop: Stop, option: str | None) -> None:
     load(stop, option is not None)
 
 
+def is_answered(stop: Stop) -> bool:
+    """Tell whether the page may show the right answer: there is a prediction, or the class has seen the answer."""
+    seen = class_session.has_seen(stop)
+    return stop.id in progress.predictions() if seen is None else seen
+
+
 def draw(stop: Stop, number: int) -> None:
     """Draw a stop, the one of that number."""
     chosen = progress.predictions().get(stop.id)
@@ -69,10 +75,17 @@ def draw(stop: Stop, number: int) -> None:
         else:
             explain(stop, chosen)
     arrive(stop, predicted)
-    with words:
+    with words, st.container(key="lesson_caption"):
         st.markdown(f":small[{_caption(stop, predicted)}]")
-    with picture, st.container(key="observed"):
+    with picture, st.container(key=f"observed_{_arrangement(stop, predicted)}"):
         observe(stop, predicted)
+
+
+def _arrangement(stop: Stop, predicted: bool) -> str:
+    """Return by what the style sheets know how much room the picture takes on a projector."""
+    if len(stop.runs) > 1:
+        return "several"
+    return "dials" if stop.dials and predicted else "one"
 
 
 def ask(stop: Stop) -> None:
@@ -132,11 +145,11 @@ def observe(stop: Stop, predicted: bool) -> None:
     several = len(stop.runs) > 1
     hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
     # Machines side by side belong to the stop; a single one follows the sliders.
-    mount = partial(stage.mount, limits=stages.LIMITS, watch={}) if several else stages.mount
+    own = {"watch": {}} if several else {"on_released": controls.set_compression}
     for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
         machine = run.machine if several else controls.oscillator()
         compression = run.compression if several else controls.compression()
-        mount(
+        stages.mount(
             payload(run, machine, compression, predicted),
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
@@ -146,7 +159,7 @@ def observe(stop: Stop, predicted: bool) -> None:
             narrow=True,
             label=run.label if several else None,
             hide=hidden,
-            on_released=None if several else controls.set_compression,
+            **own,
         )
 
 

@@ -75,14 +75,14 @@ def verdict(task: Task, setting: Setting) -> None:
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
     shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": True, "hide": task.hides}
-    with st.container(key="observed"):
+    with st.container(key="observed_dials"):
         if "release" not in task.fields:
             payload = stage.payload(setting.machine, setting.compression)
             stages.mount(payload, on_released=controls.set_compression, **shown)
             return
         # How this machine starts is set beside it, and not with the slab.
         initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)
-        stage.mount(
+        stages.mount(
             stage.payload(setting.machine, setting.release, initial=initial),
             limits=(RELEASE.limits[1],) * 2,
             watch={key: each for key, each in WATCH.items() if key != "compression"},

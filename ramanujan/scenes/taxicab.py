@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from fractions import Fraction
 from typing import Any
 
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, number_theory
+from ramanujan.figures.cubes_on_paper import cubes_svg
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
@@ -183,6 +185,11 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
             "{number} unit cubes."
         ).format(larger=larger, smaller=smaller, volumes=volumes, number=number),
     )
+    with st.container(key=f"on_paper_{larger}"):
+        # The figure above prints empty; a screen reader has heard of it.
+        drawing = b64encode(cubes_svg(sides, **drawn).encode()).decode()
+        style = "display:block;margin:auto;width:7cm"
+        st.markdown(f'<img alt="" src="data:image/svg+xml;base64,{drawing}" style="{style}">', unsafe_allow_html=True)
     st.markdown(f"{volumes} = **{number}**", text_alignment="center")
 
 
