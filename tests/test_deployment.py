@@ -159,6 +159,7 @@ def test_a_killed_process_costs_its_visitors_nothing_that_they_set(hall: deploye
     with tab.expect_websocket(timeout=60_000):
         hall.kill("first")
     # The page is as it was, and the first change finds the new process with all that was set.
+    settle(tab)
     assert (tab.url, slider(tab).input_value()) == (address, value)
     move(tab, 1)
     assert process_of(tab) == "second"
