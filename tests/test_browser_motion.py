@@ -166,7 +166,7 @@ def test_nothing_jumps_when_the_model_stops_to_hold(visit):
     page = open_motion(visit, "?mu=0.07&figure=forces")
     top = page.get_by_role("tab", name="Energy").bounding_box()["y"]
     nudge(page, "mu", "Home")
-    assert page.get_by_text("The model no longer holds").is_visible()
+    assert page.get_by_text("The model no longer holds.", exact=True).is_visible()
     assert page.get_by_role("tab", name="Energy").bounding_box()["y"] == pytest.approx(top, abs=1)
 
 
