@@ -418,3 +418,35 @@ def test_the_bus(visit):
         "census": {"a": 1},
         "heard": [["early", 1], ["early", 2], ["begun"], ["still there"], ["ended"]],
     }
+
+
+SHOWN = """() => {
+  const main = document.querySelector("[data-testid=stMain]");
+  const pictures = [...main.querySelectorAll(".stPlotlyChart[aria-label], .present-machine")];
+  const graphs = [...main.querySelectorAll(".js-plotly-plot")].map((graph) => JSON.stringify(graph.data));
+  const stages = Object.keys(ramanujan.census()).filter((topic) => topic.startsWith("machine/"));
+  return {
+    words: main.innerText,
+    labels: pictures.map((node) => node.getAttribute("aria-label")),
+    graphs,
+    machines: Object.fromEntries(stages.sort().map((topic) => [topic, ramanujan.last(topic).parameters])),
+    boxes: ["m", "m_prime", "k", "compression", "radius"].map((key) => ramanujan.last(`exact/${key}`).value),
+  };
+}"""
+"""All that a page says of its machine: words, text alternatives, figures, what stages and boxes were told."""
+
+
+@pytest.mark.parametrize("path", ["", "derivation", "1729?p=2&q=3&left=sphere"])
+def test_after_a_slider_a_page_shows_what_its_address_says(visit, path):
+    """Where a slider reruns parts of a page only, no other part may depend on the machine."""
+    page = visit(path)
+    before = page.evaluate(SHOWN)
+    for key in ("m_prime", "k"):
+        page.locator(f".st-key-{key} input[type=range]").focus()
+        page.keyboard.press("PageUp")
+        settle(page)
+    moved = page.evaluate(SHOWN)
+    assert moved["words"] != before["words"]
+    assert moved["boxes"] != before["boxes"]
+    whole = visit(page.url.rpartition("/")[2]).evaluate(SHOWN)
+    assert moved == whole

@@ -9,6 +9,8 @@ import plotly.graph_objects as go
 
 from ramanujan.figures import template
 
+EYE = (0.85, 0.42)
+"""Where the view is from: so far beside the middle, and so far above it."""
 _UNIT = 2
 """Length of a unit cube's edge in the figure: half an edge is then an integer, too, and fits into one byte."""
 
@@ -79,7 +81,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
             "dragmode": "turntable",
             "camera": {
                 "projection": {"type": "orthographic"},
-                "eye": {"x": float(0.85 * np.cos(angle)), "y": float(0.85 * np.sin(angle)), "z": 0.42},
+                "eye": {"x": float(EYE[0] * np.cos(angle)), "y": float(EYE[0] * np.sin(angle)), "z": EYE[1]},
             },
         },
     )

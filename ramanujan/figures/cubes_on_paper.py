@@ -6,8 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-_TILT = np.arctan2(0.42, 0.85)
-"""How far the view looks down [rad]; as in `cubes.cube_stack`."""
+from ramanujan.figures.cubes import EYE
+
+_TILT = np.arctan2(EYE[1], EYE[0])
+"""How far the view looks down [rad]."""
 _SHADES = {"top": "#4f97a6", "x": "#0b6477", "y": "#2d7e90"}
 
 

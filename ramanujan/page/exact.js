@@ -9,10 +9,10 @@ export default function ({ data, parentElement, setTriggerValue }) {
 }
 
 function exactBox(root, signal) {
-  let key, data; // what the library knows of the slider of this key
   const box = root.querySelector("input");
   const label = root.querySelector("label");
-  let send, watched;
+  let key, send, watched;
+  let data; // what the library knows of the slider of this key
   let told = {}; // what the server said last: value, text, judged
   let slab = null; // x₀ while the slab is held, and until the server has answered
   let inHand = false;
@@ -23,8 +23,7 @@ function exactBox(root, signal) {
   const held = () => {
     if (slab !== null) return slab;
     const slider = hosts.slider(key);
-    const same = !slider || Math.abs(Number(slider.value) - told.value) <= 0.501 * Number(slider.step);
-    return same ? told.text ?? "" : slider.value;
+    return hosts.shows(slider, told.value) ? told.text ?? "" : slider.value;
   };
   const edited = () => root.activeElement === box && box.value !== box.dataset.shown;
   const show = () => {

@@ -5,6 +5,9 @@ const hosts = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
+  /** Whether a slider shows a value, rounded as its steps are; one that is not there is no hindrance. */
+  shows: (slider, value) => !slider || Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step),
+
   /** Which of these keys belongs to the slider that contains a node. */
   sliderKey: (node, keys) => keys.find((key) => node.closest?.(`.st-key-${CSS.escape(key)}`)),
 

@@ -20,7 +20,7 @@ function receipts(signal) {
     clearTimeout(timer);
     if (data.number <= told) return;
     const look = (left) => {
-      if (left && !Object.entries(data.values).every(shown)) {
+      if (left && !Object.entries(data.values).every(([key, value]) => hosts.shows(hosts.slider(key), value))) {
         timer = setTimeout(() => look(left - 1), LOOK);
         return;
       }
@@ -30,10 +30,4 @@ function receipts(signal) {
     timer = setTimeout(() => look(LOOKS), LOOK);
   };
   return { receive };
-}
-
-/** Whether the slider of a key, if there is one, shows a value, rounded as its steps are. */
-function shown([key, value]) {
-  const slider = hosts.slider(key);
-  return !slider || Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step);
 }

@@ -16,6 +16,8 @@ PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
 KEYS = tuple(links.Choice(place, tuple(BODIES), body) for place, body in PAPER.items())
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
 STAGE = "stage_bodies"
+FOLLOWERS = ("bodies_machine", "bodies_numbers")
+"""Keys of the fragments that depend on the machine of the sidebar."""
 STILL = {"displayModeBar": False, "scrollZoom": False}
 
 
@@ -58,7 +60,7 @@ def the_machine(story: cached.Story, chosen: list[str]) -> None:
 def tell_machine(unity: str, chosen: list[str]) -> None:
     """Tell the stage and the sliders' boxes which machine it is; a slider reruns nothing else of the section."""
     left, right, top = (float(BODIES[body]) for body in chosen)
-    stage.tell(
+    stages.tell(
         stage.payload(
             controls.oscillator(),
             controls.compression(),
@@ -66,7 +68,6 @@ def tell_machine(unity: str, chosen: list[str]) -> None:
             unity=unity,
         ),
         key=STAGE,
-        hide=view.on_stage(),
         more=controls.followed(),
     )
 
@@ -79,15 +80,17 @@ def told(story: cached.Story) -> None:
     st.latex(rf"\varepsilon = {story.root} \approx {story.ratio:.6f}")
     st.latex(story.square)
     st.markdown(f"{_about_cubes(story)} {_about_field(machine)}")
-    if not view.hides("numbers"):
-        with_your_masses(machine)
+    with_your_masses(machine)
     with st.container(horizontal=True):
         st.button(_("Set this mass ratio"), key="own_ratio", on_click=controls.take_ratio, args=(story.ratio,))
         st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)
 
 
+@st.fragment(key="bodies_numbers")
 def with_your_masses(machine: BodyChoice) -> None:
     """Say how fast the machine with these bodies is with the masses of the sidebar."""
+    if view.hides("numbers"):
+        return
     oscillator = controls.oscillator()
     present = number_theory.normalized_frequency_squared_exact(
         *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)

@@ -124,10 +124,9 @@ def choose_body_beside_machine(setting: Setting) -> None:
 @st.fragment(key="beside")
 def tell_beside() -> None:
     """Tell the machine beside the steps, and the sliders' boxes, what is set."""
-    stage.tell(
+    stages.tell(
         stage.payload(controls.oscillator(), controls.compression(), lit=links.held(BODY)),
         key="beside",
-        hide=view.on_stage(),
         more=controls.followed(),
     )
 

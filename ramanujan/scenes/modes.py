@@ -6,7 +6,7 @@ import streamlit as st
 
 from ramanujan import stage
 from ramanujan.motion import InitialState
-from ramanujan.scenes import controls, stages, view
+from ramanujan.scenes import controls, stages
 from ramanujan.scenes.cached import derivation as cached
 from ramanujan.words import _
 
@@ -63,4 +63,4 @@ def tell_modes() -> None:
     starts = {"swing": None, "glide": InitialState(X_dot=speed), "roll": InitialState(Phi_dot=speed / machine.radius)}
     for key, initial in starts.items():
         told = stage.payload(machine, compression, initial=initial)
-        stage.tell(told, key=f"mode_{key}", hide=view.on_stage())
+        stages.tell(told, key=f"mode_{key}")

@@ -36,12 +36,7 @@ def show() -> None:
 def what_follows(steps: bool) -> None:
     """Tell the stage, the boxes and the reader what the sliders hold: a slider reruns nothing else."""
     machine = controls.oscillator()
-    stage.tell(
-        stage.payload(machine, controls.compression()),
-        name="oscillator",
-        hide=view.on_stage(),
-        more=controls.followed(),
-    )
+    stages.tell(stage.payload(machine, controls.compression()), name="oscillator", more=controls.followed())
     if steps:
         six_steps(machine)
 

@@ -20,3 +20,8 @@ def mount(payload: Mapping[str, Any] | None, **more: Any) -> Any:
     """
     hidden = {*view.on_stage(), *more.pop("hide", ())}
     return stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)
+
+
+def tell(payload: Mapping[str, Any], **more: Any) -> None:
+    """Tell a stage that was mounted without a payload which machine it shows, as `stage.tell` does."""
+    stage.tell(payload, hide=view.on_stage(), **more)

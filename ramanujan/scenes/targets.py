@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 import streamlit as st
 
@@ -19,6 +20,8 @@ from ramanujan.words import _, ngettext
 P, Q = (links.Count(part, cached.LARGEST_PART) for part in ("p", "q"))
 KEYS = (P, Q)
 _LAST = "last_target"
+FOLLOWERS = ("target_curve",)
+"""Keys of the fragments that depend on the machine of the sidebar."""
 
 
 def another_frequency() -> None:
@@ -76,31 +79,39 @@ def told(story: cached.Story) -> None:
     st.latex(cached.as_norm(target.numerator, target.denominator))
 
 
+@st.fragment(key="target_curve")
 def _draw(story: cached.Story) -> None:
     """Draw the curve and where it reaches the target."""
-    if view.hides("curve") or view.hides("numbers"):
-        return
     target: Fraction = story.machine.target
-    machine = controls.oscillator()
-    ratios, values = cached.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio))
-    st.plotly_chart(
-        level_crossing(
-            ratios,
-            values,
-            level=float(target),
-            level_label=_("Ω²m/k = {target}").format(target=target),
-            root=story.ratio,
-            root_label=_("ε = {ratio}").format(ratio=number(story.ratio, 6)),
-            present=(machine.mass_ratio, machine.normalized_frequency_squared),
-            colors=look.colors(),
-        ),
-        key="target_curve",
-        theme=None,
-        config=STILL,
-        alt=_(
+    crossing(
+        "target_curve",
+        (min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
+        _(
             "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {ratio}."
         ).format(target=target, ratio=number(story.ratio, 6)),
+        level=float(target),
+        level_label=_("Ω²m/k = {target}").format(target=target),
+        root=story.ratio,
+        root_label=_("ε = {ratio}").format(ratio=number(story.ratio, 6)),
     )
+
+
+def crossing(key: str, between: tuple[float, float], alt: str, **marks: Any) -> None:
+    """Draw the paper's curve, a level that it crosses, and the present machine, unless the link hides them.
+
+    Parameters
+    ----------
+    key : of the figure
+    between : the least and the greatest ε
+    alt : the text alternative
+    marks : level and root with their labels, as in `level_crossing`
+    """
+    if view.hides("curve", "numbers"):
+        return
+    machine = controls.oscillator()
+    present = machine.mass_ratio, machine.normalized_frequency_squared
+    figure = level_crossing(*cached.curve(*between), present=present, colors=look.colors(), **marks)
+    st.plotly_chart(figure, key=key, theme=None, config=STILL, alt=alt)
 
 
 # ---- the open question

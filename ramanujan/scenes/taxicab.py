@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from fractions import Fraction
 from typing import Any
 
@@ -10,10 +9,9 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, number_theory
 from ramanujan.figures.cubes_on_paper import cubes_svg
-from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
-from ramanujan.scenes import bodies, controls, links, look, targets, view, widgets
+from ramanujan.scenes import bodies, controls, drawings, links, look, targets, widgets
 from ramanujan.scenes.cached import taxicab as cached
 from ramanujan.words import _, ngettext
 
@@ -39,11 +37,7 @@ def show() -> None:
     bodies.other_bodies()
     targets.another_frequency()
     targets.open_question(facts)
-    controls.follow("bodies_machine", *([] if _hides_curve() else ["unit_curve"]))
-
-
-def _hides_curve() -> bool:
-    return view.hides("curve") or view.hides("numbers")
+    controls.follow("unit_curve", *bodies.FOLLOWERS, *targets.FOLLOWERS)
 
 
 def exactly_in_step(facts: cached.Condition) -> None:
@@ -60,31 +54,18 @@ def exactly_in_step(facts: cached.Condition) -> None:
         )
         for line in facts.equations:
             st.latex(line)
-    if not _hides_curve():
-        with picture:
-            the_crossing()
+    with picture:
+        the_crossing()
 
 
 @st.fragment(key="unit_curve")
 def the_crossing() -> None:
     """Draw the curve, with the present machine on it."""
     machine = controls.oscillator()
-    ratios, values = cached.curve(0.01, 30.0)
-    st.plotly_chart(
-        level_crossing(
-            ratios,
-            values,
-            level=1.0,
-            level_label=_("Ω² = k/m"),
-            root=UNIT_MASS_RATIO,
-            root_label=_("<b>in step</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
-            present=(machine.mass_ratio, machine.normalized_frequency_squared),
-            colors=look.colors(),
-        ),
-        key="unit_curve",
-        theme=None,
-        config=STILL,
-        alt=_(
+    targets.crossing(
+        "unit_curve",
+        (0.01, 30.0),
+        _(
             "Ω²m/k of the paper’s machine falls as ε grows, so it is 1 at one ratio only, ε = {root}. With your "
             "masses, ε = {ratio}, it is {value}."
         ).format(
@@ -92,6 +73,10 @@ def the_crossing() -> None:
             ratio=number(machine.mass_ratio, 4),
             value=number(machine.normalized_frequency_squared, 7),
         ),
+        level=1.0,
+        level_label=_("Ω² = k/m"),
+        root=UNIT_MASS_RATIO,
+        root_label=_("<b>in step</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
     )
 
 
@@ -187,9 +172,7 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
     )
     with st.container(key=f"on_paper_{larger}"):
         # The figure above prints empty; a screen reader has heard of it.
-        drawing = b64encode(cubes_svg(sides, **drawn).encode()).decode()
-        style = "display:block;margin:auto;width:7cm"
-        st.markdown(f'<img alt="" src="data:image/svg+xml;base64,{drawing}" style="{style}">', unsafe_allow_html=True)
+        drawings.draw(cubes_svg(sides, **drawn), alt="", style="display:block;margin:auto;width:7cm")
     st.markdown(f"{volumes} = **{number}**", text_alignment="center")
 
 

@@ -46,9 +46,9 @@ def is_projector() -> bool:
     return links.held(VIEW) == "projector"
 
 
-def hides(part: str) -> bool:
-    """Tell whether the link hides a part."""
-    return part in links.held(HIDE)
+def hides(*parts: str) -> bool:
+    """Tell whether the link hides one of these parts."""
+    return not set(parts).isdisjoint(links.held(HIDE))
 
 
 def on_stage() -> tuple[str, ...]:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
-
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, questions
-from ramanujan.scenes import controls, links, widgets
+from ramanujan.scenes import controls, drawings, links, widgets
 from ramanujan.scenes.quantities import QUANTITIES
 from ramanujan.words import _
 
@@ -43,11 +41,11 @@ def head(machine: Oscillator, paper: str) -> None:
     st.title(titles[paper], anchor=False)
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
     with st.container(key="sheet_picture"):
-        picture = b64encode(machine_svg(machine, controls.compression()).encode()).decode()
-        alt = _("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder.")
-        source = f"data:image/svg+xml;base64,{picture}"
-        look = "width:560px;max-width:100%;background:#fff"
-        st.markdown(f'<img alt="{alt}" src="{source}" style="{look}">', unsafe_allow_html=True)
+        drawings.draw(
+            machine_svg(machine, controls.compression()),
+            alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
+            style="width:560px;max-width:100%;background:#fff",
+        )
     st.markdown(_("The machine: {values}.").format(values=values))
 
 

@@ -47,7 +47,6 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 import streamlit as st
@@ -228,7 +227,7 @@ def tell(
     key: str = "stage",
     name: str | None = None,
     hide: Iterable[str] = (),
-    more: Mapping[str, Any] = MappingProxyType({}),
+    more: Mapping[str, Any] | None = None,
 ) -> None:
     """Tell a stage which machine it shows.
 
@@ -241,7 +240,7 @@ def tell(
     if unknown := set(hidden := sorted(hide)).difference(PARTS):
         sentence = _("hide must be among {known}, and {unknown} is not")
         raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
-    page.feed(f"{key}_feed", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **more})
+    page.feed(f"{key}_feed", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})})
 
 
 def warm_up() -> None:
