@@ -32,7 +32,7 @@ def costs(setting: Setting) -> None:
         st.session_state["speed_diagram"] = present
     asked = st.session_state.get("speed_diagram")
     found: tuple[Any, ...] = cached.diagram(*asked).results or () if asked else ()
-    by, tolerance = costs_controls(setting, measured=bool(found))
+    by, tolerance = costs_controls(setting)
     place = st.empty()
     if job := experiments.current("diagram"):
         setting.add(MEASURED, "diagram", job, place)
@@ -45,13 +45,18 @@ def costs(setting: Setting) -> None:
         what_is_measured(setting.periods)
 
 
-def costs_controls(setting: Setting, measured: bool) -> tuple[str, float]:
+def costs_controls(setting: Setting) -> tuple[str, float]:
     """Draw what measures and what chooses; return the kind of cost and the error that is allowed."""
     busy = experiments.current("diagram") is not None
-    label = _("Measure again") if measured else _("Measure on this server")
     with st.container(horizontal=True, vertical_alignment="bottom"):
         more = {"icon": ":material/timer:", "type": "primary", "disabled": busy}
-        st.button(label, key="measure", on_click=measure, args=(setting.machine, setting.periods), **more)
+        st.button(
+            _("Measure on this server"),
+            key="measure",
+            on_click=measure,
+            args=(setting.machine, setting.periods),
+            **more,
+        )
         st.button(_("Stop"), key="stop_measuring", on_click=experiments.drop, args=("diagram",), disabled=not busy)
         by = widgets.chips(COST, _("Cost"), {"evaluations": _("evaluations"), "seconds": _("seconds")})
         errors = {digits: number(10.0**-digits, 1) for digits in TOLERANCE.options}

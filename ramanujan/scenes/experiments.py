@@ -63,6 +63,8 @@ class Job(Generic[T]):
 
     def __post_init__(self) -> None:
         self._before = self.record.results
+        # A click begins a new run of the page while the old one still works: two threads, one experiment.
+        self._turn = threading.Lock()
 
     @property
     def wanted(self) -> bool:
@@ -73,17 +75,21 @@ class Job(Generic[T]):
         """Take pieces for about that long, at least one, and return whether the experiment is complete."""
         end = time.monotonic() + seconds
         while not self.complete:
-            piece = next(self.pieces, None)
-            if piece is None:
-                self.complete = True
-                self.record.results = tuple(self.results)
-            else:
-                self.done = min(max(piece.done, 0.0), 1.0)
-                if piece.result is not None:
-                    self.results.append(piece.result)
+            with self._turn:
+                self._take_piece()
             if time.monotonic() >= end:
                 break
         return self.complete
+
+    def _take_piece(self) -> None:
+        piece = next(self.pieces, None)
+        if piece is None:
+            self.complete = True
+            self.record.results = tuple(self.results)
+        else:
+            self.done = min(max(piece.done, 0.0), 1.0)
+            if piece.result is not None:
+                self.results.append(piece.result)
 
 
 def job(key: str, record: Record[T], pieces: Callable[[], Iterator[Piece[T]]], title: str, timed: bool = False) -> Job:
