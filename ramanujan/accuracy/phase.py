@@ -89,9 +89,10 @@ def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
         raise ValueError(_("times must be a sequence of numbers, not of the shape {shape}").format(shape=times.shape))
     q, q_dot = motion(oscillator, InitialState(phi=1.0), times)
     sines = -q_dot[1] / oscillator.natural_frequency
+    exact = map(REFERENCE.cos_sin, _exact_phases(oscillator, times))
     return max(
-        abs(float(REFERENCE.mpf(float(s)) * REFERENCE.cos(phase) - REFERENCE.mpf(float(c)) * REFERENCE.sin(phase)))
-        for c, s, phase in zip(q[1], sines, _exact_phases(oscillator, times), strict=True)
+        abs(float(REFERENCE.mpf(float(s)) * cosine - REFERENCE.mpf(float(c)) * sine))
+        for c, s, (cosine, sine) in zip(q[1], sines, exact, strict=True)
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -19,7 +20,11 @@ _QUIET = {"displayModeBar": False}
 
 @dataclass
 class Setting:
-    """What a person has set, and the experiments that this asks for: order, key, job, place for its progress."""
+    """What a person has set, and the experiments that this asks for: order, key, job, place for its progress.
+
+    at_once : seconds that the page may still take for runs before it is drawn; most runs are over by then, and the
+        page need not be drawn a second time to show them
+    """
 
     machine: Oscillator
     method: str
@@ -27,6 +32,7 @@ class Setting:
     periods: int
     precision: str
     tasks: list[tuple[int, str, experiments.Job, Any]] = field(default_factory=list)
+    at_once: float = 0.15
 
     @property
     def parameters(self) -> tuple[float, float, float]:
@@ -37,10 +43,20 @@ class Setting:
         """Take an experiment while the page is open."""
         self.tasks.append((order, key, job, place))
 
-    def run_of(self, name: str) -> tuple[str, Any, Any]:
-        """Return the key, the record and the pieces of a method's run with these settings."""
+    def run_of(self, name: str, order: int, title: str, place: Any) -> experiments.Record[thinned.Run]:
+        """Return what is known of a method's run with these settings; where nothing is, take it now or soon."""
         how = (name, self.steps, self.periods, self.precision)
-        return f"run {name}", cached.run(*self.parameters, *how), lambda: thinned.run_pieces(self.machine, *how)
+        record = cached.run(*self.parameters, *how)
+        if record.results is None:
+            key = f"run {name}"
+            job = experiments.job(key, record, lambda: thinned.run_pieces(self.machine, *how), title)
+            start = time.monotonic()
+            if self.at_once > 0 and job.advance(self.at_once):
+                experiments.drop(key)
+            else:
+                self.add(order, key, job, place)
+            self.at_once -= time.monotonic() - start
+        return record
 
 
 def chart(figure: Any, key: str, alt: str) -> None:

@@ -76,14 +76,8 @@ def choose() -> Setting:
 
 def side_by_side(setting: Setting) -> thinned.Run | None:
     """Draw the computed motion beside the exact one, and return the run that it shows."""
-    place = st.empty()
-    key, record, pieces = setting.run_of(setting.method)
-    if record.results is None:
-        title = METHODS[setting.method].title
-        job = experiments.job(key, record, pieces, _("Running this method: {method} …").format(method=title))
-        # Most runs are over before the eye misses them.
-        if not job.advance(0.15):
-            setting.add(CHOSEN, key, job, place)
+    title = _("Running this method: {method} …").format(method=METHODS[setting.method].title)
+    record = setting.run_of(setting.method, CHOSEN, title, st.empty())
     if record.results is not None:
         st.session_state["speed_run"] = record.results[0]
     run: thinned.Run | None = st.session_state.get("speed_run")
@@ -131,12 +125,10 @@ def growing_errors(setting: Setting, run: thinned.Run | None) -> None:
     place = st.empty()
     runs = [run] if run else []
     for name in METHODS:
-        key, record, pieces = setting.run_of(name)
-        if record.results is None and name != setting.method:
-            job = experiments.job(key, record, pieces, _("Running the other methods with the same steps …"))
-            setting.add(OTHERS, key, job, place)
-        elif record.results is not None and not (run and name == run.method):
-            runs.append(record.results[0])
+        if name != setting.method:
+            record = setting.run_of(name, OTHERS, _("Running the other methods with the same steps …"), place)
+            # The run that is shown may be an older one, of a method that is one of the others by now.
+            runs += [r for r in record.results or () if not (run and r.method == run.method)]
     reach = max([run.periods if run else 1, 10])
     exact = np.array([(p.periods, p.reduced) for p in cached.phases(*setting.parameters) if p.periods <= reach])
     item = _("{method}: phase error {phase}, relative energy error up to {energy}.")
