@@ -2,12 +2,15 @@
 
     python -m tests.benchmarks.classroom [--sessions 100] [--page oscillator | … | spread | every] [--seconds 30]
     python -m tests.benchmarks.classroom --processes 2
+    python -m tests.benchmarks.classroom --measuring 1 --sessions 50
     python -m tests.benchmarks.classroom --visits 1000
 
 Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
 random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
 something on a busy machine; the load comes from this machine as well. With --processes, the app runs behind the proxy
-of the recipe. With --visits, sessions are only opened and closed, and the growth of the server's memory is printed.
+of the recipe. With --measuring, so many more sessions have the speed page measure meanwhile, again and again, and it is
+printed how long each measurement took. With --visits, sessions are only opened and closed, and the growth of the
+server's memory is printed.
 """
 
 from __future__ import annotations
@@ -35,16 +38,20 @@ PAGES = {page.name: page.address for page in pages.PAGES.values()}
 EVERY = 2.0
 """Seconds between two changes of one session, on average."""
 
+LONGEST_MEASUREMENT = 600.0
+"""Seconds after which a measurement is given up."""
+
 AT_ONCE = 20
 """Sessions that are being opened at the same time."""
 
 
 @dataclass
 class Lesson:
-    """What a class saw: seconds of each answer, the server's processor time [s] and memory [bytes], bytes sent."""
+    """What a class saw: seconds of each answer and measurement, the server's processor time, memory, bytes."""
 
     opened: list[float] = field(default_factory=list)
     waits: list[float] = field(default_factory=list)
+    measured: list[float] = field(default_factory=list)
     errors: Counter[str] = field(default_factory=Counter)
     processor: float = 0.0
     memory: float = 0.0
@@ -60,6 +67,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=30, help="how long the class works (default: 30)")
     parser.add_argument("--seed", type=int, default=1729)
     parser.add_argument("--processes", type=int, default=0, help="run 1 or 2 processes behind HAProxy, by the recipe")
+    parser.add_argument("--measuring", type=int, default=0, help="so many more sessions have the server measure")
     parser.add_argument("--visits", type=int, default=0, help="open and close so many sessions instead")
     given = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
@@ -76,23 +84,25 @@ def main() -> None:
         report("bare page", lessons["bare page"])
         for name in PAGES if given.page == "every" else [given.page]:
             pages = list(PAGES.values()) if name == "spread" else [PAGES[name]]
-            lessons[name] = lesson(ROOT / "app.py", pages, given)
+            lessons[name] = lesson(ROOT / "app.py", pages, given, given.measuring)
             report(name, lessons[name], lessons["bare page"])
 
 
-def lesson(script: Path, pages: list[str], given: argparse.Namespace) -> Lesson:
-    """Let a class work on these pages, and return what it saw."""
+def lesson(script: Path, pages: list[str], given: argparse.Namespace, measuring: int = 0) -> Lesson:
+    """Let a class work on these pages while so many others measure, and return what it saw."""
     if given.processes and script == ROOT / "app.py":
         with deployed(given.processes) as hall:
             return asyncio.run(
-                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, given)
+                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, given, measuring)
             )
     server = running(script)
     with server as address:
-        return asyncio.run(_lesson(address, [server.process.pid], pages, given))
+        return asyncio.run(_lesson(address, [server.process.pid], pages, given, measuring))
 
 
-async def _lesson(address: str, processes: list[int], pages: list[str], given: argparse.Namespace) -> Lesson:
+async def _lesson(
+    address: str, processes: list[int], pages: list[str], given: argparse.Namespace, measuring: int
+) -> Lesson:
     seen = Lesson()
     # The first visitors pay for the warm-up, in each process.
     for page in pages:
@@ -107,7 +117,10 @@ async def _lesson(address: str, processes: list[int], pages: list[str], given: a
     received = [(visitor.received, visitor.messages) for visitor in visitors]
     start = processor_time(processes)
     end = perf_counter() + given.seconds
-    await asyncio.gather(*(_work(visitor, end, number, seen, given) for number, visitor in enumerate(visitors)))
+    await asyncio.gather(
+        *(_work(visitor, end, number, seen, given) for number, visitor in enumerate(visitors)),
+        *(_measure(address, end, seen) for _ in range(measuring)),
+    )
     seen.processor = processor_time(processes) - start
     seen.bytes = sum(visitor.received - bytes_ for visitor, (bytes_, _) in zip(visitors, received, strict=True))
     seen.messages = sum(visitor.messages - count for visitor, (_, count) in zip(visitors, received, strict=True))
@@ -146,6 +159,18 @@ async def _work(visitor: Visitor, end: float, number: int, seen: Lesson, given: 
             return
 
 
+async def _measure(address: str, end: float, seen: Lesson) -> None:
+    """Have the speed page measure its longest runs until the end."""
+    visitor = Visitor(address, "speed?periods=300")
+    try:
+        await visitor.open()
+        while perf_counter() < end:
+            seen.measured.append(await visitor.press("measure", LONGEST_MEASUREMENT))
+    except (VisitError, OSError) as problem:
+        seen.errors[f"measuring: {problem}"] += 1
+    await visitor.close()
+
+
 HEAD = (
     f"{'':<14}{'p50':>9}{'p95':>9}{'p99':>9}{'longest':>9}{'answers':>9}{'errors':>8}{'CPU a run':>11}{'bytes':>9}"
     f"{'messages':>10}{'a session':>12}{'opening p95':>13}"
@@ -168,6 +193,9 @@ def report(name: str, seen: Lesson, bare: Lesson | None = None) -> None:
     if bare:
         ratio = (seen.processor / runs) / (bare.processor / max(len(bare.waits), 1))
         print(f"{'':<14}{ratio:.2f} × the bare page’s processor time a run")
+    if seen.measured:
+        took = ", ".join(f"{seconds:.1f}" for seconds in sorted(seen.measured))
+        print(f"{'':<14}measurements took {took} s")
     for error, count in seen.errors.most_common(5):
         print(f"{'':<14}{count} × {error}")
 

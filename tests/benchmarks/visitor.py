@@ -50,6 +50,7 @@ class Visitor:
     runs: int = 0
     widgets: dict[str, WidgetState] = field(default_factory=dict)
     sliders: dict[str, Slider] = field(default_factory=dict)
+    buttons: set[str] = field(default_factory=set)
     cache: dict[str, int] = field(default_factory=dict)
 
     async def open(self) -> float:
@@ -96,13 +97,23 @@ class Visitor:
         await self._finished()
         return perf_counter() - start
 
-    async def _ask(self) -> None:
+    async def press(self, key: str, patience: float) -> float:
+        """Press the button of that widget key; return the seconds until the page has done all that this asks for."""
+        identifier = next((name for name in self.buttons if name.endswith(f"-{key}")), None)
+        if identifier is None:
+            raise VisitError(f"the page has no button {key}")
+        start = perf_counter()
+        await self._ask(WidgetState(id=identifier, trigger_value=True))
+        await self._finished(patience)
+        return perf_counter() - start
+
+    async def _ask(self, *pressed: WidgetState) -> None:
         question = BackMsg()
         state = question.rerun_script
         state.query_string = urlencode(self.query)
         state.page_script_hash = self.script_hash
         state.page_name = "" if self.script_hash else self.path
-        state.widget_states.widgets.extend(self.widgets.values())
+        state.widget_states.widgets.extend([*self.widgets.values(), *pressed])
         state.cached_message_hashes.extend(self.cache)
         state.context_info.url = f"{self.address}/{self.path}"
         state.context_info.timezone, state.context_info.locale = "UTC", "en-US"
@@ -112,10 +123,10 @@ class Visitor:
         self.sent += len(data)
         await self.socket.send(data)
 
-    async def _finished(self) -> None:
+    async def _finished(self, patience: float = PATIENCE) -> None:
         """Take in messages until a run has ended that was begun after the question."""
         try:
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(patience):
                 while not self._take(await self.socket.recv()):
                     pass
         except TimeoutError:
@@ -162,6 +173,8 @@ class Visitor:
         widget = getattr(element, kind)
         if kind == "slider" and widget.type != Slider.SELECT_SLIDER:
             self.sliders[widget.id] = widget
+        if kind == "button":
+            self.buttons.add(widget.id)
         if kind in _STATES and (widget.id not in self.widgets or getattr(widget, "set_value", False)):
             state = WidgetState(id=widget.id)
             _STATES[kind](widget, state)
@@ -169,11 +182,11 @@ class Visitor:
 
 
 def _slider(widget: Slider, state: WidgetState) -> None:
-    values = widget.value if widget.set_value else widget.default
     if widget.type == Slider.SELECT_SLIDER:
-        state.string_array_value.data.extend(widget.options[int(value)] for value in values)
+        default = (widget.options[int(value)] for value in widget.default)
+        state.string_array_value.data.extend(widget.raw_value if widget.set_value else default)
     else:
-        state.double_array_value.data.extend(values)
+        state.double_array_value.data.extend(widget.value if widget.set_value else widget.default)
 
 
 def _number(widget: NumberInput, state: WidgetState) -> None:
@@ -186,7 +199,8 @@ def _number(widget: NumberInput, state: WidgetState) -> None:
 
 def _group(widget: object, state: WidgetState) -> None:
     state.string_array_value.SetInParent()
-    state.string_array_value.data.extend(widget.options[index].content for index in widget.default)
+    default = (widget.options[index].content for index in widget.default)
+    state.string_array_value.data.extend(widget.raw_values if widget.set_value else default)
 
 
 def _text(widget: object, state: WidgetState) -> None:
@@ -194,7 +208,7 @@ def _text(widget: object, state: WidgetState) -> None:
 
 
 def _choice(widget: object, state: WidgetState) -> None:
-    state.string_value = widget.options[widget.default]
+    state.string_value = widget.raw_value if widget.set_value else widget.options[widget.default]
 
 
 def _checkbox(widget: object, state: WidgetState) -> None:
