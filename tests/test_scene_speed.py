@@ -241,27 +241,27 @@ def test_job_is_not_wanted_once_another_visitor_has_done_it():
 
 
 def test_visitors_measure_one_after_the_other_in_the_order_in_which_they_came(monkeypatch):
-    line, jobs = experiments.Line(), [experiments.Job(experiments.Record(), counted(2), "") for _ in range(10)]
-    assert [line.before(job) for job in jobs] == list(range(10))
+    line, jobs = experiments.Line(5.0), [experiments.Job(experiments.Record(), counted(2), "") for _ in range(10)]
+    assert [len(line.before(job)) for job in jobs] == list(range(10))
     # Whoever asks again keeps the place, in whatever order.
-    assert [line.before(job) for job in reversed(jobs)] == list(reversed(range(10)))
+    assert [len(line.before(job)) for job in reversed(jobs)] == list(reversed(range(10)))
     line.leave(jobs[4])
     while not jobs[0].advance(0):
-        assert line.before(jobs[1]) == 1
-    assert [line.before(job) for job in jobs[1:4] + jobs[5:]] == list(range(8))
+        assert line.before(jobs[1]) == [jobs[0]]
+    assert [len(line.before(job)) for job in jobs[1:4] + jobs[5:]] == list(range(8))
     # Who has closed the page is waited for no longer than a moment.
-    clock = time.monotonic() + 2 * experiments._GONE
+    clock = time.monotonic() + 6.0
     monkeypatch.setattr(experiments.time, "monotonic", lambda: clock)
-    assert line.before(jobs[9]) == 0
+    assert line.before(jobs[9]) == []
 
 
 def test_a_visitor_who_has_to_wait_is_told_how_many_come_first(monkeypatch):
     waiting = [experiments.Job(experiments.Record(), counted(2), "") for _ in range(2)]
     told = []
-    line = experiments.Line()
+    line = experiments.Line(5.0)
     for job in waiting:
         line.before(job)
-    monkeypatch.setattr(experiments, "_LINE", line)
+    monkeypatch.setattr(experiments, "_MEASURING", line)
 
     class Place:
         def progress(self, done: float, words: str) -> None:
@@ -278,6 +278,32 @@ def test_a_visitor_who_has_to_wait_is_told_how_many_come_first(monkeypatch):
         "counting",
     ]
     assert mine.complete
+
+
+def test_what_a_class_wants_at_once_one_works_out_and_the_others_watch(monkeypatch):
+    monkeypatch.setattr(complaints, "run_again", lambda: None)
+    record: experiments.Record[int] = experiments.Record()
+    worked, told = [], []
+
+    def slowly(visitor: int) -> Iterator[Piece[int]]:
+        for piece in counted(40):
+            worked.append(visitor)
+            time.sleep(0.02)
+            yield piece
+
+    class Place:
+        def progress(self, done: float, words: str) -> None:
+            told.append((done, words))
+
+    jobs = [experiments.Job(record, slowly(visitor), "counting") for visitor in range(5)]
+    with ThreadPoolExecutor(5) as visitors:
+        list(visitors.map(lambda job: experiments.work([("count", job, Place())]), jobs))
+    assert record.results == tuple(range(40))
+    assert len(worked) == 40
+    assert len(set(worked)) == 1
+    # All see the same bar grow.
+    assert {words for _, words in told} == {"counting"}
+    assert len({done for done, _ in told}) > 3
 
 
 # ---- words

@@ -5,15 +5,17 @@ and lets go whenever the visitor does something.
 
 `work` stands at the end of a page's script. Streamlit breaks a script off where it next speaks to the browser, so each
 report of progress is also the place where a moved slider, a Stop button or a closed tab ends the work; the job stays in
-the session, and the next run of the page goes on with it. Measurements of time take turns: one visitor's at once.
+the session, and the next run of the page goes on with it. What many visitors want at once, one of them works out while
+the others watch. Measurements of time take turns: one visitor's at once.
 """
 
 from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import takewhile
 from typing import Any, Generic, TypeVar
 
 import streamlit as st
@@ -32,15 +34,47 @@ _REPORT = 0.1
 """Seconds between two reports of progress, and so the longest that a visitor's wish waits."""
 _SHOW = 0.8
 """Seconds between two drawings of what is there so far."""
-_GONE = 5.0
-"""Seconds after which a visitor who is no longer heard of has left the line."""
+
+
+class Line:
+    """The visitors who want to take an experiment, first come, first served; one takes it at a time, to the end.
+
+    patience : seconds after which a visitor who is no longer heard of has left the line
+    """
+
+    def __init__(self, patience: float) -> None:
+        self._patience = patience
+        self._lock = threading.Lock()
+        # Job → when it was last heard of; a page is heard of ten times a second while it waits or measures.
+        self._heard: dict[Job, float] = {}
+
+    def before(self, task: Job) -> list[Job]:
+        """Join the line, or stay in it, and return those who come first; with none it is this one's turn."""
+        with self._lock:
+            now = time.monotonic()
+            self._heard[task] = now
+            for other in [
+                other for other, heard in self._heard.items() if now - heard > self._patience or not other.wanted
+            ]:
+                del self._heard[other]
+            return list(takewhile(lambda other: other is not task, self._heard)) if task in self._heard else []
+
+    def leave(self, task: Job) -> None:
+        """Leave the line; the next one moves up."""
+        with self._lock:
+            self._heard.pop(task, None)
+
+
+_MEASURING = Line(patience=5.0)
+"""Measurements of seconds, which nothing may disturb."""
 
 
 @dataclass(eq=False)
 class Record(Generic[T]):
-    """What an experiment has found; None until one visitor has seen it through."""
+    """What an experiment has found; None until one visitor has seen it through, for all who stand in its line."""
 
     results: tuple[T, ...] | None = None
+    line: Line = field(default_factory=lambda: Line(patience=1.0))
 
 
 @dataclass(eq=False)
@@ -65,6 +99,11 @@ class Job(Generic[T]):
         self._before = self.record.results
         # A click begins a new run of the page while the old one still works: two threads, one experiment.
         self._turn = threading.Lock()
+
+    @property
+    def line(self) -> Line:
+        """Where it waits for its turn."""
+        return _MEASURING if self.timed else self.record.line
 
     @property
     def wanted(self) -> bool:
@@ -109,7 +148,7 @@ def current(key: str) -> Job | None:
 def drop(key: str) -> None:
     """End the session's job of that key; what it has found so far is forgotten."""
     if ended := st.session_state.get("experiments", {}).pop(key, None):
-        _LINE.leave(ended)
+        ended.line.leave(ended)
 
 
 def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
@@ -125,8 +164,8 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
         worked = True
         shown = len(task.results)
         while task.wanted:
-            if task.timed and (before := _LINE.before(task)):
-                place.progress(task.done, _waiting(before))
+            if before := task.line.before(task):
+                place.progress(*_waiting(task, before))
                 time.sleep(_REPORT)
                 continue
             _take(task, _REPORT)
@@ -140,13 +179,16 @@ def work(jobs: Iterable[tuple[str, Job, Any]]) -> None:
         complaints.run_again()
 
 
-def _waiting(before: int) -> str:
-    """Return the sentence for a visitor who waits for so many others."""
-    return ngettext(
+def _waiting(task: Job, before: Sequence[Job]) -> tuple[float, str]:
+    """Return the progress and the sentence for a visitor who waits for those before."""
+    if before[0].record is task.record:
+        return before[0].done, task.title
+    n = len({other.record for other in before} - {task.record})
+    return task.done, ngettext(
         "{n} measurement comes before yours. Measurements run one after the other, so that none disturbs another.",
         "{n} measurements come before yours. Measurements run one after the other, so that none disturbs another.",
-        before,
-    ).format(n=before)
+        n,
+    ).format(n=n)
 
 
 def _take(task: Job, seconds: float) -> None:
@@ -155,29 +197,3 @@ def _take(task: Job, seconds: float) -> None:
     while not task.complete and time.monotonic() < end:
         task.advance(_SLICE)
         time.sleep(_PAUSE)
-
-
-class Line:
-    """The visitors who want to measure, first come, first served; one measures at a time, to the end."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        # Job → when it was last heard of; a page is heard of ten times a second while it waits or measures.
-        self._heard: dict[Job, float] = {}
-
-    def before(self, task: Job) -> int:
-        """Join the line, or stay in it, and return how many come first; 0 means that it is this one's turn."""
-        with self._lock:
-            now = time.monotonic()
-            self._heard[task] = now
-            for other in [other for other, heard in self._heard.items() if now - heard > _GONE or not other.wanted]:
-                del self._heard[other]
-            return list(self._heard).index(task) if task in self._heard else 0
-
-    def leave(self, task: Job) -> None:
-        """Leave the line; the next one moves up."""
-        with self._lock:
-            self._heard.pop(task, None)
-
-
-_LINE = Line()
