@@ -104,6 +104,12 @@ def count_anew(page: Page) -> None:
     page.frames_sent, page.frames_received, page.unanswered = [], [], True
 
 
+MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
+  component.shadowRoot?.querySelector("style, section") ||
+  component.closest("[class*=_feed], [class*=_pick], .st-key-given_receipt, .st-key-keys"))"""
+"""Whether every component that shows something is there: until then nobody hears a key."""
+
+
 def settle(page: Page, seconds: float = 60) -> None:
     """Wait until the app has answered: every question answered, nothing running, nothing sent or received for a while.
 
