@@ -18,7 +18,7 @@ from tests.benchmarks.visitor import Visitor
 from tests.browser import ROOT, listen, running, settle
 from tests.slow_network import delayed, network
 
-CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "12"))
+CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "8"))
 DELAYS = (0.1,) if CHANGES < 100 else (0.0, 0.1, 0.6)
 PAGES = tuple(page.address for page in pages.PAGES.values())
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
