@@ -114,7 +114,7 @@ PICTURES = """() => {
 PLACE = ".st-key-pager .place"
 
 
-@pytest.mark.parametrize("path", ["", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"])
+@pytest.mark.parametrize("path", ["?radius=5", "?radius=20", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"])
 def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
     page = visit(f"{path}{'&' if '?' in path else '?'}view=projector")
     page.wait_for_selector(f"{PLACE}:not(:empty)")
