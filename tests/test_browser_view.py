@@ -111,10 +111,28 @@ PICTURES = """() => {
   const drawn = pictures.filter((node) => !node.shadowRoot || node.shadowRoot.querySelector('svg.machine'));
   return drawn.filter((node) => node.checkVisibility({ visibilityProperty: true })).length;
 }"""
+FIGURE = """() => {
+  const seen = (node) => node.checkVisibility({ visibilityProperty: true });
+  const figure = [...document.querySelectorAll('.js-plotly-plot')].find(seen);
+  if (!figure) return null;
+  const lines = [...figure.querySelectorAll('.main-svg :is(text:not(:has(.line)), .line)')];
+  const words = lines.filter((line) => seen(line) && line.textContent.trim());
+  // A line of letters is higher than its letters.
+  const boxes = words.map((text) => [text.textContent, text.getBoundingClientRect()])
+    .map(([text, { left, right, top, bottom }]) => ({ text, left, right, top: top + 4, bottom: bottom - 4 }));
+  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
+  const cover = (a, b) => shared(a, b, "left", "right") > 1 && shared(a, b, "top", "bottom") > 1;
+  const covered = boxes.flatMap((a, i) =>
+    boxes.slice(i + 1).filter((b) => cover(a, b)).map((b) => `${a.text} / ${b.text}`));
+  return { height: figure.clientHeight / innerHeight, covered };
+}"""
+"""The present figure: how much of the screen's height it takes, and which of its words cover each other."""
 PLACE = ".st-key-pager .place"
 
 
-@pytest.mark.parametrize("path", ["?radius=5", "?radius=20", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"])
+@pytest.mark.parametrize(
+    "path", ["?radius=5", "?radius=20", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"]
+)
 def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
     page = visit(f"{path}{'&' if '?' in path else '?'}view=projector")
     page.wait_for_selector(f"{PLACE}:not(:empty)")
@@ -128,12 +146,25 @@ def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit
         assert max(page.evaluate(TOO_HIGH)) <= 2, sheet
         shown = page.evaluate(PICTURES)
         assert shown <= 1, sheet
+        if figure := page.evaluate(FIGURE):
+            assert figure["covered"] == [], sheet
+            assert figure["height"] > 0.6, sheet
         if sheet < count:
             page.locator(".st-key-pager .next").click()
             next_frame(page)
     page.set_viewport_size({"width": 1920, "height": 1080})
     next_frame(page)
     assert page.evaluate(SIZES, 23.9) == []
+
+
+def test_a_figure_grows_with_the_projector(visit):
+    page = visit("?view=projector", width=1920, height=1080)
+    page.keyboard.press("PageDown")
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 /"))
+    page.wait_for_function(f"({FIGURE})()?.height > 0.6")
+    # Negative control: elsewhere a figure has a height of its own.
+    page = visit("", width=1920, height=1080)
+    page.wait_for_function(f"({FIGURE})()?.height < 0.4")
 
 
 def test_on_a_projector_the_machine_stands_beside_what_is_asked_of_it_again(visit):

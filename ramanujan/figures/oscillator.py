@@ -87,7 +87,7 @@ def frequency_curve(
     label = {"xref": "x", "yref": "y", "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
     label |= {"bgcolor": colors["paper"], "align": "left"}
     # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
-    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=20, ay=-66, xanchor="left")
+    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=12, ay=-66, xanchor="left")
     figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-16, ay=62, xanchor="right")
     beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
     light_label, heavy_label = limit_labels
@@ -104,7 +104,13 @@ def frequency_curve(
     # Here the space to the right of the asymptote is empty, above the line “in step”.
     there = int(np.argmin(np.abs(heavy_limit - 0.65 * light_limit)))
     figure.add_annotation(
-        beside, x=_log(ratios[there]), y=heavy_limit[there], text=heavy_label, yanchor="bottom", xshift=8
+        beside,
+        x=_log(ratios[there]),
+        y=heavy_limit[there],
+        text=heavy_label,
+        yanchor="bottom",
+        xshift=14,
+        align="right",
     )
     figure.update_xaxes(
         type="log", title=_("mass ratio ε = m′/m"), range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True

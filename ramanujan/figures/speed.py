@@ -245,16 +245,6 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     )
 
 
-def in_large_print(figure: Drawn) -> Drawn:
-    """Return a figure with room for words that a lecture hall can read: higher, and with its legend farther down."""
-    sent = figure.to_dict()
-    layout = sent["layout"]
-    height = min(layout["height"] + 80, 570)
-    return Drawn(
-        {**sent, "layout": {**layout, "height": height, "legend": {**layout["legend"], "y": -95 / (height - 200)}}}
-    )
-
-
 def _steps(dtype: str, n: int) -> str:
     sentence = ngettext("{dtype}, {n} step per period", "{dtype}, {n} steps per period", n)
     return sentence.format(dtype=dtype, n=n)

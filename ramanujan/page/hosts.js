@@ -124,7 +124,7 @@ const hosts = {
   /** How high a picture can be on the screen. */
   roomForPictures() {
     const body = document.querySelector(".stMainBlockContainer");
-    return innerHeight - (body ? parseFloat(getComputedStyle(body).paddingTop) : 0);
+    return innerHeight - (body ? parseFloat(getComputedStyle(body).paddingTop) : 0) - 16; // the last piece has a margin below
   },
 
   /** What scrolls. */

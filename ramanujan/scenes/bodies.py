@@ -8,7 +8,7 @@ import streamlit as st
 
 from ramanujan import number_theory, stage
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.scenes import controls, emblems, links, look, stages, view, widgets
+from ramanujan.scenes import controls, drawings, emblems, links, look, stages, view, widgets
 from ramanujan.scenes.cached import taxicab as cached
 from ramanujan.words import _, ngettext
 
@@ -18,7 +18,6 @@ PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("B
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
 """Keys of the fragments that depend on the machine of the sidebar."""
-STILL = {"displayModeBar": False, "scrollZoom": False}
 
 
 def other_bodies() -> None:
@@ -147,7 +146,7 @@ def forty_machines(chosen: BodyChoice) -> None:
     best = max(machines, key=lambda machine: len(machine.cubes))
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
-    st.plotly_chart(
+    drawings.plot(
         cached.machine_grid(
             [pair(*names) for names in pairs],
             [emblems.WORDS[body] for body in columns],
@@ -156,16 +155,14 @@ def forty_machines(chosen: BodyChoice) -> None:
             place,
             look.colors() | {"on_hoop": "#1D2430"},
         ),
-        key="machines",
-        on_select=take_clicked,
-        selection_mode="points",
-        theme=None,
-        config=STILL,
-        alt=_(
+        "machines",
+        _(
             "The discriminants of all {count} machines, ten pairs of lower rollers, each with four bodies on top. "
             "Only {best} is a sum of two positive cubes in two ways; {one} and {other} are such a sum in one way. "
             "Marked: {chosen} ({name})."
         ).format(**facts, chosen=chosen.discriminant, name=name(chosen)),
+        on_select=take_clicked,
+        selection_mode="points",
     )
     st.caption(
         _(

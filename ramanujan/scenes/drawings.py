@@ -1,14 +1,38 @@
-"""Still drawings on a page, for paper: SVG as an image, which no style of the page reaches."""
+"""How figures are put on a page, and still drawings for paper."""
 
 from __future__ import annotations
 
 from base64 import b64encode
+from typing import Any
 
 import streamlit as st
+from plotly.basedatatypes import BaseFigure
+
+from ramanujan.figures.large_print import in_large_print
+from ramanujan.scenes import view
+
+STILL = {"displayModeBar": False, "scrollZoom": False}
+"""Plotly's options for a figure that is only looked at and clicked."""
+
+
+def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
+    """Put a figure on the page; on a projector it grows with the screen.
+
+    Parameters
+    ----------
+    figure : of Plotly's
+    key : of the element
+    alt : its text alternative
+    config, options : of Plotly and of `st.plotly_chart`
+    """
+    height = "content"
+    if view.is_projector():
+        figure, height = in_large_print(figure), "stretch"
+    st.plotly_chart(figure, key=key, theme=None, height=height, config=config, alt=alt, **options)
 
 
 def draw(svg: str, *, alt: str, style: str) -> None:
-    """Put a drawing on the page.
+    """Put an SVG on the page as an image, which no style of the page reaches.
 
     Parameters
     ----------

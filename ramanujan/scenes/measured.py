@@ -9,13 +9,11 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.figures.speed import in_large_print
-from ramanujan.scenes import experiments, thinned, verdicts, view
+from ramanujan.scenes import drawings, experiments, thinned, verdicts
 from ramanujan.scenes.cached import speed as cached
 
 CHOSEN, MEASURED, OTHERS = range(3)
 """The order in which the page's experiments are taken."""
-_QUIET = {"displayModeBar": False}
 
 
 @dataclass
@@ -61,9 +59,7 @@ class Setting:
 
 def chart(figure: Any, key: str, alt: str) -> None:
     """Put a figure on the page."""
-    if view.is_projector():
-        figure = in_large_print(figure)
-    st.plotly_chart(figure, key=key, theme=None, config=_QUIET, alt=alt)
+    drawings.plot(figure, key, alt)
 
 
 def show_table(rows: verdicts.Table, key: str) -> None:

@@ -7,7 +7,7 @@ import math
 import streamlit as st
 
 from ramanujan import Oscillator, page, stage
-from ramanujan.scenes import controls, look, pages, stages, view
+from ramanujan.scenes import controls, drawings, look, pages, stages, view
 from ramanujan.scenes.cached import oscillator as cached
 from ramanujan.words import _
 
@@ -65,13 +65,11 @@ def the_curve() -> None:
             "They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
         )
     )
-    st.plotly_chart(
+    drawings.plot(
         cached.figure(look.theme()),
-        key="curve",
-        theme=None,
-        config={"displayModeBar": False},
+        "curve",
         # What changes with the machine is said by the ring: so the figure is sent to a page only once.
-        alt=_(
+        _(
             "Ω²m/k over the mass ratio ε, falling from {light} to {heavy}: heavier rollers make the machine slower. It "
             "is {equal} at equal masses, and exactly 1 at one ratio only."
         ).format(

@@ -13,7 +13,7 @@ from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.numerals import number, quantity
 from ramanujan.record import Record
-from ramanujan.scenes import look
+from ramanujan.scenes import drawings, look
 from ramanujan.scenes.cached import motion as cached
 from ramanujan.words import _
 
@@ -167,7 +167,7 @@ def chart(figure: object, name: str, alt: str) -> None:
     """Put a figure on the page, with Plotly's own legend, hover, zoom and PNG export."""
     image = {"filename": f"ramanujan {name}", "scale": 2}
     config = {"displaylogo": False, "toImageButtonOptions": image}
-    st.plotly_chart(figure, key=f"figure_{name}", theme=None, config=config, alt=alt)
+    drawings.plot(figure, f"figure_{name}", alt, config=config)
 
 
 def note(text: str) -> None:

@@ -12,8 +12,8 @@ from ramanujan import number_theory
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import number
-from ramanujan.scenes import controls, links, look, view, widgets
-from ramanujan.scenes.bodies import PAPER, STILL, factored, pair
+from ramanujan.scenes import controls, drawings, links, look, view, widgets
+from ramanujan.scenes.bodies import PAPER, factored, pair
 from ramanujan.scenes.cached import taxicab as cached
 from ramanujan.words import _, ngettext
 
@@ -111,7 +111,7 @@ def crossing(key: str, between: tuple[float, float], alt: str, **marks: Any) -> 
     machine = controls.oscillator()
     present = machine.mass_ratio, machine.normalized_frequency_squared
     figure = level_crossing(*cached.curve(*between), present=present, colors=look.colors(), **marks)
-    st.plotly_chart(figure, key=key, theme=None, config=STILL, alt=alt)
+    drawings.plot(figure, key, alt)
 
 
 # ---- the open question
@@ -194,12 +194,10 @@ def count_of_cubes(tallies: list[cached.Tally], at: int) -> None:
     smaller = [tally for tally in tallies if tally.median < paper.median]
     labels = [pair(*tally.pair) for tally in tallies]
     item = _("{pair}: {sums}")
-    st.plotly_chart(
+    drawings.plot(
         cached.cube_counts(labels, [tally.sums for tally in tallies], at, look.colors()),
-        key="counts",
-        theme=None,
-        config=STILL,
-        alt=_(
+        "counts",
+        _(
             "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s "
             "pair has the most. {sums}."
         ).format(

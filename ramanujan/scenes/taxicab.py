@@ -17,7 +17,6 @@ from ramanujan.words import _, ngettext
 
 DIGITS = links.Count("digits", number_theory.integers.MOST_DIGITS, 100)
 KEYS = (*bodies.KEYS, *targets.KEYS, DIGITS)
-STILL = {"displayModeBar": False, "scrollZoom": False}
 
 
 def show() -> None:
@@ -160,12 +159,10 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
     """Draw two cubes of unit cubes, and what they add up to."""
     larger, smaller = sides
     volumes = f"{smaller**3} + {larger**3}"
-    st.plotly_chart(
+    drawings.plot(
         cached.cube_stack(sides, colors=look.colors(), **drawn),
-        key=f"cubes_{larger}",
-        theme=None,
-        config=STILL,
-        alt=_(
+        f"cubes_{larger}",
+        _(
             "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
             "{number} unit cubes."
         ).format(larger=larger, smaller=smaller, volumes=volumes, number=number),

@@ -1,0 +1,53 @@
+"""Figures with words so large that a lecture hall can read them: the room that these words need."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from plotly.basedatatypes import BaseFigure
+
+from ramanujan.figures.drawn import Drawn
+
+_BELOW = 150
+"""Pixels below the axes: their title and two lines of a legend."""
+_LINE = 16
+"""Letters of an axis title that fit beside one of two panels."""
+
+
+def in_large_print(figure: BaseFigure) -> Drawn:
+    """Return the figure with room for large words, in any height: its legend at the bottom, its axis titles apart.
+
+    >>> from ramanujan.figures import drawn
+    >>> sent = drawn([], {"legend": {"y": -0.2}, "yaxis": {"title": {"text": "displacement relative to the block"}}})
+    >>> layout = in_large_print(sent).to_dict()["layout"]
+    >>> layout["legend"]["yref"], layout["yaxis"]["title"]["text"]
+    ('container', 'displacement<br>relative to the block')
+    """
+    sent = figure.to_dict()
+    layout = dict(sent["layout"])
+    if "legend" in layout:
+        layout["legend"] = {**layout["legend"], "y": 0, "yref": "container", "yanchor": "bottom"}
+        layout["margin"] = {**layout.get("margin", {}), "b": max(_BELOW, layout.get("margin", {}).get("b", 0))}
+    for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
+        layout[name] = _axis(layout[name], upright=name.startswith("yaxis"))
+    return Drawn({**sent, "layout": layout})
+
+
+def _axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
+    text = axis.get("title", {}).get("text", "")
+    # The first label of one axis must not touch that of the other.
+    axis = {**axis, "ticklabelstandoff": 6}
+    if upright and text:
+        # Plotly measures a power of ten as if its exponent were not there.
+        powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
+        axis["title"] = {**axis["title"], "text": _in_lines(text), "standoff": 30 if powers else 12}
+    return axis
+
+
+def _in_lines(text: str) -> str:
+    """Break a long title once, at the space nearest to its middle."""
+    if len(text) <= _LINE or "<br>" in text:
+        return text
+    spaces = [at for at, letter in enumerate(text) if letter == " "]
+    middle = min(spaces, key=lambda at: abs(at - len(text) / 2), default=None)
+    return text if middle is None else f"{text[:middle]}<br>{text[middle + 1 :]}"
