@@ -21,7 +21,7 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     >>> sent = drawn([], {"legend": {"y": -0.2}, "yaxis": {"title": {"text": "displacement relative to the block"}}})
     >>> layout = in_large_print(sent).to_dict()["layout"]
     >>> layout["legend"]["yref"], layout["yaxis"]["title"]["text"]
-    ('container', 'displacement<br>relative to the block')
+    ('container', 'displacement relative<br>to the block')
     """
     sent = figure.to_dict()
     layout = dict(sent["layout"])
