@@ -42,11 +42,18 @@ def test_a_worksheet_comes_out_clean(visit, paper):
     assert 2 <= len(pdf.pages) <= 4
 
 
-@pytest.mark.parametrize("path", ["", "derivation?show=Reading", "motion", "1729", "worksheet?paper=key"])
+SHEETS = {"": 4, "derivation?show=Reading": 8, "motion": 2, "1729": 6, "speed": 4, "worksheet?paper=key": 4}
+"""Page → how many sheets of A4 it takes at most."""
+
+
+@pytest.mark.parametrize("path", SHEETS)
 def test_nothing_is_cut_and_nothing_dark_on_paper(visit, path):
     page = visit(path, theme="dark")
-    text = "\n".join(each.extract_text() for each in printed(page, "A4").pages)
+    sheets = [each.extract_text().strip() for each in printed(page, "A4").pages]
+    text = "\n".join(sheets)
     assert not [words for words in CONTROLS if words in text]
+    assert all(sheets), "an empty sheet"
+    assert len(sheets) <= SHEETS[path]
     page.emulate_media(media="print", color_scheme="dark", reduced_motion="reduce")
     page.set_viewport_size({"width": PAPERS["A4"][0] - MARGINS, "height": 1000})
     assert page.evaluate(CUT) == []
@@ -55,3 +62,8 @@ def test_nothing_is_cut_and_nothing_dark_on_paper(visit, path):
     assert page.evaluate(f"({paint})('.stMain h1', 'color')") == "rgb(17, 17, 17)"
     assert not page.locator("section[data-testid=stSidebar]").is_visible()
     page.emulate_media(media="null")
+
+
+def test_a_step_and_its_equations_are_on_one_sheet(visit):
+    (sheet,) = (each for each in printed(visit(""), "A4").pages if "6. Find" in each.extract_text())
+    assert "1729" in sheet.extract_text()
