@@ -162,3 +162,12 @@ def test_a_phone_shows_it_without_scrolling_sideways(visit, address):
         # The machine comes before the options.
         stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
         assert stage < options
+
+
+def test_on_a_phone_the_verdict_is_seen_without_scrolling_and_the_reason_stands_below_the_machine(visit):
+    page = visit("lesson?chosen=two-clocks.ahead", width=390, height=844)
+    verdict, machine = (page.locator(place).first.bounding_box() for place in (".st-key-judged", "svg.machine"))
+    reason = page.get_by_role("link", name="See the two clocks").bounding_box()
+    assert verdict["height"] > 20
+    assert verdict["y"] + verdict["height"] <= machine["y"] < 600
+    assert machine["y"] + machine["height"] <= reason["y"]

@@ -105,13 +105,16 @@ def ask(stop: Stop) -> None:
 def explain(stop: Stop, chosen: str) -> None:
     """Say whether the prediction was right, which option is, and why."""
     solved = cached.solution(stop.id)
-    if chosen == solved.option:
-        said = _("Your prediction was right.")
-        st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
-    else:
-        said = _("Your prediction was different.")
-        st.markdown(_(":red[:material/cancel: **Your prediction:**] {option}").format(option=stop.option(chosen).label))
-        st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
+    own = stop.option(chosen).label
+    # A phone shows this part above the machine.
+    with st.container(key="judged"):
+        if chosen == solved.option:
+            said = _("Your prediction was right.")
+            st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
+        else:
+            said = _("Your prediction was different.")
+            st.markdown(_(":red[:material/cancel: **Your prediction:**] {option}").format(option=own))
+            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
     # With the option that was clicked the focus has gone: who cannot see the page is told here.
     page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
     why(stop)
