@@ -131,7 +131,9 @@ MUTATIONS = [
         "traces",
     ),
     Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)"),
-    Mutation("the speed buttons are dead", "stage/stage.js", "this.clock.speed = value;", "", "speed_buttons"),
+    Mutation(
+        "the speed buttons are dead", "stage/toolbar.js", "speed: Number(button.dataset.speed)", "", "speed_buttons"
+    ),
     Mutation(
         "the slider of x₀ counts wrong",
         "scenes/quantities.py",

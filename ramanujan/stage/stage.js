@@ -119,8 +119,7 @@ class Stage {
   }
 
   play(playing = !this.clock.playing) {
-    this.clock.playing = playing;
-    for (const stage of this.clock.stages) stage.showClock();
+    this.setClock({ playing });
     this.voice.tell(playing ? WORDS.playing : WORDS.paused);
   }
 
@@ -149,8 +148,9 @@ class Stage {
     if (this.solution && this.hand.state !== "held") this.stay((playback) => playback.goToTime(time));
   }
 
-  speed(value) {
-    this.clock.speed = value;
+  /** Set the clock, { playing, speed }, for every stage on it. */
+  setClock(clock) {
+    Object.assign(this.clock, clock);
     for (const stage of this.clock.stages) stage.showClock();
   }
 
@@ -183,9 +183,7 @@ class Stage {
   calmed() {
     const wasStill = this.still;
     this.still = this.calm.matches;
-    if (this.still) this.clock.playing = false;
-    else if (wasStill) this.clock.playing = true;
-    for (const stage of this.clock.stages) stage.showClock();
+    this.setClock({ playing: !this.still && (wasStill || this.clock.playing) });
   }
 
   showClock() {

@@ -15,7 +15,7 @@ function listenToControls(root, stage, signal) {
     undo: () => stage.slab.undo(),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
-  for (const button of all("[data-speed]")) on(button, "click", () => stage.speed(Number(button.dataset.speed)));
+  for (const button of all("[data-speed]")) on(button, "click", () => stage.setClock({ speed: Number(button.dataset.speed) }));
   for (const button of all("[data-layer]")) on(button, "click", () => stage.layer(button.dataset.layer));
   const scrub = root.querySelector(".scrub input");
   on(scrub, "input", () => stage.scrub(Number(scrub.value)));
