@@ -179,6 +179,23 @@ def test_on_a_projector_the_machine_stands_beside_what_is_asked_of_it_again(visi
     assert abs(words["y"] - machine["y"]) < machine["height"]
 
 
+def test_a_clicker_turns_the_sheets_of_a_stop_and_then_the_stop(visit):
+    page = visit("lesson?view=projector&chosen=two-clocks.ahead")
+    stop = page.locator(".st-key-turn [data-testid=stBidiComponentIsolated] output")
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"^1 / 2$"))
+    page.keyboard.press("PageDown")
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 / 2$"))
+    expect(stop).to_have_text(re.compile("^1/"))
+    page.keyboard.press("PageDown")
+    expect(stop).to_have_text(re.compile("^2/"))
+    settle(page)
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"^1 / "))
+    page.keyboard.press("PageUp")
+    expect(stop).to_have_text(re.compile("^1/"))
+    settle(page)
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"^1 / 2$"))
+
+
 def test_without_a_projector_the_words_are_smaller_and_the_page_is_one(visit):
     """Negative control."""
     page = visit("motion")

@@ -136,12 +136,13 @@ def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, 
         phone.get_by_text("Second vote.").wait_for()
         choose(phone, 3)
     press("reveal")
-    desk.get_by_text("2 students changed from a wrong answer to the right one").wait_for()
+    desk.get_by_text("Second vote: 2 of 2, 100").first.wait_for()
     # The machine stands still until the class has seen the right answer.
     play = desk.get_by_role("button", name="Play", exact=True)
     assert play.count() == 0
     press("solve")
     play.wait_for()
+    desk.get_by_text("2 students changed from a wrong answer to the right one").wait_for()
     for phone in phones:
         phone.get_by_text("This is right, and it was your answer").wait_for()
         assert phone.locator("[data-testid=stMain]").evaluate("node => node.scrollWidth") <= 390

@@ -108,14 +108,19 @@ def test_a_round_with_a_second_vote(lecturer):
     assert "Second vote: 3 of 3" in words(lecturer.run())
     press(lecturer, "reveal")
     for page in (lecturer, students[0].run()):
-        assert "2 students changed from a wrong answer to the right one" in words(page)
-        assert "1 student changed from the right answer to a wrong one" in words(page)
-        assert "This is right" not in words(page)
+        assert "Second vote: 2 of 3" in words(page)
+        # How many have found the right answer would tell which it is.
+        assert "right" not in words(page).lower().replace("show the right answer", "").replace(
+            STOP.question.lower(), ""
+        )
 
     # The right answer comes last: on the phones, and with the reason and the running machine at the desk.
     assert STOP.explanation() not in words(lecturer)
     press(lecturer, "solve")
     assert STOP.explanation() in words(lecturer)
+    for page in (lecturer, students[0].run()):
+        assert "2 students changed from a wrong answer to the right one" in words(page)
+        assert "1 student changed from the right answer to a wrong one" in words(page)
     assert "This is right, and it was your answer" in words(students[0].run())
     assert "This is right." in words(students[2].run())
 

@@ -37,7 +37,10 @@ class Pager {
     const changes = new MutationObserver(() => this.look());
     changes.observe(document.body, { childList: true, subtree: true, attributes: true, attributeFilter: ["style", "hidden", "open"] });
     this.sizes = new ResizeObserver(() => this.look());
+    bus.subscribe("turned", () => (this.now = 0), { signal }); // another stop of the lesson begins with its first sheet
+    bus.publish("sheets", { has: (by) => Boolean(this.sheets[this.now + by]) });
     signal.addEventListener("abort", () => {
+      bus.forget("sheets");
       changes.disconnect();
       this.sizes.disconnect();
       for (const node of document.querySelectorAll(`[${AWAY}]`)) node.removeAttribute(AWAY);

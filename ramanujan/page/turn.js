@@ -18,6 +18,7 @@ function turner(root, signal) {
     const to = Math.min(Math.max(stop, 1), data.headings.length);
     if (to === now) return false;
     asked = { stop: to, at: performance.now() };
+    bus.publish("turned", to);
     now = to;
     showPlace(root, data, now, true);
     send(to);
@@ -31,6 +32,8 @@ function turner(root, signal) {
     const by = turnOf(event, { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 });
     if (!by) return;
     if (event.composedPath()[0].matches?.(hosts.TAKES_KEYS)) return;
+    // On a projector, a clicker turns the sheets of this stop first.
+    if (event.key.startsWith("Page") && bus.last("sheets")?.has(by)) return;
     if (go(now + by)) event.preventDefault();
   });
 

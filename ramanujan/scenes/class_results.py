@@ -32,7 +32,7 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
     access : the class's code, or the lecturer's key
     stop : the question
     round_ : the last vote
-    solved : whether to say which answer is right
+    solved : whether to say which answer is right, and how many have found it
     chosen : a student's own answer in the last vote
     """
     try:
@@ -41,8 +41,9 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
         st.warning(str(error))
         return
     with st.container(key="class_result"):
-        if result.changes:
-            st.markdown(_changes(result.changes))
+        if result.changes and solved:
+            with st.container(key="class_changes"):
+                st.markdown(_changes(result.changes))
         for option in stop.options:
             st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
             places = st.columns(len(result.votes), gap="small")
