@@ -53,9 +53,8 @@ class Line:
         with self._lock:
             now = time.monotonic()
             self._heard[task] = now
-            for other in [
-                other for other, heard in self._heard.items() if now - heard > self._patience or not other.wanted
-            ]:
+            gone = [other for other, heard in self._heard.items() if now - heard > self._patience or not other.wanted]
+            for other in gone:
                 del self._heard[other]
             return list(takewhile(lambda other: other is not task, self._heard)) if task in self._heard else []
 
