@@ -10,12 +10,14 @@ if __name__ != "__main__":
 else:
     from ramanujan.scenes import cached, complaints, controls, given, links, look, pages, quantities, view
 
+    # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
+    st.set_page_config(page_icon="🚕")
     page, runner = pages.navigate()
     view.take_old()
     said = links.opened(page.name, (*quantities.KEYS, *view.KEYS, *page.keys))
     view.keep()
     sidebar = "collapsed" if view.is_projector() else 340
-    st.set_page_config(pages.tab_title(page), "🚕", layout="wide", initial_sidebar_state=sidebar)
+    st.set_page_config(pages.tab_title(page), layout="wide", initial_sidebar_state=sidebar)
     cached.warm_up()
     look.dress(controls.BOXES)
     controls.take_typed()

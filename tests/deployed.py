@@ -1,4 +1,4 @@
-"""The app as `.deploy/` runs it, on the loopback address: two processes by their unit, HAProxy before them."""
+"""The app as `.deploy/` runs it, on the loopback address: two processes by their unit, HAProxy and HTTPS before."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ import time
 import urllib.request
 from configparser import ConfigParser
 
+import trustme
+
 from tests.browser import ROOT
 
 RECIPE = ROOT / ".deploy"
@@ -27,7 +29,10 @@ _STATE = "/var/lib/ramanujan"
 
 
 class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
-    """Run the recipe's processes and its proxy for as long as the block lasts; `address` is the proxy's."""
+    """Run the recipe's processes and its proxy for as long as the block lasts.
+
+    The proxy has two addresses: `address`, and `secure` for HTTPS, with a certificate that nobody has signed.
+    """
 
     def __init__(self, processes: int = 2) -> None:
         names = ("first", "second")[:processes]
@@ -36,15 +41,21 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         self.state = tempfile.TemporaryDirectory()
 
     def __enter__(self) -> deployed:
-        [port] = _free_ports(1)
-        self.address = f"http://127.0.0.1:{port}"
+        open_port, secure_port = _free_ports(2)
+        self.address, self.secure = f"http://127.0.0.1:{open_port}", f"https://127.0.0.1:{secure_port}"
         addresses = {f"RAMANUJAN_{name.upper()}": f"127.0.0.1:{port}" for name, port in self.ports.items()}
-        addresses["RAMANUJAN_ADDRESS"] = f"127.0.0.1:{port}"
+        certificate = os.path.join(self.state.name, "ramanujan.pem")
+        trustme.CA().issue_cert("127.0.0.1").private_key_and_cert_chain_pem.write_to_path(certificate)
+        addresses |= {
+            "RAMANUJAN_ADDRESS": f"127.0.0.1:{open_port}",
+            "RAMANUJAN_SECURE_ADDRESS": f"127.0.0.1:{secure_port}",
+            "RAMANUJAN_CERTIFICATE": certificate,
+        }
         try:
             for name in self.ports:
                 self.start(name)
             self.proxy = subprocess.Popen(
-                [HAPROXY, "-db", "-f", str(RECIPE / "ramanujan.cfg")],
+                [HAPROXY, "-db", "-f", str(RECIPE / "ramanujan.cfg"), "-f", str(RECIPE / "https.cfg")],
                 env=os.environ | addresses,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,

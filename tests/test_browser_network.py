@@ -173,3 +173,31 @@ def test_back_and_forward_through_ten_changes(server: str, profile: object) -> N
         expect(slider(tab)).to_have_value(expected[1])
         settle(tab)
     tab.close()
+
+
+def test_the_letters_of_every_page_come_with_it(visit):
+    """The app's own fonts are a sixth of Streamlit's; a character that they lack brings Streamlit's whole file."""
+    large = """performance.getEntriesByType("resource").map((entry) => entry.name.split("/").at(-1))
+        .filter((name) => /^Source(Sans|Serif).*-(Upright|Roman)/.test(name))"""
+    for address in PAGES:
+        page = visit(address)
+        assert page.evaluate(large) == [], address
+    page.evaluate("document.querySelector('h1').append(' Ж')")
+    page.wait_for_function(f"({large}).length === 1")
+
+
+def test_no_other_server_is_asked(visit, server: str):
+    """A classroom may have no internet, and who visits the app is nobody else's business."""
+    page = visit()
+    asked: list[str] = []
+
+    def note(request: object) -> None:
+        asked.append(request.url)
+
+    page.on("request", note)
+    for address in PAGES:
+        page.goto(f"{server}/{address}")
+        ready(page)
+    page.remove_listener("request", note)
+    assert len(asked) > len(PAGES)
+    assert [url for url in asked if not url.startswith((server, server.replace("http", "ws"), "data:", "blob:"))] == []

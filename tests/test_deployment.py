@@ -83,6 +83,34 @@ def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) ->
     assert "no-cache" in get(f"{hall.address}/static/js/nothing.js", Accept_Encoding="gzip")[0]["Cache-Control"]
 
 
+def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> None:
+    context = chromium.new_context(ignore_https_errors=True, reduced_motion="reduce")
+    tab = context.new_page()
+    client = context.new_cdp_session(tab)
+    client.send("Network.enable")
+    answers, sizes = {}, {}
+
+    def note(event: dict) -> None:
+        answers[event["requestId"]] = event["response"]
+
+    def measure(event: dict) -> None:
+        sizes[event["requestId"]] = event["encodedDataLength"]
+
+    client.on("Network.responseReceived", note)
+    client.on("Network.loadingFinished", measure)
+    tab.goto(hall.secure)
+    tab.locator(".js-plotly-plot .scatterlayer path").first.wait_for(state="attached")
+    tab.locator("svg.machine[viewBox]").wait_for(state="attached")
+    context.close()
+    sent = {number: answer for number, answer in answers.items() if answer["url"].startswith("https")}
+    scripts = [answer for answer in sent.values() if answer["url"].endswith(".js")]
+    assert len(scripts) > 20
+    # What is very small is sent as it is.
+    assert {answer["headers"].get("content-encoding") for answer in scripts} == {"br", None}
+    # A class of thirty loads it over one Wi-Fi.
+    assert sum(sizes.get(number, 0) for number in sent) < 2.5e6
+
+
 def test_a_download_comes_from_the_visitors_process(students: dict[str, object]) -> None:
     for tab in students.values():
         with tab.expect_download() as download:

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 import json
 import re
+from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from html import escape
@@ -68,6 +69,7 @@ _TEXTS = {
 }
 """Component → the texts for the slots of its HTML."""
 
+_FONT = re.compile(r"url\(([\w/]+\.woff2)\)")
 _ASK = (_HERE / "ask.js").read_text(encoding="utf-8")
 
 
@@ -103,7 +105,12 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
 def style(name: str = "page.css") -> str:
     """Return a style sheet of this folder without comments: page.css, or projector.css, which goes on top of it."""
     whole = (_HERE / name).read_text(encoding="utf-8")
-    return re.sub(r"/\*.*?\*/|\n\s*", "", whole, flags=re.DOTALL)
+    return _FONT.sub(_inline, re.sub(r"/\*.*?\*/|\n\s*", "", whole, flags=re.DOTALL))
+
+
+def _inline(link: re.Match[str]) -> str:
+    """Put the font that a style sheet names into the sheet itself."""
+    return f"url(data:font/woff2;base64,{b64encode((_HERE / link[1]).read_bytes()).decode()})"
 
 
 def feed(key: str, topics: Mapping[str, Any]) -> Any:
