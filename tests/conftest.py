@@ -1,7 +1,7 @@
 """What the tests share: the app under AppTest, a running server, a Chromium.
 
 Browser tests need a Chromium or Chrome on the system; without one they are skipped, unless RAMANUJAN_REQUIRE_BROWSER
-is set, as it is in CI. Those of one file stay together in one worker, which starts one server and one browser for all.
+is set, as it is in CI. Those of one file stay together in one worker, which starts their server and browser once.
 In CI, whose machine others share, a browser test that fails gets a second try, which the report counts as a rerun; on
 your own machine it gets none, so that a race is seen.
 """
@@ -10,20 +10,35 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 from streamlit.testing.v1 import AppTest
+from xdist.scheduler import LoadScopeScheduling
 
 from tests.browser import CHROMIUM, FLAGS, MOUNTED, ROOT, count_anew, listen, running, settle
 
+IN_A_BROWSER = ("test_browser", "test_deployment")
+
+
+class FilesTogether(LoadScopeScheduling):
+    """Tests in a browser: those of one file go to one worker. All others: each to whichever worker is free."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        file = Path(nodeid.partition("::")[0])
+        return file.stem if file.stem.startswith(IN_A_BROWSER) else nodeid
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> FilesTogether:
+    return FilesTogether(config, log)
+
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    second_try = bool(os.environ.get("RAMANUJAN_REQUIRE_BROWSER"))
-    for item in items:
-        if "server" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group(f"browser {item.path.stem}"))
-        if second_try and item.path.stem.startswith(("test_browser", "test_deployment")):
-            item.add_marker(pytest.mark.flaky(reruns=1))
+    if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
+        for item in items:
+            if item.path.stem.startswith(IN_A_BROWSER):
+                item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 @pytest.fixture

@@ -133,8 +133,6 @@ COVER = """() => {
 }"""
 """Puts a text over the title, and one over a figure's tick; returns them."""
 
-pytestmark = pytest.mark.xdist_group("browser test_browser_language")
-
 
 @pytest.fixture(scope="module")
 def page(profile: object) -> Iterator[object]:

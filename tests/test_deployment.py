@@ -17,8 +17,6 @@ from tests.deployed import HAPROXY, deployed
 STORE = "ramanujan"
 """The cookie that names a visitor's process."""
 
-pytestmark = pytest.mark.xdist_group("deployment")
-
 
 @pytest.fixture(scope="module")
 def hall() -> Iterator[deployed]:
