@@ -9,6 +9,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import page
+from ramanujan.page import bundle
 from ramanujan.scenes import view
 
 BODY_COLORS = {
@@ -62,7 +63,7 @@ def dress(boxes: Mapping[str, Mapping[str, Any]]) -> None:
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
     kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
     own = f":root{{{kept}--under:{under}}}"
-    rules = page.style("projector.css") if view.is_projector() else ""
+    rules = bundle.style("projector.css") if view.is_projector() else ""
     # On paper, which is white, the light lines of a dark figure would not be seen.
     printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
     # Markdown with HTML in it loads a script first, and comes later than the headings.

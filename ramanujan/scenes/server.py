@@ -20,7 +20,7 @@ from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
 import ramanujan
-from ramanujan import page
+from ramanujan.page import bundle
 
 __all__ = ["Compressed", "Dressed", "Middleware", "warm_up", "warmed_up"]
 
@@ -113,7 +113,7 @@ class Dressed:
                 await send(message)
             else:
                 # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
-                rules = f"<style>{page.style()}</style></body>".encode()
+                rules = f"<style>{bundle.style()}</style></body>".encode()
                 body = _FONT.sub(b"", message["body"]).replace(b"</body>", rules, 1)
                 # What Streamlit says of its file is not true of this one.
                 other = (b"content-length", b"etag", b"last-modified", b"accept-ranges")

@@ -61,6 +61,7 @@ from ramanujan.derivation.solution import coefficients
 from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import DRAWN_SPACING, Oscillator
+from ramanujan.page import bundle
 from ramanujan.stage.words import BODIES, SENTENCES, SLIPS, filled
 from ramanujan.words import _
 
@@ -254,5 +255,5 @@ def _component() -> Callable[..., Any]:
     unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
     words = {**SENTENCES, "slips": SLIPS, "bodies": BODIES, "unity": unity}
     given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
-    script = page.script(*(_HERE / f"{module}.js" for module in _MODULES))
+    script = bundle.script(*(_HERE / f"{module}.js" for module in _MODULES))
     return st.components.v2.component("ramanujan_stage", html=filled(html), css=css, js=given + script)
