@@ -196,16 +196,16 @@ def equations(display: str) -> list[str]:
     return [each.strip() for each in found]
 
 
-def sides(equation: str) -> tuple[str, str, str]:
-    """Return the left side, the right side, and the decimal after ≈ or "", without units."""
-    left, right = _UNIT.sub("", equation).split(" = ")
-    right, _, decimal = right.partition(r" \approx ")
-    return left, right, decimal
+def sides(equation: str) -> tuple[str, str, str, bool]:
+    """Return the left side, the right side, its decimal or "", all without units, and whether the decimal is exact."""
+    left, right = _UNIT.sub("", equation).split(" = ", 1)
+    right, sign, decimal = re.fullmatch(r"(.*?)(?: (=|\\approx) ([^=]*))?", right).groups(default="")
+    return left, right, decimal, sign == "="
 
 
 def holds(equation: str, values: Mapping[str, Number]) -> bool:
     """Tell whether an equation is true for some values: to 40 digits, or to the digits of a decimal that is written."""
-    left, right, decimal = sides(equation)
+    left, right, decimal, is_exact = sides(equation)
     left, right = formula(left), formula(right)
     exact = right.value(values)
     difference = np.abs(left.value(values) - exact)
@@ -215,4 +215,5 @@ def holds(equation: str, values: Mapping[str, Number]) -> bool:
         tolerance = mpmath.mpf("1e-6" if r"\ldots" in equation else "1e-40")
         if not np.all(difference <= tolerance * scale):
             return False
-    return not decimal or bool(abs(formula(decimal).value(values) - exact) <= abs(exact) * mpmath.mpf("1e-7"))
+    tolerance = mpmath.mpf("1e-40" if is_exact else "1e-7")
+    return not decimal or bool(abs(formula(decimal).value(values) - exact) <= abs(exact) * tolerance)

@@ -10,6 +10,7 @@ import os
 import random
 import re
 from collections.abc import Iterator
+from fractions import Fraction
 from functools import cache, lru_cache
 
 import mpmath
@@ -67,12 +68,18 @@ def along_the_motion(mass: str, roller: str, stiffness: str, in_mode: bool) -> d
     return quantities(machine, START, UNIT_RATIO, in_mode=in_mode)
 
 
+def entered(value: float) -> str:
+    """Return what a person has entered who sees this number: a decimal, or 5/6 where it is the float of that."""
+    sixths = Fraction(value).limit_denominator(6)
+    return str(sixths) if float(sixths) == value else repr(value)
+
+
 def meanings(masses: tuple[float, float, float], step: Step, name: str) -> dict[str, object]:
     """Return what each symbol means in a step, for the present machine or, if the step is about that, for m′ = m.
 
     The energy route is about the oscillating mode alone, the others about any motion.
     """
-    mass, roller, stiffness = map(repr, masses)
+    mass, roller, stiffness = map(entered, masses)
     if step.case is not None:
         roller = mass
     elif stands_for_the_root(*masses[:2]):
@@ -115,7 +122,7 @@ def test_a_spoiled_machine_is_noticed_in_every_step_with_numbers():
 def test_no_number_is_equated_to_another(masses):
     for name, step, lines in shown(masses):
         for line in lines:
-            left, right, _ = sides(line)
+            left, right, *_ = sides(line)
             # A determinant of numbers is worked out on the right, which is true or `holds` would have said so.
             assert has_symbol(left) or has_symbol(right) or left.startswith(r"\left|"), (name, step.key, line)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -15,12 +16,17 @@ from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
 from tests.browser import ROOT
 
-MACHINES = [Oscillator(k=10.0), Oscillator(1.0, UNIT_MASS_RATIO, 10.0), Oscillator(1.1, 2.35, 33.5, 0.05)]
+MACHINES = [
+    Oscillator(k=10.0),
+    Oscillator(1.0, UNIT_MASS_RATIO, 10.0),
+    Oscillator(1.1, 2.35, 33.5, 0.05),
+    Oscillator(1.0, 5 / 6, 10.0),
+]
 
 
 def value(text: str, name: str) -> sp.Expr:
     """The number that an answer gives for a quantity, read off its LaTeX."""
-    written = re.search(rf"{re.escape(name)}=((?:[^$\\]|\\(?!approx|,))+)", text)[1]
+    written = re.search(rf"{re.escape(name)}=((?:[^$=\\]|\\(?!approx|,))+)", text)[1]
     plain = re.sub(r"\\frac\{(.*)\}\{(.*)\}", r"(\1)/(\2)", written)
     return sp.sympify(re.sub(r"\\sqrt\{(\d+)\}", r"sqrt(\1)", plain).replace("\\", ""))
 
@@ -34,15 +40,43 @@ def test_the_key_gives_the_core_s_numbers_exactly(machine):
         np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max(), rel=1e-12
     )
     assert float(value(felt, r"k/\Omega^2")) == pytest.approx(machine.effective_mass, rel=1e-14)
-    faster = machine.normalized_frequency_squared - 1
+    exact = Fraction(repr(machine.m_prime / machine.m))
+    faster = 0 if machine.mass_ratio == UNIT_MASS_RATIO else 24 - exact - 18 * exact**2
     assert parting.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
+
+
+def test_a_decimal_is_said_to_be_equal_only_where_it_is():
+    shown = [
+        re.search(r"m/k=(.*)\$", questions(Oscillator(1.0, m_prime, 10.0), "1")[4].answer)[1]
+        for m_prime in (5 / 6, 1.0, 62 / 55)
+    ]
+    assert shown == [r"\frac{9}{8} = 1.125", r"\frac{104}{99} \approx 1.0505", r"\frac{166540}{166541} \approx 0.99999"]
+
+
+@pytest.mark.parametrize(("m_prime", "verdict"), [(1.12725682701621, "Faster"), (1.1272568270162111, "Slower")])
+def test_the_key_tells_who_is_ahead_however_close_to_the_unit_ratio(m_prime, verdict):
+    """Here the float of Ω²m/k is 1, or may be; the machine is not in step for all that."""
+    answer = questions(Oscillator(1.0, m_prime, 10.0), "1")[7].answer
+    assert answer.startswith(verdict)
+    gap = float(18 * Fraction(repr(m_prime)) ** 2 + Fraction(repr(m_prime)) - 24)
+    # To first order: Ω²m/k − 1 = −(18ε² + ε − 24)/(18ε² + 49ε + 32), and √(1 + δ) − 1 = δ/2.
+    periods = 2 * (18 * m_prime**2 + 49 * m_prime + 32) / abs(gap)
+    mantissa, exponent = re.search(r"after (\d\.\d+)×10([⁰¹²³⁴⁵⁶⁷⁸⁹]+)", answer).groups()
+    power = int(exponent.translate(str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")))
+    assert float(mantissa) * 10**power == pytest.approx(periods, rel=6e-3)
+
+
+def test_on_paper_a_question_needs_no_other():
+    """A sheet takes four of the stops; what one before it has set is not there."""
+    for stop in lesson.STOPS:
+        assert not re.search(r"\b(again|so far|as before|earlier)\b|^Now\b", stop.question, re.IGNORECASE), stop.id
 
 
 @pytest.mark.parametrize("seed", list("12345678"))
 def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
     *_, last = questions(Oscillator(), seed)
     asked = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
-    root = re.search(r"varepsilon=\\frac\{(.*?)\}\{(\d+)\}\\approx", last.answer)
+    root = re.search(r"so \$\\varepsilon=\\frac\{(.*?)\}\{(\d+)\}", last.answer)
     exact = sp.sympify(re.sub(r"\\sqrt\{(\d+)\}", r"sqrt(\1)", root[1])) / int(root[2])
     assert normalized_frequency_squared(float(exact)) == pytest.approx(float(asked), rel=1e-12)
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.accuracy.progress import REFERENCE, Piece, each, exact_frequency_squared
 from ramanujan.motion import InitialState, motion
+from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import finite_array, instance, integer
 from ramanujan.words import _
@@ -54,13 +55,16 @@ def phase_errors(
 
     Raises
     ------
-    ValueError : an argument is outside its range.
+    ValueError : an argument is outside its range, or the longest time is.
 
     >>> [piece.result.periods for piece in phase_errors(Oscillator(), 2)]
     [1.0, 10.0, 100.0]
     """
     instance("oscillator", oscillator, Oscillator)
     last = integer("largest_decade", largest_decade, 1, LARGEST_DECADE)
+    if not math.isfinite(oscillator.period * 10.0**last * 2):
+        sentence = _("oscillator has a period of {period}, too long for {count} of them")
+        raise ValueError(sentence.format(period=quantity(oscillator.period, "s", 3), count=number(10.0**last)))
     fractions = np.arange(integer("samples", samples, 1, 1000)) / samples
     return each(lambda decade: _errors_near(oscillator, 10.0**decade, fractions), range(last + 1))
 
@@ -100,9 +104,11 @@ def _errors_near(oscillator: Oscillator, periods: float, fractions: NDArray[np.f
     times = oscillator.period * (periods + fractions)
     exact = _exact_phases(oscillator, times)
     omega = oscillator.natural_frequency
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        single = np.float32(omega) * times.astype(np.float32)
     return PhaseErrors(
         periods=periods,
-        float32=_largest_gap(np.float32(omega) * times.astype(np.float32), exact),
+        float32=_largest_gap(single, exact),
         float64=_largest_gap(omega * times, exact),
         reduced=largest_phase_error(oscillator, times),
     )

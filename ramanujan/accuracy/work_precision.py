@@ -13,6 +13,7 @@ import numpy as np
 from ramanujan.accuracy.progress import Piece, float_type
 from ramanujan.accuracy.runs import LONGEST_RUN, blocks, errors, method_named, seconds_per_step, steps_within
 from ramanujan.integrators import METHODS, Method
+from ramanujan.numerals import quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, one_of, positive, sequence
 from ramanujan.words import _
@@ -86,7 +87,8 @@ def work_precision(
 
     Raises
     ------
-    ValueError : an argument is outside its range, or a run would take more than LONGEST_RUN steps.
+    ValueError : an argument is outside its range, Ω² outside that of a dtype, or a run would take more than LONGEST_RUN
+        steps.
 
     >>> pieces = work_precision(Oscillator(), 10, [20], ["velocity_verlet"], ["float64"])
     >>> [curve] = [piece.result for piece in pieces if piece.result]
@@ -100,6 +102,11 @@ def work_precision(
         raise ValueError(_("steps_per_period must not be empty"))
     chosen = [(name, method_named("methods", name)) for name in sequence("methods", methods)]
     kinds = [(name, float_type("dtypes", name)) for name in sequence("dtypes", dtypes)]
+    squared = oscillator.natural_frequency_squared
+    for name, kind in kinds:
+        if not float(np.finfo(kind).tiny) <= squared <= float(np.finfo(kind).max):
+            sentence = _("oscillator has Ω² = {squared}, which {dtype} cannot hold")
+            raise ValueError(sentence.format(squared=quantity(squared, "s⁻²", 3), dtype=name))
     return _diagram(oscillator, periods, steps, chosen, kinds)
 
 

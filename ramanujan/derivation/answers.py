@@ -111,7 +111,7 @@ def _sampled(question: str, typed: Expression) -> Verdict:
         return Verdict("unreadable", _("Your formula contains a root that is not real for all masses and motions."))
     if decimals.agree(values, decimals.values(answer(question))):
         return Verdict("unsimplified", _("Right! The formula can be written much shorter."))
-    differs = _("Your answer differs from the right one. It is too long to say where.")
+    differs = _("Your answer differs from the right one. It cannot be compared term by term.")
     return Verdict("wrong", f"{differs} {leads_on(question)}")
 
 

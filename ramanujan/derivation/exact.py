@@ -218,6 +218,20 @@ def rounded(number: Rational | Surd, digits: int = DIGITS) -> str:
     return _digits(value, ROUND_HALF_EVEN, below, digits)
 
 
+def decimal_of(number: Rational | Surd, digits: int = DIGITS) -> str:
+    """Return, as LaTeX, a number as a decimal behind its sign: ≈ where the decimal is rounded, otherwise =.
+
+    >>> print(decimal_of(sp.QQ(196, 25)), decimal_of(sp.QQ(-2, 3), 4))
+    = 7.84 \\approx -0.6667
+    """
+    irrational = isinstance(number, Surd) and number.b
+    above, below = (number.a, number.d) if isinstance(number, Surd) else (number.numerator, number.denominator)
+    quotient = Context(prec=digits).divide(Decimal(int(above)), Decimal(int(below)))
+    is_exact = not irrational and _EXACTLY.multiply(quotient, Decimal(int(below))) == int(above)
+    sign = "=" if is_exact else r"\approx"
+    return f"{sign} {rounded(number, digits)}"
+
+
 def _digits(value: Decimal, rounding: str, below: Decimal = Decimal(1), digits: int = DIGITS) -> str:
     """Return value/below in LaTeX with so many significant digits, with a power of ten where there are many zeros."""
     quotient = Context(prec=digits, rounding=rounding).divide(value, below)

@@ -1,7 +1,7 @@
 """The present masses as exact numbers, for a derivation with numbers.
 
-A float is read as the decimal that a person sees: 0.1 is 1/10. There is one exception: if m′ is the float nearest to
-ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
+A float is read as what a person has entered: 0.1 is 1/10, and the float nearest to 5/6 is 5/6. If m′ is the float
+nearest to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
 """
 
 from __future__ import annotations
@@ -19,6 +19,11 @@ from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.words import _
 
+_DIGITS_OF_A_FLOAT = 15
+"""So many digits, and more, tell a float from its neighbours."""
+_SIMPLE = 10_000
+"""The largest denominator of a fraction that a person would enter."""
+
 
 def exact_values(mass: float, roller_mass: float, stiffness: float) -> dict[sp.Symbol, sp.Expr]:
     """Return m, m′ and k as exact SymPy numbers.
@@ -28,15 +33,15 @@ def exact_values(mass: float, roller_mass: float, stiffness: float) -> dict[sp.S
     mass, roller_mass : m, m′ [kg]
     stiffness : k [N/m]
 
-    >>> exact_values(1.85, 0.86, 33.5)
-    {m: 37/20, m_prime: 43/50, k: 67/2}
+    >>> exact_values(1.85, 5 / 6, 33.5)
+    {m: 37/20, m_prime: 5/6, k: 67/2}
     """
-    exact_mass = _decimal(mass)
+    exact_mass = _entered(mass)
     is_root = stands_for_the_root(mass, roller_mass)
     return {
         m: exact_mass,
-        m_prime: unit_frequency_condition().root * exact_mass if is_root else _decimal(roller_mass),
-        k: _decimal(stiffness),
+        m_prime: unit_frequency_condition().root * exact_mass if is_root else _entered(roller_mass),
+        k: _entered(stiffness),
     }
 
 
@@ -95,5 +100,12 @@ def unit_frequency_condition() -> UnitCondition:
     return unit_condition(ROUTES["euler_lagrange"].natural_frequency_squared)
 
 
-def _decimal(value: float) -> sp.Rational:
-    return sp.Rational(repr(float(value)))
+def _entered(value: float) -> sp.Rational:
+    """Return the decimal that a person sees or, if it fills a float, the simple fraction that has this float, if any.
+
+    There are a million times more floats than simple fractions, so a measured decimal is hardly ever taken for one.
+    """
+    text = repr(float(value))
+    simple = Fraction(value).limit_denominator(_SIMPLE)
+    fills = len(Decimal(text).as_tuple().digits) >= _DIGITS_OF_A_FLOAT
+    return sp.Rational(simple.numerator, simple.denominator) if fills and float(simple) == value else sp.Rational(text)

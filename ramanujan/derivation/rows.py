@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.exact import rounded
+from ramanujan.derivation.exact import decimal_of
 from ramanujan.derivation.slots import Exact, evaluated, exact, fill, template, written
 from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
@@ -116,7 +116,7 @@ def _value(equation: sp.Eq, numbers: Exact) -> str:
     shown, unit = written(number), _UNITS.get(equation.lhs, "")
     # A decimal with dots needs no second one, nor does an integer.
     needs_none = shown.is_decimal or (shown.above.isdigit() and not shown.below)
-    return unit if needs_none else rf" \approx {rounded(number)}{unit}"
+    return unit if needs_none else f" {decimal_of(number)}{unit}"
 
 
 def extent(formula: str) -> int:

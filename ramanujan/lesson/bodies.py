@@ -141,8 +141,8 @@ STOPS = (
         id="rollers",
         heading=_("How far do the lower rollers travel?"),
         question=_(
-            "In half a period the slab moves {slab} relative to the block. The centres of the lower rollers move "
-            "half as far, {centre}. How far do these centres move relative to the ground?"
+            "All bodies have the same mass. In half a period the slab moves {slab} relative to the block. The centres "
+            "of the lower rollers move half as far, {centre}. How far do these centres move relative to the ground?"
         ).format(slab=quantity(2 * _CM * COMPRESSION, "cm", 2), centre=quantity(_CM * COMPRESSION, "cm", 1)),
         options=options(
             all=_("Just as far."),

@@ -193,12 +193,12 @@ STOPS = (
         id="heavy-rollers",
         heading=_("Heavy rollers"),
         question=_(
-            "Now hoop and lower cylinder have a mass of {rollers} each. All other bodies keep their {others}. "
-            "Whose hand is ahead after ten periods of the plain mass?"
+            "Hoop and lower cylinder are replaced by heavy ones of {rollers} each. All other bodies keep their "
+            "{others}. Whose hand is ahead after ten periods of the plain mass?"
         ).format(rollers=_kilograms(HEAVY.m_prime), others=_kilograms(HEAVY.m)),
         options=options(
             plain=_("The hand of the plain mass."),
-            machine=_("The hand of the machine, as before."),
+            machine=_("The hand of the machine."),
             neither=_("Neither: the mass of the lower rollers makes no difference."),
         ),
         answer=_heavy,
@@ -214,8 +214,8 @@ STOPS = (
         id="stiffness",
         heading=_("A stiffer spring"),
         question=_(
-            "All masses are equal again, and the machine is a little faster than the plain mass. Both springs are "
-            "replaced by springs that are four times as stiff. How much does the machine gain in one period now?"
+            "All masses are equal, and the machine is a little faster than the plain mass. Both springs are replaced "
+            "by springs that are four times as stiff. How much does the machine gain in one period then?"
         ),
         options=options(
             more=_("More than before: the spring now dominates the masses."),

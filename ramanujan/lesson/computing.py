@@ -104,9 +104,9 @@ def _huge() -> str:
 def _why_huge() -> str:
     return _(
         "The formula squares m + m′. At ε = {ratio} this square is larger than every double-precision number, so "
-        "it becomes infinity. Division by infinity gives zero, without any warning. The right value is {truth}. It "
-        "is small, but it is an ordinary number for a computer. A formula that first divides m by m′ finds it "
-        "without trouble."
+        "it becomes infinity. Division by infinity gives zero, and JavaScript says nothing about it. The right value "
+        "is {truth}. It is small, but it is an ordinary number for a computer. A formula that first divides m by m′ "
+        "finds it without trouble."
     ).format(
         ratio=_RATIO,
         truth=number(Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared, 3),
@@ -153,8 +153,8 @@ STOPS = (
         id="huge-ratio",
         heading=_("A mass ratio of {ratio}").format(ratio=_RATIO),
         question=_(
-            "A program evaluates the paper’s formula, Ω² = {formula}, in double precision. Someone enters m = 1, k "
-            "= 1 and m′ = {ratio}. What does the program return?"
+            "A program in JavaScript evaluates the paper’s formula, Ω² = {formula}, in double precision. Someone "
+            "enters m = 1, k = 1 and m′ = {ratio}. What does the program return?"
         ).format(formula=FORMS["paper"].formula, ratio=_RATIO),
         options=options(
             right=_("The right value, a very small number."),

@@ -82,8 +82,9 @@ STOPS = (
         id="contact",
         heading=_("Which contact slips first?"),
         question=_(
-            "So far every contact rolls without slipping. That takes friction. The floor stays frictionless, but "
-            "the friction at all other contacts is made weaker and weaker. Where does the first slip happen?"
+            "All bodies have the same mass, and every contact rolls without slipping. That takes friction. The floor "
+            "stays frictionless, but the friction at all other contacts is made weaker and weaker. Where does the "
+            "first slip happen?"
         ),
         options=options(
             top_block=_("Between top cylinder and block: only friction drives that cylinder."),

@@ -123,6 +123,10 @@ NOTES = (
     Note(
         "huge-ratio",
         _("It shows that a correct formula can fail without a warning."),
-        _("“An error message” is common. Let the class name other programs in which this could happen."),
+        _(
+            "“An error message” is common, and some languages give one: Python’s power raises an OverflowError, "
+            "NumPy warns. JavaScript, C and Fortran return zero. Let the class name other programs in which this could "
+            "happen."
+        ),
     ),
 )

@@ -10,9 +10,11 @@ import random
 import string
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import count
 
 import sympy as sp
 
+from ramanujan.derivation.exact import DIGITS, decimal_of, rounded
 from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import epsilon, k, m, m_prime
@@ -24,6 +26,8 @@ from ramanujan.words import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
+_FEW = 5
+"""Digits of a decimal beside a fraction."""
 SPACE = 3.0
 """Room to write an answer to a calculation [cm]."""
 
@@ -81,7 +85,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
     return (
         Question(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
-            f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={latex(normalized)}\\approx{float(normalized):.4g}$",
+            f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={_with_decimal(normalized)}$",
         ),
         Question(
             _("Calculate $\\Omega^2$ and the period."),
@@ -97,24 +101,37 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
         ),
         Question(
             _("Is the machine faster or slower than the plain mass? After how many periods are they one turn apart?"),
-            _parting(machine, normalized),
+            _parting(normalized),
         ),
         Question(
             _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
-            _("${quadratic}=0$, so $\\varepsilon={root}\\approx{value}$.").format(
-                quadratic=latex(a * epsilon**2 + b * epsilon + c),
-                root=latex(sp.factor(root)),
-                value=f"{float(root):.5g}",
+            _("${quadratic}=0$, so $\\varepsilon={root}$.").format(
+                quadratic=latex(a * epsilon**2 + b * epsilon + c), root=_with_decimal(root)
             ),
             space=4.0,
         ),
     )
 
 
-def _parting(machine: Oscillator, normalized: sp.Expr) -> str:
+def _with_decimal(value: sp.Expr) -> str:
+    """Return a number as LaTeX, and its decimal: of some digits, or of as many as tell it from 1."""
+    exact = latex(sp.factor(value))
+    if value.is_Integer:
+        return exact
+    if not value.is_Rational:
+        return rf"{exact} \approx {float(value):.{_FEW}g}"
+    fraction = sp.QQ.from_sympy(value)
+    digits = next(digits for digits in count(_FEW) if rounded(fraction, digits) != "1")
+    # A long fraction is written as a decimal anyway.
+    says_all = exact.endswith(r"\ldots") and digits <= DIGITS
+    return exact if says_all else f"{exact} {decimal_of(fraction, digits)}"
+
+
+def _parting(normalized: sp.Expr) -> str:
     if normalized == 1:
         return _("Neither: the two are in step for ever.")
-    gained = machine.normalized_frequency_squared**0.5 - 1
+    # Exactly at first: close to ε* the float of Ω√(m/k) is 1.
+    gained = float(sp.N(sp.sqrt(normalized) - 1, 20))
     sentence = (
         _("Faster: $\\Omega>\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass.")
         if gained > 0

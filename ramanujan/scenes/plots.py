@@ -35,15 +35,19 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
         for body in cached.NAMES
         if body != "spring"
     }
-    with time:
-        chart(
-            drawn[0],
-            "displacements",
-            _(
-                "Displacements over time. The slab oscillates; the rollers’ centres almost stand still. Greatest "
-                "distance from the start, relative to the ground: {distances}."
-            ).format(distances=listed(cached.NAMES, farthest, "cm")),
+    sees = (
+        _(
+            "Displacements over time. The slab oscillates about a steady drift that comes from the initial velocities. "
+            "Greatest distance from the start, relative to the ground: {distances}."
         )
+        if motion.initial.X_dot or motion.initial.Phi_dot
+        else _(
+            "Displacements over time. The slab oscillates; the centres of the lower rollers move least. Greatest "
+            "distance from the start, relative to the ground: {distances}."
+        )
+    )
+    with time:
+        chart(drawn[0], "displacements", sees.format(distances=listed(cached.NAMES, farthest, "cm")))
     with plane:
         chart(
             drawn[1],
@@ -52,8 +56,8 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
                 "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, "
                 "because it oscillates with one frequency. It reaches ±{displacement} and ±{velocity}."
             ).format(
-                displacement=quantity(100 * abs(motion.over_block["slab"]).max(), "cm", 3),
-                velocity=quantity(100 * abs(motion.velocity_over_block["slab"]).max(), "cm/s", 3),
+                displacement=quantity(100 * motion.compression, "cm", 3),
+                velocity=quantity(100 * motion.compression * motion.oscillator.natural_frequency, "cm/s", 3),
             ),
         )
     end = motion.t[-1]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import streamlit as st
 
@@ -131,15 +133,7 @@ def growing_errors(setting: Setting, run: thinned.Run | None) -> None:
             runs += [r for r in record.results or () if not (run and r.method == run.method)]
     reach = max([run.periods if run else 1, 10])
     exact = np.array([(p.periods, p.reduced) for p in cached.phases(*setting.parameters) if p.periods <= reach])
-    item = _("{method}: phase error {phase}, relative energy error up to {energy}.")
-    found = [
-        item.format(
-            method=METHODS[r.method].title,
-            phase=quantity(abs(r.phase_at_end), "rad"),
-            energy=number(float(np.max(r.energy))),
-        )
-        for r in runs
-    ]
+    found = [_found(r) for r in runs]
     chart(
         figures.error_growth(
             [thinned.growth(r, chosen=r is run) for r in runs], (exact[:, 0], exact[:, 1]), look.colors()
@@ -155,6 +149,16 @@ def growing_errors(setting: Setting, run: thinned.Run | None) -> None:
             "Each curve shows the largest error so far, and all methods take the same steps. Below its stability limit "
             "a symplectic method keeps its energy error bounded, but its phase error grows steadily."
         )
+    )
+
+
+def _found(run: thinned.Run) -> str:
+    """Say how far a run is off at its end."""
+    worst = float(np.max(run.energy))
+    if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
+        return _("{method}: the energy has grown beyond all bounds.").format(method=METHODS[run.method].title)
+    return _("{method}: phase error {phase}, relative energy error up to {energy}.").format(
+        method=METHODS[run.method].title, phase=quantity(abs(run.phase_at_end), "rad"), energy=number(worst)
     )
 
 

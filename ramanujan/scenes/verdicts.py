@@ -47,7 +47,9 @@ def method_facts(method: Method, steps: int) -> str:
     else:
         stable = _("It is stable up to hΩ = {limit}; here hΩ = {turn}.")
     cost = cost.format(order=method.order, n=method.evaluations)
-    return f"{cost} {stable.format(turn=number(turn, 3), limit=number(limit, 3))}"
+    # Close to the limit, three digits would not tell on which side the run is.
+    digits = 5 if math.isclose(turn, limit, rel_tol=0.01) else 3
+    return f"{cost} {stable.format(turn=number(turn, digits), limit=number(limit, digits))}"
 
 
 def errors_of(run: Run) -> str:
@@ -164,17 +166,26 @@ def _form(sweep: Sweep) -> str:
     return FORMS[sweep.form].title
 
 
+_FAILURES = {
+    ZERO: _("For {symbol} from {first} to {last} it returns 0."),
+    "−0": _("For {symbol} from {first} to {last} it returns −0."),
+    OVERFLOW: _("For {symbol} from {first} to {last} it returns infinity or NaN."),
+    PLAUSIBLE: _("For {symbol} from {first} to {last} it returns a plausible wrong value, such as {value}."),
+    INACCURATE: _("For {symbol} from {first} to {last} it loses digits."),
+}
+_FAILURES_AT_A_POINT = {
+    ZERO: _("For {symbol} = {first} it returns 0."),
+    "−0": _("For {symbol} = {first} it returns −0."),
+    OVERFLOW: _("For {symbol} = {first} it returns infinity or NaN."),
+    PLAUSIBLE: _("For {symbol} = {first} it returns a plausible wrong value, {value}."),
+    INACCURATE: _("For {symbol} = {first} it loses digits."),
+}
+
+
 def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
     inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
-    sentences = {
-        ZERO: _("For {symbol} from {first} to {last} it returns 0."),
-        OVERFLOW: _("For {symbol} from {first} to {last} it returns infinity or NaN."),
-        PLAUSIBLE: _("For {symbol} from {first} to {last} it returns a plausible wrong value, such as {value}."),
-        INACCURATE: _("For {symbol} from {first} to {last} it loses digits."),
-    }
-    sentence = sentences[stretch.verdict]
-    if stretch.verdict == ZERO and np.signbit(inside).all():
-        sentence = _("For {symbol} from {first} to {last} it returns −0.")
+    verdict = "−0" if stretch.verdict == ZERO and np.signbit(inside).all() else stretch.verdict
+    sentence = (_FAILURES_AT_A_POINT if stretch.first == stretch.last else _FAILURES)[verdict]
     usual = number(float(np.median(inside)), 4) if stretch.verdict == PLAUSIBLE else ""
     ends = {"first": number(float(stretch.first)), "last": number(float(stretch.last))}
     return sentence.format(symbol=symbol, value=usual, **ends)

@@ -21,8 +21,10 @@ def show() -> None:
     """Draw the page."""
     machine = controls.oscillator()
     paper, seed = choose()
-    head(machine, paper)
-    for number, question in enumerate(questions(machine, str(seed)), start=1):
+    asked = questions(machine, str(seed))
+    calculations = [number for number, question in enumerate(asked, start=1) if not question.options]
+    head(machine, paper, calculations[0], calculations[-1])
+    for number, question in enumerate(asked, start=1):
         draw(number, question, paper == "key")
 
 
@@ -35,8 +37,8 @@ def choose() -> tuple[str, int]:
     return paper, seed
 
 
-def head(machine: Oscillator, paper: str) -> None:
-    """Draw the title, a line for the name, the machine and its values."""
+def head(machine: Oscillator, paper: str, first: int, last: int) -> None:
+    """Draw the title, the machine and its values; they belong to the questions from the first to the last."""
     titles = {"questions": _("Ramanujan’s oscillator: worksheet"), "key": _("Ramanujan’s oscillator: key")}
     st.title(titles[paper], anchor=False)
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
@@ -46,7 +48,9 @@ def head(machine: Oscillator, paper: str) -> None:
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style="width:560px;max-width:100%;background:#fff",
         )
-    st.markdown(_("The machine: {values}.").format(values=values))
+    st.markdown(
+        _("The machine of questions {first} to {last}: {values}.").format(first=first, last=last, values=values)
+    )
 
 
 def draw(number: int, question: Question, with_key: bool) -> None:

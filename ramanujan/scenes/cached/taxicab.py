@@ -138,7 +138,8 @@ class PracticalMachine:
 def practical_machines() -> tuple[PracticalMachine, ...]:
     """Return the first convergents of the paper's mass ratio as machines to build."""
     return tuple(
-        PracticalMachine(entry.ratio, entry.error, 1 / abs((1 + entry.error) ** 0.5 - 1))
+        # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
+        PracticalMachine(entry.ratio, entry.error, (1 + (1 + entry.error) ** 0.5) / abs(entry.error))
         for entry in number_theory.practical_ratios(terms=5)
     )
 
