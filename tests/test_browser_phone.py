@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from playwright.sync_api import expect
 
 from tests.browser import CHROMIUM, count_anew, listen, settle
 
@@ -56,6 +57,8 @@ def phone(server, profile):
 
 def test_only_a_horizontal_move_or_a_tap_is_meant_for_a_slider(phone):
     page = phone.open("", ".st-key-k input[type=range]")
+    page.locator(".st-key-sheet button").tap()
+    page.wait_for_timeout(400)
     track = page.locator(".st-key-k .stSlider [role=group]")
     before = phone.sliders
     for dx, dy, at in ((5, -120, (0.7, 0.5)), (40, -110, (0.6, 0.5)), (4, 60, (0.09, 0.5))):
@@ -74,20 +77,28 @@ def test_only_a_horizontal_move_or_a_tap_is_meant_for_a_slider(phone):
 
 def test_sliders_and_machine_are_seen_together_and_choosing_a_page_closes_the_sheet(phone):
     page = phone.open("", ".st-key-k input[type=range]")
+    handle = page.locator(".st-key-sheet button")
+    # One who arrives reads the question first, with the machine below it.
+    assert handle.get_attribute("aria-expanded") == "false"
+    for words in ("When does this machine", "Take the lesson"):
+        expect(page.get_by_text(words)).to_be_in_viewport(ratio=1)
+    assert page.locator(".st-key-stage svg.machine").bounding_box()["y"] < 400
+    handle.tap()
+    page.wait_for_timeout(400)
     sheet = page.locator("[data-testid=stSidebar]").bounding_box()
     for key in ("m", "m_prime", "k", "compression"):
         place = page.locator(f".st-key-{key} .stSlider").bounding_box()
         assert sheet["y"] < place["y"]
         assert place["y"] + place["height"] <= 844
     machine = page.locator(".st-key-stage svg.machine").bounding_box()
+    clock = page.locator(".st-key-stage svg.dial").bounding_box()
     play = page.get_by_role("button", name="Play", exact=True).bounding_box()
-    assert machine["y"] >= 0
-    assert max(each["y"] + each["height"] for each in (machine, play)) <= sheet["y"]
+    assert machine["y"] >= 48
+    assert max(each["y"] + each["height"] for each in (machine, clock, play)) <= sheet["y"]
     assert play["height"] >= 44
     page.locator("[data-testid=stSidebarNavLink]", has_text="Motion").tap()
     page.locator(".js-plotly-plot .nsewdrag").first.wait_for(state="attached")
     settle(page)
-    handle = page.locator(".st-key-sheet button")
     assert handle.get_attribute("aria-expanded") == "false"
     assert handle.bounding_box()["y"] > 780
     # Far down the page, opening the sheet brings the machine back, and closing it the place where one read.

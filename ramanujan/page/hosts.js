@@ -136,9 +136,6 @@ const hosts = {
     return stage ? stage.getBoundingClientRect().top - 56 : 0;
   },
 
-  /** Whether the page is the one at the app's own address. */
-  onFirstPage: () => !document.querySelector("[data-testid=stSidebarNavLink]:not([href$='/'])[aria-current=page]"),
-
   isPageLink: (node) => Boolean(node.closest?.("[data-testid=stSidebarNavLink], [data-testid=stPageLink] a")),
 
   /** Bring the name of the present page into view in the bar of pages. */

@@ -25,8 +25,8 @@ export default function ({ parentElement }) {
         back = null;
       }
     };
-    // The first page opens with the sliders in sight; one who turns to another page wants to read it.
-    set(hosts.onFirstPage(), false);
+    // Who comes to a page wants to read it first.
+    set(false, false);
     const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
     on(button, "pointerdown", (event) => (pulled = event.clientY));
     on(button, "pointerup", (event) => {
