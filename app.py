@@ -8,14 +8,15 @@ if __name__ != "__main__":
 
     app = st.App(__file__, middleware=[Middleware(Compressed), Middleware(Dressed)], lifespan=warmed_up)
 else:
-    from ramanujan.scenes import cached, complaints, controls, given, links, look, pages, quantities, view
+    from ramanujan.scenes import cached, class_keys, complaints, controls, given, links, look, pages, quantities, view
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
     page, runner = pages.navigate()
     view.take_old()
-    said = links.opened(page.name, (*quantities.KEYS, *view.KEYS, *page.keys))
+    said = links.opened(page.name, (*quantities.KEYS, *view.KEYS, *class_keys.KEYS, *page.keys))
     view.keep()
+    class_keys.keep()
     sidebar = "collapsed" if view.is_projector() else 340
     st.set_page_config(pages.tab_title(page), layout="wide", initial_sidebar_state=sidebar)
     cached.warm_up()

@@ -22,6 +22,7 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FROM_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 """Small raised digits, and the way back."""
 
+_DIGITS_OF_A_FLOAT = 17
 _LONGEST_INTEGER = 10**6
 _PLAIN = range(-4, 6)
 """Powers of ten of the leading digit for which a number is written without a power."""
@@ -64,6 +65,22 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
     places = digits - 1 - power
     text = f"{round(value, places):,.{max(places, 0)}f}"
     return _grouped(text.rstrip("0").rstrip(".") if strip and "." in text else text)
+
+
+def told_from(value: float, other: float, digits: int = 2) -> str:
+    """Return a number with so many significant digits, or as many more as show on which side of another one it is.
+
+    Parameters
+    ----------
+    value, other : two numbers
+    digits : significant digits
+
+    >>> told_from(0.00103, 0.001), told_from(0.25, 0.001)
+    ('0.00103', '0.25')
+    """
+    while digits < _DIGITS_OF_A_FLOAT and float(f"{value:.{digits - 1}e}") == float(f"{other:.{digits - 1}e}"):
+        digits += 1
+    return number(value, digits)
 
 
 def fixed(value: float, places: int) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from ramanujan.scenes import quantities
+from ramanujan.scenes import class_keys, quantities
 from ramanujan.scenes.pages import PAGES
 from tests.browser import ROOT
 
@@ -26,7 +26,7 @@ UNMEANT = {
 DANGEROUS = ("empty", "infinite", "huge", "repeated")
 """What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
 OWN = {page.name: {key.name for key in page.keys} for page in PAGES.values()}
-SHARED = {key.name for key in quantities.KEYS}
+SHARED = {key.name for key in (*quantities.KEYS, *class_keys.KEYS)}
 DEFAULTS = {
     "route": "euler_lagrange",
     "show": "lecture",

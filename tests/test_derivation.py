@@ -223,7 +223,8 @@ def test_the_condition_is_the_printed_quadratic():
 
 
 def test_the_root_gives_exactly_one():
-    root, square = ROUTES["euler_lagrange"]["root"].equations
+    condition, root, square = ROUTES["euler_lagrange"]["root"].equations
+    assert condition == ROUTES["euler_lagrange"]["unit"].equations[0]
     assert sp.simplify(root.rhs - UNIT_RATIO) == 0
     normalized = ROUTES["euler_lagrange"]["ratio"].equations[1].rhs
     assert sp.radsimp(normalized.subs(epsilon, root.rhs)) == 1

@@ -240,11 +240,27 @@ def test_a_wrong_lecturers_address_gets_a_sentence(secret):
     assert STOP.question in words(app)
 
 
+@pytest.mark.parametrize("page", ["derivation", "motion"])
+def test_a_reload_of_another_page_loses_nobody(lecturer, page):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "ask")
+    answer(student.run(), RIGHT)
+    for person, still in ((lecturer, "1 of 1"), (student, "Your answer counts")):
+        there = person.switch_page(f"ramanujan/scenes/{page}.py").run()
+        link = address(there)
+        assert link["class"] == code_of(lecturer)
+        again = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
+        for key, value in link.items():
+            again.query_params[key] = value
+        again.switch_page(f"ramanujan/scenes/{page}.py").run()
+        assert still in words(again.switch_page(PAGE).run())
+
+
 def test_a_class_that_has_ended_lets_everybody_go(lecturer):
     student = visitor(**{"class": code_of(lecturer)})
     press(lecturer, "close")
     assert not {"class", "lecturer"} & set(address(lecturer))
-    assert "There is no class with this code" in words(student.run())
+    assert "The class has ended." in words(student.run())
     press(student, "leave")
     assert not {"class", "voter"} & set(address(student))
     assert STOP.question in words(student)

@@ -236,7 +236,9 @@ def _differences(question: str, typed: Expression, given: NormalForm) -> tuple[s
     if kind(question) == POLYNOMIAL:
         differences = term_by_term(given, right, variables(question))
         if differences is None:
-            return "", [_("In your answer a velocity or an angle is below a fraction line or under a root.")]
+            if set(variables(question)) & set(MOTION):
+                return "", [_("In your answer a velocity or an angle is below a fraction line or under a root.")]
+            return "", [_("In your answer a mass or a length is below a fraction line or under a root.")]
         ratio = over(given, right)
         if len(differences) > 1 and not ratio.names.intersection(MOTION) and (multiple := _multiple(ratio)):
             return None, multiple

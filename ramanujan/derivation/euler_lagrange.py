@@ -122,10 +122,11 @@ def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
         "root",
         _("Find the taxicab number"),
         _(
-            "A mass ratio is positive, and only one of the two roots is; call it $\\varepsilon_*$. Completing the "
-            "square shows the discriminant, the number under its square root."
+            "$\\Omega^2m/k=1$ is a quadratic equation for $\\varepsilon$. A mass ratio is positive, and only one of "
+            "the two roots is; it is called $\\varepsilon_*$. Completing the square shows the discriminant, the number "
+            "under its square root."
         ),
-        (equation(epsilon, unit.root), square),
+        (equation(quadratic, sp.Integer(0)), equation(epsilon, unit.root), square),
     )
     return (
         replace(only_ratio, present=replace(only_ratio, equations=present)),

@@ -15,7 +15,7 @@ from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.motion import motion, released
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
-from ramanujan.numerals import number, percent
+from ramanujan.numerals import number, percent, told_from
 from ramanujan.words import _
 
 TOLERANCE, PERIODS = 1e-3, 10
@@ -109,7 +109,8 @@ def fewest_evaluations() -> int:
 def cheapest(setting: Setting) -> Verdict:
     """Judge a method and its steps: first the error, then the cost."""
     error, cost = state_error(setting.method, setting.steps), evaluations(setting.method, setting.steps)
-    words = {"error": number(error, 2) if math.isfinite(error) else "∞", "goal": number(TOLERANCE, 1), "cost": cost}
+    words = {"error": told_from(error, TOLERANCE) if math.isfinite(error) else "∞", "goal": number(TOLERANCE, 1)}
+    words["cost"] = cost
     if error > TOLERANCE:
         return Verdict(False, _("The error is {error} of the amplitude. It must be at most {goal}.").format(**words))
     if cost > fewest_evaluations():

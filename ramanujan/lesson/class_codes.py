@@ -25,8 +25,18 @@ def read_code(text: str) -> str | None:
     >>> read_code(" bcd-fhj ")
     'BCDFHJ'
     """
-    code = "".join(filter(str.isalnum, text[:_LONGEST].upper()))
+    code = _bare(text)
     return code if len(code) == LETTERS and set(code) <= set(ALPHABET) else None
+
+
+def foreign_to_codes(text: str) -> str:
+    """Return the first letter or digit that occurs in no code, of a text that is as long as one; otherwise nothing.
+
+    >>> foreign_to_codes("bcd-fae"), foreign_to_codes("bcd")
+    ('A', '')
+    """
+    code = _bare(text)
+    return next((letter for letter in code if letter not in ALPHABET), "") if len(code) == LETTERS else ""
 
 
 def spaced(code: str) -> str:
@@ -67,3 +77,7 @@ def lock_for(secret: str) -> bytes:
 def opens(lock: bytes, secret: str) -> bool:
     """Tell whether this is the secret; the time that it takes says nothing about either."""
     return secrets.compare_digest(lock, lock_for(secret))
+
+
+def _bare(text: str) -> str:
+    return "".join(filter(str.isalnum, text[:_LONGEST].upper()))

@@ -22,7 +22,17 @@ from functools import cache
 from pathlib import Path
 from sqlite3 import Connection
 
-from ramanujan.lesson.class_codes import key_of, lock_for, new_code, new_secret, new_voter, opens, parts_of, read_code
+from ramanujan.lesson.class_codes import (
+    foreign_to_codes,
+    key_of,
+    lock_for,
+    new_code,
+    new_secret,
+    new_voter,
+    opens,
+    parts_of,
+    read_code,
+)
 from ramanujan.lesson.class_file import CHANGES, DESK, QUESTION, ClassError, ClassFile, place
 from ramanujan.lesson.class_states import Class, Comparison, Desk, Question, Seat
 from ramanujan.words import _
@@ -157,7 +167,7 @@ class Classes:
         """Return what a student is asked now: one read by keys, since every phone asks every few seconds."""
         rows = self._file.read(QUESTION, (seat.voter, seat.voter, seat.code, self._oldest))
         if not rows:
-            raise ClassError(_no_such_class())
+            raise ClassError(_("The class has ended."))
         stop, round_, revealed, solved, chosen, session = rows[0]
         return Question(stop, round_, bool(revealed), bool(solved), chosen, session == seat.session)
 
@@ -174,6 +184,10 @@ class Classes:
             self._must_be_open(file, code)
             if not file.execute("SELECT 1 FROM voter WHERE code = ? AND voter = ?", (code, voter)).fetchone():
                 raise ClassError(_("Your answer did not count. Join the class again with its code."))
+            # After a lost connection a browser says once more what counts already.
+            said = "SELECT 1 FROM vote WHERE code = ? AND stop = ? AND round = ? AND voter = ? AND option = ?"
+            if file.execute(said, (code, stop, round_, voter, option)).fetchone():
+                return
             present, now, options, revealed, _solved = _present(file, code)
             if present != stop:
                 raise ClassError(_("Your answer came too late: the class has gone on to another question."))
@@ -243,6 +257,9 @@ class Classes:
         """Return the seat of whoever comes with this code, or why there is none."""
         code = read_code(text)
         if code is None:
+            if wrong := foreign_to_codes(text):
+                sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
+                return sentence.format(letter=wrong)
             return _("A class code has six letters. Look at the projector and type them again.")
         again = "UPDATE voter SET session = ? WHERE code = ? AND voter = ?"
         if file.execute(again, (session, code, voter)).rowcount:

@@ -175,9 +175,9 @@ STOPS = (
         answer=_by_hand,
         explanation=_why_by_hand,
         hints=(
-            _("At equal masses it takes {periods} periods until the hands are one full turn apart.").format(
-                periods=round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))
-            ),
+            _(
+                "At equal masses it takes {periods} periods of the plain mass until the hands are one full turn apart."
+            ).format(periods=round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))),
             _("How much heavier must the rollers be to slow the machine down by so little?"),
         ),
         minutes=3,

@@ -12,7 +12,7 @@ from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.motion import ground_positions, ground_velocities, motion, pushed, released
-from ramanujan.numerals import number, percent, quantity
+from ramanujan.numerals import number, percent, quantity, told_from
 from ramanujan.words import _
 
 IN_STEP = 1e-3
@@ -45,7 +45,9 @@ def in_step(setting: Setting) -> Verdict:
         if off > 0
         else _("Ω²m/k = {value}. The machine is too slow by {off}; the goal is {goal}.")
     )
-    return Verdict(False, sentence.format(value=number(value, 5), off=number(abs(off), 2), goal=number(IN_STEP, 1)))
+    return Verdict(
+        False, sentence.format(value=number(value, 5), off=told_from(abs(off), IN_STEP), goal=number(IN_STEP, 1))
+    )
 
 
 def nine_eighths(setting: Setting) -> Verdict:
@@ -90,16 +92,19 @@ def parting(setting: Setting) -> Verdict:
     periods = 1 / gained if gained else math.inf
     if abs(periods / PARTING - 1) <= PARTING_TOLERANCE:
         return Verdict(
-            True, _("The hands are one full turn apart after {periods} periods.").format(periods=number(periods, 4))
+            True,
+            _("The hands are one full turn apart after {periods} periods of the plain mass.").format(
+                periods=number(periods, 4)
+            ),
         )
     if periods > 1e6:
         return Verdict(
             False, _("The hands stay together: the machine is in step. The goal is one full turn in ten periods.")
         )
     sentence = (
-        _("The hands are one full turn apart after {periods} periods. That is {off} periods too late.")
+        _("The hands are one full turn apart after {periods} periods of the plain mass, {off} too late.")
         if periods > PARTING
-        else _("The hands are one full turn apart after {periods} periods. That is {off} periods too early.")
+        else _("The hands are one full turn apart after {periods} periods of the plain mass, {off} too early.")
     )
     return Verdict(False, sentence.format(periods=number(periods, 3), off=number(abs(periods - PARTING), 2)))
 

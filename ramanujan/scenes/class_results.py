@@ -41,9 +41,9 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
         st.warning(str(error))
         return
     with st.container(key="class_result"):
-        if result.changes and solved:
+        if solved and result.changes and (said := _changes(result.changes)):
             with st.container(key="class_changes"):
-                st.markdown(_changes(result.changes))
+                st.markdown(said)
         for option in stop.options:
             st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
             places = st.columns(len(result.votes), gap="small")
@@ -70,13 +70,13 @@ def _result(access: str, stop: Stop, round_: int) -> _Result:
 
 def _label(label: str, right: bool, own: bool) -> str:
     if right and own:
-        return _(":green[:material/check_circle:] **{label}** This is right, and it was your answer.").format(
+        return _(":green[:material/check_circle:] **{label}** – This is right, and it was your answer.").format(
             label=label
         )
     if right:
-        return _(":green[:material/check_circle:] **{label}** This is right.").format(label=label)
+        return _(":green[:material/check_circle:] **{label}** – This is right.").format(label=label)
     if own:
-        return _("{label} *This was your answer.*").format(label=label)
+        return _("{label} – *This was your answer.*").format(label=label)
     return label
 
 
@@ -92,7 +92,9 @@ def _share(number: int, votes: int, share: float, people: int, total: int) -> st
 
 
 def _changes(changes: Comparison) -> str:
-    """Return how many have changed their answers, a sentence for each kind of change."""
+    """Return how many have changed their answers, a sentence for each kind of change; nothing if nobody voted twice."""
+    if not (changes.to_right or changes.to_wrong or changes.stayed_right or changes.stayed_wrong):
+        return ""
     to_right = ngettext(
         "**{n} student changed from a wrong answer to the right one.**",
         "**{n} students changed from a wrong answer to the right one.**",

@@ -1,62 +1,20 @@
 """Who this session is in a class: a lecturer with a key, a student with a seat, or nobody.
 
-It is known from the session, and after a reload from the address:
-
-    class       the code, in everybody's address; alone it is the link that students get
-    lecturer    the lecturer's key, in the lecturer's own address
-    voter       a student's random name, in the student's own address
-
-*Copy link* leaves out what `links.PRIVATE` names.
+It is known from the session, and after a reload from the address (`class_keys`).
 """
 
 from __future__ import annotations
 
-import re
 import secrets
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import ClassVar
 
 import streamlit as st
 
-from ramanujan.lesson.class_codes import ALPHABET, LETTERS, parts_of
+from ramanujan.lesson.class_codes import parts_of
 from ramanujan.lesson.classes import ClassError, Desk, Seat, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.scenes import links
-from ramanujan.words import _
-
-_NAME = r"[A-Za-z0-9_-]"
-
-
-@dataclass(frozen=True)
-class Word:
-    """A key of the address that holds a code, or what nobody else can guess; the class itself knows what it opens."""
-
-    bound: ClassVar[bool] = False
-    name: str
-    form: str
-    default: str = ""
-
-    def read(self, text: str) -> str:
-        """Return the text; ValueError if it cannot belong to any class."""
-        if not re.fullmatch(self.form, text, re.ASCII):
-            raise ValueError(self.name)
-        return text
-
-    def write(self, text: str) -> str:
-        """Return the text as the address has it."""
-        return text
-
-    def complaint(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        return _("The value of {name} in the address was ignored: it belongs to no class.").format(name=self.name)
-
-
-CLASS = Word("class", f"[A-Za-z]{{{LETTERS}}}")
-LECTURER = Word("lecturer", f"[{ALPHABET}]{{{LETTERS}}}-{_NAME}{{20,60}}")
-VOTER = Word("voter", f"{_NAME}{{8,40}}")
-KEYS = (CLASS, LECTURER, VOTER)
-"""What the address says of a class."""
+from ramanujan.scenes.class_keys import CLASS, LECTURER, VOTER
 
 _KEY, _SEAT = "class_key", "class_seat"
 _SESSION = "class_session"

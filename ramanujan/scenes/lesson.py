@@ -14,7 +14,7 @@ from ramanujan.scenes import class_session, classroom, links, progress, stops, t
 from ramanujan.scenes.cached import lesson as cached
 from ramanujan.words import _, ngettext
 
-KEYS = (*progress.KEYS, *tasks.KEYS, *class_session.KEYS)
+KEYS = (*progress.KEYS, *tasks.KEYS)
 PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
 
 

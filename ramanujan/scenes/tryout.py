@@ -46,8 +46,9 @@ def try_it() -> None:
     key = widgets.menu(QUESTION, _("What do you want to work out?"), titles)
     question = asked[key]
     st.markdown(question.prompt)
-    names = " ".join(f"`{name}`" for name in question.names)
-    st.markdown(_(":small[You may use] {names}").format(names=names))
+    if question.names:
+        names = " ".join(f"`{name}`" for name in question.names)
+        st.markdown(_(":small[You may use] {names}").format(names=names))
     with st.form("answer", border=False):
         text = st.text_input(
             _("Your formula"),

@@ -14,7 +14,7 @@ from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import Choice
 from ramanujan.integrators import METHODS, Method
-from ramanujan.numerals import duration, number, percent, quantity
+from ramanujan.numerals import duration, number, percent, quantity, told_from
 from ramanujan.scenes.thinned import Run
 from ramanujan.words import _, ngettext
 
@@ -47,9 +47,7 @@ def method_facts(method: Method, steps: int) -> str:
     else:
         stable = _("It is stable up to hΩ = {limit}; here hΩ = {turn}.")
     cost = cost.format(order=method.order, n=method.evaluations)
-    # Close to the limit, three digits would not tell on which side the run is.
-    digits = 5 if math.isclose(turn, limit, rel_tol=0.01) else 3
-    return f"{cost} {stable.format(turn=number(turn, digits), limit=number(limit, digits))}"
+    return f"{cost} {stable.format(turn=told_from(turn, limit, 3), limit=told_from(limit, turn, 3))}"
 
 
 def errors_of(run: Run) -> str:

@@ -36,8 +36,8 @@ SENTENCES = {
     "ahead": _("The machine is {turns} turns ahead after {periods} periods of the plain mass."),
     "behind": _("The machine is {turns} turns behind after {periods} periods of the plain mass."),
     "before": _("The hands are {turns} turns apart {periods} periods before the release."),
-    "parting": _("After {turns} periods the hands are one full turn apart."),
-    "nearly": _("Nearly in step: after {turns} periods the hands are one full turn apart."),
+    "parting": _("After {turns} plain-mass periods the hands are one full turn apart."),
+    "nearly": _("Nearly in step: after {turns} plain-mass periods the hands are one full turn apart."),
     "in_step": _("In step: after a million periods the hands are less than {least} turns apart."),
     "shared": _(
         "Mass m: {block}, {slab}, {top}. Mass m′: {hoop}, {cylinder}. All rollers have the radius R. The arrows at X, "
