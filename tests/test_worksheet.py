@@ -140,4 +140,4 @@ def test_questions_show_no_answer_and_the_key_shows_all():
 def test_a_bad_link_still_gives_a_sheet(query):
     app = sheet(**query)
     assert not app.exception
-    assert app.title[0].value == "Ramanujan’s oscillator: worksheet"
+    assert app.title[0].value == "Ramanujan’s oscillator: worksheet 1"

@@ -10,10 +10,12 @@ from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
+from itertools import count
 
 import sympy as sp
 
 from ramanujan.derivation.elimination import UnitCondition, unit_condition
+from ramanujan.derivation.exact import DIGITS, decimal_of, rounded
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime
@@ -92,6 +94,24 @@ def _short(value: sp.Expr) -> str:
     if value.is_Rational and value.q > 1 and 10**15 % value.q == 0:
         return f"{Decimal(value.p) / Decimal(value.q):f}"
     return latex(value)
+
+
+def with_decimal(value: sp.Expr, digits: int = 5) -> str:
+    """Return a number as LaTeX, and its decimal: of some digits, or of as many as tell it from 1.
+
+    >>> print(with_decimal(sp.Rational(9, 8)), "and", with_decimal(sp.sqrt(2)))
+    \\frac{9}{8} = 1.125 and \\sqrt{2} \\approx 1.4142
+    """
+    exact = latex(sp.factor(value))
+    if value.is_Integer:
+        return exact
+    if not value.is_Rational:
+        return rf"{exact} \approx {float(value):.{digits}g}"
+    fraction = sp.QQ.from_sympy(value)
+    needed = next(digits for digits in count(digits) if rounded(fraction, digits) != "1")
+    # A long fraction is written as a decimal anyway.
+    says_all = exact.endswith(r"\ldots") and needed <= DIGITS
+    return exact if says_all else f"{exact} {decimal_of(fraction, needed)}"
 
 
 @cache

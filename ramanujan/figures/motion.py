@@ -188,6 +188,8 @@ def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
 
 def _layout(colors: Mapping[str, str], height: int) -> dict[str, Any]:
     legend = {"orientation": "h", "x": 0, "y": 0, "yref": "container", "yanchor": "bottom", "font": {"size": 13}}
+    # On a phone each group takes a line, and all lines have to find room.
+    legend["tracegroupgap"] = 1
     return {
         "template": template(colors),
         "height": height + _BELOW + _ABOVE,

@@ -10,12 +10,10 @@ import random
 import string
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import count
 
 import sympy as sp
 
-from ramanujan.derivation.exact import DIGITS, decimal_of, rounded
-from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
+from ramanujan.derivation.numbers import exact_values, unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import epsilon, k, m, m_prime
 from ramanujan.lesson import STOPS, Stop
@@ -26,8 +24,6 @@ from ramanujan.words import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
-_FEW = 5
-"""Digits of a decimal beside a fraction."""
 SPACE = 3.0
 """Room to write an answer to a calculation [cm]."""
 
@@ -85,7 +81,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
     return (
         Question(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
-            f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={_with_decimal(normalized)}$",
+            f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
         ),
         Question(
             _("Calculate $\\Omega^2$ and the period."),
@@ -106,25 +102,11 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
         Question(
             _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
             _("${quadratic}=0$, so $\\varepsilon={root}$.").format(
-                quadratic=latex(a * epsilon**2 + b * epsilon + c), root=_with_decimal(root)
+                quadratic=latex(a * epsilon**2 + b * epsilon + c), root=with_decimal(root)
             ),
             space=4.0,
         ),
     )
-
-
-def _with_decimal(value: sp.Expr) -> str:
-    """Return a number as LaTeX, and its decimal: of some digits, or of as many as tell it from 1."""
-    exact = latex(sp.factor(value))
-    if value.is_Integer:
-        return exact
-    if not value.is_Rational:
-        return rf"{exact} \approx {float(value):.{_FEW}g}"
-    fraction = sp.QQ.from_sympy(value)
-    digits = next(digits for digits in count(_FEW) if rounded(fraction, digits) != "1")
-    # A long fraction is written as a decimal anyway.
-    says_all = exact.endswith(r"\ldots") and digits <= DIGITS
-    return exact if says_all else f"{exact} {decimal_of(fraction, digits)}"
 
 
 def _parting(normalized: sp.Expr) -> str:

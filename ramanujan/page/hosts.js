@@ -118,6 +118,8 @@ const hosts = {
 
   isPicture: (node) => Boolean(node.querySelector(".js-plotly-plot, [data-testid=stPlotlyChart]")) || node.matches(".stElementContainer:has([data-testid=stBidiComponentIsolated]):is(.st-key-stage, [class*=stage_])"),
 
+  isLink: (node) => Boolean(node.querySelector(":scope > .stPageLink")),
+
   /** How wide the content of a page is at most. */
   contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
 

@@ -7,14 +7,19 @@ export default function ({ data, parentElement }) {
   return live(parentElement, (signal) => new Pager(parentElement, data, signal)).end;
 }
 
-/** Put pieces on sheets, each { top, height, heading, figure }, with this much room. Pure. */
+/** Put pieces on sheets, each { top, height, heading, figure, link }, with this much room. Pure. */
 function sheetsOf(pieces, room) {
   const sheets = [];
   let sheet = null;
   for (const piece of pieces) {
     const bottom = piece.top + piece.height;
     const full = sheet && (bottom - sheet.top > room || (piece.figure && sheet.figure) || (piece.heading && sheet.body));
-    if (!sheet || full) sheets.push((sheet = { top: piece.top, pieces: [], figure: false, body: false }));
+    if (!sheet || full) {
+      // A link alone would leave a sheet empty: it takes the words before it along.
+      const last = sheet?.pieces.at(-1), along = full && piece.link && sheet.pieces.length > 1 && !last.figure;
+      if (along) sheet.pieces.pop();
+      sheets.push((sheet = { top: (along ? last : piece).top, pieces: along ? [last] : [], figure: false, body: along }));
+    }
     sheet.pieces.push(piece);
     sheet.figure ||= piece.figure;
     sheet.body ||= !piece.heading;
@@ -67,7 +72,7 @@ class Pager {
     const pieces = nodes.map((node) => {
       const height = node.getBoundingClientRect().height, piece = { node, top, height };
       top += height + gap;
-      return { ...piece, heading: hosts.isHeading(node), figure: hosts.isPicture(node) };
+      return { ...piece, heading: hosts.isHeading(node), figure: hosts.isPicture(node), link: hosts.isLink(node) };
     });
     this.sheets = sheetsOf(pieces, hosts.roomForPictures());
     this.show();

@@ -76,7 +76,7 @@ def told(story: cached.Story) -> None:
     machine = story.machine
     st.markdown(f"**{name(machine)}**")
     st.latex(story.quadratic)
-    st.latex(rf"\varepsilon = {story.root} \approx {story.ratio:.6f}")
+    st.latex(rf"\varepsilon = {story.root}")
     st.latex(story.square)
     st.markdown(f"{_about_cubes(story)} {_about_field(machine)}")
     with_your_masses(machine)

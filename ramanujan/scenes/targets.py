@@ -66,7 +66,7 @@ def told(story: cached.Story) -> None:
     """Say what the target leads to."""
     target, discriminant = story.machine.target, story.machine.discriminant
     st.latex(story.quadratic)
-    st.latex(rf"\varepsilon = {story.root} \approx {story.ratio:.6g}")
+    st.latex(rf"\varepsilon = {story.root}")
     sentence = (
         _("The discriminant {number} is a sum of two positive cubes, ${cubes}$.")
         if story.cubes

@@ -23,7 +23,7 @@ def show() -> None:
     paper, seed = choose()
     asked = questions(machine, str(seed))
     calculations = [number for number, question in enumerate(asked, start=1) if not question.options]
-    head(machine, paper, calculations[0], calculations[-1])
+    head(machine, paper, seed, calculations)
     for number, question in enumerate(asked, start=1):
         draw(number, question, paper == "key")
 
@@ -37,10 +37,13 @@ def choose() -> tuple[str, int]:
     return paper, seed
 
 
-def head(machine: Oscillator, paper: str, first: int, last: int) -> None:
-    """Draw the title, the machine and its values; they belong to the questions from the first to the last."""
-    titles = {"questions": _("Ramanujan’s oscillator: worksheet"), "key": _("Ramanujan’s oscillator: key")}
-    st.title(titles[paper], anchor=False)
+def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) -> None:
+    """Draw the title with the seed, by which sheet and key find each other, and the machine of the calculations."""
+    titles = {
+        "questions": _("Ramanujan’s oscillator: worksheet {seed}"),
+        "key": _("Ramanujan’s oscillator: key {seed}"),
+    }
+    st.title(titles[paper].format(seed=seed), anchor=False)
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
     with st.container(key="sheet_picture"):
         drawings.draw(
@@ -49,7 +52,9 @@ def head(machine: Oscillator, paper: str, first: int, last: int) -> None:
             style="width:560px;max-width:100%;background:#fff",
         )
     st.markdown(
-        _("The machine of questions {first} to {last}: {values}.").format(first=first, last=last, values=values)
+        _("The machine of questions {first} to {last}: {values}.").format(
+            first=calculations[0], last=calculations[-1], values=values
+        )
     )
 
 

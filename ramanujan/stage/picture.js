@@ -48,6 +48,8 @@ function makePicture(root, { compact, dials, narrow, limits, label }) {
     const { left, right } = place.view, word = 2 * parseFloat(getComputedStyle(svg).fontSize);
     const half = (svg.clientWidth / 2 - word) / scale;
     ends = [(left + right) / 2 - half, (left + right) / 2 + half];
+    // The arrows of known size stand at the left end of what is seen.
+    set(find(".scales"), { transform: `translate(${Math.min(0, (right - left - svg.clientWidth / scale) / 2)})` });
     slideFloor(svg, shifted, ends);
   }
 

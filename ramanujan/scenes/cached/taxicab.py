@@ -16,7 +16,7 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import normalized_frequency_squared, number_theory
-from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
@@ -111,7 +111,7 @@ def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
     return Story(
         machine,
         latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
-        latex(sp.factor(root)),
+        with_decimal(root, 7),
         float(number_theory.positive_root_digits(a, b, c, 40)),
         product_of_primes(machine.factorization),
         sums_of_cubes(machine.cubes),
