@@ -306,7 +306,7 @@ def test_in_step_is_an_event_and_never_a_false_one(picture):
         if expected == "in-step":
             assert "after a million periods the hands are less than 0.01 turns apart" in said
         else:
-            periods = read(re.search(f"[Aa]fter {NUMBER} periods", said)[1])
+            periods = read(re.search(f"[Aa]fter {NUMBER} plain-mass periods", said)[1])
             assert periods == pytest.approx(1 / abs(off), rel=0.05)
     assert seen["in-step"] != seen["apart"]
 

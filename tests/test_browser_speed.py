@@ -54,3 +54,20 @@ def test_both_stages_move_and_the_phone_has_no_sideways_scroll(visit):
         "(({scrollWidth, clientWidth}) => [scrollWidth, clientWidth])(document.querySelector('[data-testid=stMain]'))"
     )
     assert main[0] == main[1]
+
+
+def test_on_half_a_screen_no_control_is_cut(visit):
+    """A window of 900 pixels beside another one: the sidebar leaves the page 560 of them."""
+    page = visit("speed", width=900)
+    page.get_by_role("radio", name="float32", exact=True).click()
+    settle(page)
+    assert "precision=float32" in page.url
+    cut = """[...document.querySelectorAll(".stMain .stColumn")].flatMap((column) =>
+        [...column.querySelectorAll("button, label, [data-testid=stPageLink] a, [role=combobox]")]
+            .filter((node) => node.getBoundingClientRect().right > column.getBoundingClientRect().right + 1)
+            .map((node) => node.textContent))"""
+    assert page.evaluate(cut) == []
+    page = visit("", width=900)
+    assert page.evaluate(cut) == []
+    link = page.locator(".st-key-opening [data-testid=stPageLink] p")
+    assert link.evaluate("(node) => node.scrollWidth <= node.clientWidth")

@@ -63,7 +63,7 @@ def _predicted(stop: Stop, draw: random.Random) -> Question:
     label = stop.option(right).label
     return Question(
         stop.question,
-        f"**{letters[right]}.** {label}\n\n{stop.explanation()}",
+        f"**{letters[right]}.** {label}\\\n{stop.explanation()}",
         tuple(f"{letters[option.id]}. {option.label}" for option in shown),
         space=1.6,
     )

@@ -31,7 +31,7 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
 def _motion(states: Sequence[ClosedForm]) -> str:
     return _(
         "**Motion, stage and figures**: the closed form. For equal masses of 1 kg and k = 1 N/m its phase error is at "
-        "most {error} rad from {first} to {last} periods, and a state takes {time}, however long after the release."
+        "most {error} rad from {first} to {last} periods. A state takes {time}, however long after the release."
     ).format(
         first=states[0].periods,
         last=number(states[-1].periods),
