@@ -128,6 +128,8 @@ FIGURE = """() => {
 }"""
 """The present figure: how much of the screen's height it takes, and which of its words cover each other."""
 PLACE = ".st-key-pager .place"
+DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
+    && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 
 
 @pytest.mark.parametrize(
@@ -136,6 +138,9 @@ PLACE = ".st-key-pager .place"
 def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
     page = visit(f"{path}{'&' if '?' in path else '?'}view=projector")
     page.wait_for_selector(f"{PLACE}:not(:empty)")
+    # Before the figures are there, other pieces make other sheets.
+    page.wait_for_function(DRAWN)
+    next_frame(page)
     next_frame(page)
     assert page.locator("[data-testid=stExpandSidebarButton]").is_visible()
     now, count = map(int, page.locator(PLACE).inner_text().split("/"))

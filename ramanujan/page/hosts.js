@@ -99,19 +99,15 @@ const hosts = {
   /** What stays together on one sheet of a projector: the lesson's words beside its machine, machines to compare, a row of controls. */
   TOGETHER: ".stHorizontalBlock:has(.st-key-observed_one):not(:has(.st-key-class_result)), .st-key-class_result, .st-key-observed_several, .stHorizontalBlock:not(:has(> .stColumn))",
 
-  /** The pieces of a page in their order: elements, and the paragraphs and formulas of a text. What is not seen anyway is left out. */
+  /** The pieces of a page in their order: elements, and the paragraphs and formulas of a text. */
   pieces() {
     const body = document.querySelector(".stMainBlockContainer"), whole = `.stElementContainer, [data-testid=stExpander], ${hosts.TOGETHER}`;
     const elements = [...(body?.querySelectorAll(`${whole}, [role=tablist], .stPopover`) ?? [])];
     const outer = elements.filter((node) => !node.parentElement.closest(whole));
-    const pieces = outer.flatMap((node) => {
+    return outer.flatMap((node) => {
       const text = node.querySelector("[data-testid=stMarkdownContainer]");
       return node.matches(".stElementContainer:has(> .stMarkdown)") && text ? [...text.children] : [node];
-    });
-    return pieces.filter((node) => {
-      const { width, height } = node.getBoundingClientRect();
-      return width > 2 && height > 2 && !node.matches(".st-key-pager");
-    });
+    }).filter((node) => !node.matches(".st-key-pager"));
   },
 
   isHeading: (node) => node.matches("h1, h2, h3, h4, h5, h6, div:has(> :is(h3, h4, h5):only-child), [role=tablist], [class*=st-key-question_] > :first-child p:first-child") || Boolean(node.querySelector(":scope > .stHeading")),

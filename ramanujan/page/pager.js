@@ -62,9 +62,14 @@ class Pager {
   }
 
   layOut() {
-    const nodes = hosts.pieces();
+    const all = hosts.pieces();
+    // What takes no place may take some later: a stage is drawn when its script has come.
+    for (const node of all) this.sizes.observe(node);
+    const nodes = all.filter((node) => {
+      const { width, height } = node.getBoundingClientRect();
+      return width > 2 && height > 2;
+    });
     if (!nodes.length) return;
-    for (const node of nodes) this.sizes.observe(node);
     const page = location.pathname;
     if (page !== this.page) Object.assign(this, { page, now: 0 });
     let top = 0;
