@@ -164,6 +164,8 @@ def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit
 
 def test_a_figure_grows_with_the_projector(visit):
     page = visit("?view=projector", width=1920, height=1080)
+    page.wait_for_selector(f"{PLACE}:not(:empty)")
+    page.wait_for_function(DRAWN)
     page.keyboard.press("PageDown")
     expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 /"))
     page.wait_for_function(f"({FIGURE})()?.height > 0.6")
