@@ -15,8 +15,7 @@ else:
     page, runner = pages.navigate()
     view.take_old()
     said = links.opened(page.name, (*quantities.KEYS, *view.KEYS, *class_keys.KEYS, *page.keys))
-    view.keep()
-    class_keys.keep()
+    links.keep(*view.KEYS, *class_keys.KEYS)
     sidebar = "collapsed" if view.is_projector() else 340
     st.set_page_config(pages.tab_title(page), layout="wide", initial_sidebar_state=sidebar)
     cached.warm_up()

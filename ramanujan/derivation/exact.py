@@ -226,9 +226,8 @@ def decimal_of(number: Rational | Surd, digits: int = DIGITS) -> str:
     """
     irrational = isinstance(number, Surd) and number.b
     above, below = (number.a, number.d) if isinstance(number, Surd) else (number.numerator, number.denominator)
-    quotient = Context(prec=digits).divide(Decimal(int(above)), Decimal(int(below)))
-    is_exact = not irrational and _EXACTLY.multiply(quotient, Decimal(int(below))) == int(above)
-    sign = "=" if is_exact else r"\approx"
+    goes_on = irrational or r"\ldots" in _digits(Decimal(int(above)), ROUND_DOWN, Decimal(int(below)), digits)
+    sign = r"\approx" if goes_on else "="
     return f"{sign} {rounded(number, digits)}"
 
 

@@ -13,7 +13,6 @@ import re
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ramanujan.scenes import links
 from ramanujan.words import _
 
 
@@ -45,9 +44,3 @@ CLASS = Word("class", "[A-Za-z]{6}")
 LECTURER = Word("lecturer", "[A-Z]{6}-[A-Za-z0-9_-]{20,60}")
 VOTER = Word("voter", "[A-Za-z0-9_-]{8,40}")
 KEYS = (CLASS, LECTURER, VOTER)
-
-
-def keep() -> None:
-    """Keep the class in the address; call it once a run, when the address has been read."""
-    for key in KEYS:
-        links.keep(key)

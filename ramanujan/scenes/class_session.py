@@ -119,4 +119,4 @@ def _write_address(code: str = "", lecturer: str = "", voter: str = "") -> None:
     """Let the address say this of the class."""
     for key, value in ((CLASS, code), (LECTURER, lecturer), (VOTER, voter)):
         st.session_state[key.name] = value
-        links.keep(key)
+    links.keep(CLASS, LECTURER, VOTER)

@@ -182,16 +182,17 @@ def held(key: Choice | Count | Several) -> Any:
     return st.session_state.get(key.name, key.default)
 
 
-def keep(key: Choice | Count | Several) -> None:
+def keep(*keys: Choice | Count | Several) -> None:
     """Write into the address what is chosen; a default stands there without words."""
-    value = held(key)
-    text = None if value == key.default else key.write(value)
-    if st.query_params.get(key.name) == text:
-        return
-    if text is None:
-        del st.query_params[key.name]
-    else:
-        st.query_params[key.name] = text
+    for key in keys:
+        value = held(key)
+        text = None if value == key.default else key.write(value)
+        if st.query_params.get(key.name) == text:
+            continue
+        if text is None:
+            del st.query_params[key.name]
+        else:
+            st.query_params[key.name] = text
 
 
 def fits(key: Key) -> bool:

@@ -35,12 +35,6 @@ def take_old() -> None:
         del st.query_params["view"]
 
 
-def keep() -> None:
-    """Keep view and hidden parts in the address; call it once a run, when the address has been read."""
-    for key in KEYS:
-        links.keep(key)
-
-
 def is_projector() -> bool:
     """Tell whether the app is shown on a projector: large words, one picture at a time, the sidebar folded."""
     return links.held(VIEW) == "projector"
