@@ -4,24 +4,34 @@ import streamlit as st
 
 if __name__ != "__main__":
     # The server loads this file once, under its own name, and runs it for each visitor as the main script.
-    from ramanujan.scenes.server import Compressed, Dressed, Middleware, warmed_up
+    from ramanujan.shell.server import Compressed, Dressed, Middleware, warmed_up
 
     app = st.App(__file__, middleware=[Middleware(Compressed), Middleware(Dressed)], lifespan=warmed_up)
 else:
-    from ramanujan.scenes import cached, class_keys, complaints, controls, given, links, look, pages, quantities, view
+    from ramanujan.shell import (
+        address,
+        cache,
+        class_keys,
+        display_mode,
+        messages,
+        navigation,
+        parameters,
+        pending_updates,
+        sidebar,
+        theme,
+    )
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
-    page, runner = pages.navigate()
-    view.take_old()
-    said = links.opened(page.name, (*quantities.KEYS, *view.KEYS, *class_keys.KEYS, *page.keys))
-    links.keep(*view.KEYS, *class_keys.KEYS)
-    sidebar = "collapsed" if view.is_projector() else 340
-    st.set_page_config(pages.tab_title(page), layout="wide", initial_sidebar_state=sidebar)
-    cached.warm_up()
-    look.dress(controls.BOXES)
-    controls.take_typed()
-    complaints.begin(said)
-    controls.sidebar(page.withheld())
+    page, runner = navigation.navigate()
+    said = address.opened(page.name, (*parameters.KEYS, *display_mode.KEYS, *class_keys.KEYS, *page.keys))
+    address.keep(*display_mode.KEYS, *class_keys.KEYS)
+    folded = "collapsed" if display_mode.is_projector() else 340
+    st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=folded)
+    cache.warm_up()
+    theme.dress(sidebar.BOXES)
+    sidebar.take_typed()
+    messages.begin(said)
+    sidebar.draw(page.withheld())
     runner.run()
-    given.drawn()
+    pending_updates.drawn()

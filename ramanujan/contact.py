@@ -40,7 +40,7 @@ from ramanujan.numerals import quantity
 from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.quantities import coordinates, instance, positive, real
 from ramanujan.rounding import in_range, nearest, product, scaled, square_root
-from ramanujan.words import _
+from ramanujan.translation import _
 
 __all__ = [
     "contact_forces",

@@ -18,7 +18,7 @@ from ramanujan.motion import ground_velocities, relative_positions, relative_vel
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import coordinates
 from ramanujan.rounding import in_range, product
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:

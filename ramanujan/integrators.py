@@ -35,7 +35,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from ramanujan.quantities import finite_array, function, instance
-from ramanujan.words import _
+from ramanujan.translation import _
 
 Runs: TypeAlias = float | NDArray[np.floating]
 """One number for each independent run: an array of any shape, or a float for a single run."""

@@ -26,7 +26,7 @@ from ramanujan.numerals import number
 from ramanujan.oscillator import TWO_PI, Oscillator
 from ramanujan.quantities import coordinates, finite_array, instance, real
 from ramanujan.rounding import in_range, nearest, product_error, scaled, square_root
-from ramanujan.words import _
+from ramanujan.translation import _
 
 FARTHEST = 1e18
 """Periods up to which the phase is right to 1e-12 rad: Ω/2π is known to two doubles, 106 bits."""

@@ -13,7 +13,7 @@ import math
 from decimal import Decimal
 from numbers import Integral
 
-from ramanujan.words import _
+from ramanujan.translation import _
 
 THIN = "\u202f"
 """A thin space that does not break: between groups of three digits, and between a number and its unit."""

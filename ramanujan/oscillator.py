@@ -27,7 +27,7 @@ from ramanujan.frequency import frequency_squared
 from ramanujan.numerals import quantity
 from ramanujan.quantities import positive
 from ramanujan.rounding import nearest, normal, square_root
-from ramanujan.words import _
+from ramanujan.translation import _
 
 TWO_PI = Fraction(Decimal("6.28318530717958647692528676655900576839433879875021164194988918"))
 """2π to 60 digits."""

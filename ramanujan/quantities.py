@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.numerals import number as written
-from ramanujan.words import _
+from ramanujan.translation import _
 
 T = TypeVar("T")
 

@@ -25,7 +25,7 @@ from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, positive
 from ramanujan.rounding import in_range
 from ramanujan.table import csv_table
-from ramanujan.words import _
+from ramanujan.translation import _
 
 MOST_POINTS = 10**7
 """The most times that a record may hold; with all its series it then takes some gigabytes."""

@@ -14,7 +14,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _SPLITTER = 2.0**27 + 1
 """Veltkamp's constant: it cuts a double into two halves whose products are exact."""

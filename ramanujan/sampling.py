@@ -6,7 +6,7 @@ import math
 
 from ramanujan.numerals import number
 from ramanujan.quantities import positive
-from ramanujan.words import _
+from ramanujan.translation import _
 
 MOST_POINTS = 2**53
 """A curve may not have more points than a float can count."""

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from numpy.typing import ArrayLike
 
 from ramanujan.quantities import finite_array, instance, sequence, shown
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 def csv_table(columns: Mapping[str, ArrayLike], comments: Iterable[str] = ()) -> str:

@@ -1,4 +1,4 @@
-"""Cut the fonts of the app, `ramanujan/page/fonts/`, out of Streamlit's: Latin and Greek letters, signs, two weights.
+"""Cut the fonts of the app, `ramanujan/browser/page/fonts/`, out of Streamlit's: Latin, Greek, signs, two weights.
 
     python -m tests.fonts
 
@@ -18,7 +18,7 @@ from fontTools.varLib import instancer
 
 from tests.browser import ROOT
 
-PAGE = ROOT / "ramanujan" / "page"
+PAGE = ROOT / "ramanujan" / "browser" / "page"
 ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
     "headings": ("SourceSerifVariable-Roman", {"wght": (600, 700), "opsz": 24}),

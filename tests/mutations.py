@@ -43,7 +43,10 @@ MUTATIONS = [
         _SPIN.replace("* 360", '* (name === "top" ? -360 : 360)'),
     ),
     Mutation(
-        "bodies move to the wrong side", "stage/drawing.js", "translate(${x0 + x[name]} ", "translate(${x0 - x[name]} "
+        "bodies move to the wrong side",
+        "stage/drawing.js",
+        "translate(${x0 + x[name]} ",
+        "translate(${x0 - x[name]} ",
     ),
     Mutation(
         "the block stays where it is",
@@ -58,7 +61,11 @@ MUTATIONS = [
         "{ hoop: [cylinder, deck + R], cylinder: [hoop, deck + R]",
     ),
     Mutation(
-        "the hoop is drawn as a disc", "stage/drawing.js", 'beta > 0.8 ? "hoop"', 'beta > 1.8 ? "hoop"', "painted"
+        "the hoop is drawn as a disc",
+        "stage/drawing.js",
+        'beta > 0.8 ? "hoop"',
+        'beta > 1.8 ? "hoop"',
+        "painted",
     ),
     Mutation(
         "the spring ends at the slab's left",
@@ -111,10 +118,17 @@ MUTATIONS = [
         "phase: plainPhase, plainPhase: phase, shift, write, dirty });",
     ),
     Mutation(
-        "the gauge stays at 1", "stage/dial.js", "translate(${at(Math.min(normalized, limit))} ", "translate(${at(1)} "
+        "the gauge stays at 1",
+        "stage/dial.js",
+        "translate(${at(Math.min(normalized, limit))} ",
+        "translate(${at(1)} ",
     ),
     Mutation(
-        "in step when it is not", "stage/dial.js", "const IN_STEP = LEAST / 1e6;", "const IN_STEP = LEAST;", "in_step"
+        "in step when it is not",
+        "stage/dial.js",
+        "const IN_STEP = LEAST / 1e6;",
+        "const IN_STEP = LEAST;",
+        "in_step",
     ),
     Mutation(
         "two bodies' colours are swapped",
@@ -132,11 +146,15 @@ MUTATIONS = [
     ),
     Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)"),
     Mutation(
-        "the speed buttons are dead", "stage/toolbar.js", "speed: Number(button.dataset.speed)", "", "speed_buttons"
+        "the speed buttons are dead",
+        "stage/toolbar.js",
+        "speed: Number(button.dataset.speed)",
+        "",
+        "speed_buttons",
     ),
     Mutation(
         "the slider of x₀ counts wrong",
-        "scenes/quantities.py",
+        "shell/parameters.py",
         '"scale": quantity.scale}',
         '"scale": quantity.scale * 1.1}',
         "thumb",
@@ -149,7 +167,11 @@ MUTATIONS = [
         "smallest_push",
     ),
     Mutation(
-        "the view stays behind", "stage/playback.js", "shift: this.solution.drift * time", "shift: 0", "pushed_machine"
+        "the view stays behind",
+        "stage/playback.js",
+        "shift: this.solution.drift * time",
+        "shift: 0",
+        "pushed_machine",
     ),
     Mutation("X counts to the right", "stage/coordinates.js", "length = -7.5", "length = 7.5", "layer_of_coordinates"),
     Mutation(
@@ -162,7 +184,7 @@ MUTATIONS = [
     Mutation("the wrong body is lit", "stage/picture.js", "body === name)", 'body === "hoop")', "lights"),
     Mutation(
         "the spring's old colour",
-        "../.streamlit/config.toml",
+        "../../.streamlit/config.toml",
         'violetColor = "#B17DB5"',
         'violetColor = "#B565A7"',
         "colour_blind",
@@ -186,7 +208,7 @@ def broken(mutation: Mutation, folder: Path) -> str:
             shutil.copytree(source, folder / name, ignore=shutil.ignore_patterns("__pycache__", ".*_cache"))
         else:
             shutil.copy(source, folder / name)
-    file = folder / "ramanujan" / mutation.file
+    file = folder / "ramanujan/browser" / mutation.file
     text = file.read_text(encoding="utf-8")
     if text.count(mutation.old) != 1:
         return f"no mutation: its text stands {text.count(mutation.old)} times in {mutation.file}"

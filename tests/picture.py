@@ -12,7 +12,8 @@ import math
 import numpy as np
 from PIL import Image
 
-from ramanujan import Oscillator, stage
+from ramanujan import Oscillator
+from ramanujan.browser import stage
 from ramanujan.motion import InitialState, motion, released
 from tests.browser import STAGE, next_frame
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from ramanujan.scenes import class_keys, quantities
-from ramanujan.scenes.pages import PAGES
+from ramanujan.shell import class_keys, parameters
+from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 
 UNMEANT = {
@@ -26,7 +26,7 @@ UNMEANT = {
 DANGEROUS = ("empty", "infinite", "huge", "repeated")
 """What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
 OWN = {page.name: {key.name for key in page.keys} for page in PAGES.values()}
-SHARED = {key.name for key in (*quantities.KEYS, *class_keys.KEYS)}
+SHARED = {key.name for key in (*parameters.KEYS, *class_keys.KEYS)}
 DEFAULTS = {
     "route": "euler_lagrange",
     "show": "lecture",
@@ -81,9 +81,8 @@ def opened(name: str, address: dict[str, str | list[str]]) -> AppTest:
     """A page as a new visitor finds it under an address; where the page would measure for long, it has less to do."""
     app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
     # Only after a first run does AppTest know a page whose address is not the name of its file.
-    if name == "taxicab":
-        app.run()
-    app.switch_page(PAGES[name].file)
+    if name != "oscillator":
+        app.run().switch_page(PAGES[name].file)
     quick = dict(part.split("=") for part in PAGES[name].quick.split("&") if part)
     app.query_params.update({**quick, **address})
     app.run()
@@ -103,9 +102,10 @@ def test_every_key_that_a_page_declares_is_in_this_test():
 
 
 def test_the_list_of_pages_is_whole():
-    drawn = {path.stem for path in (ROOT / "ramanujan" / "scenes").glob("*.py") if "__main__" in path.read_text()}
-    assert set(PAGES) <= drawn
-    assert drawn - set(PAGES) <= {"server", "pages"}
+    drawn = {
+        path.parent.name for path in (ROOT / "ramanujan" / "pages").glob("*/*.py") if "__main__" in path.read_text()
+    }
+    assert drawn == set(PAGES)
 
 
 @pytest.mark.parametrize("kind", UNMEANT)
@@ -118,7 +118,7 @@ def test_all_keys_at_once_say_what_nobody_means(name, kind):
         assert f" {key} " in warning.value, key
         assert state(app, key) == DEFAULTS[key], key
         # A slider that a first run has drawn already keeps to its own value, and leaves the address alone.
-        assert key not in app.query_params or (name == "taxicab" and key in SHARED)
+        assert key not in app.query_params or (name != "oscillator" and key in SHARED)
     assert "1111" not in warning.value
     assert not set("<>\u202e") & set(warning.value)
     # It is said once.
@@ -133,7 +133,7 @@ def test_one_key_at_a_time_leaves_the_others_alone(name, kind):
         (warning,) = app.warning
         assert f" {key} " in warning.value
         assert state(app, key) == DEFAULTS[key]
-        assert app.session_state["m"] == (1.0 if name == "taxicab" else 2.0)
+        assert app.session_state["m"] == (2.0 if name == "oscillator" else 1.0)
 
 
 # Negative controls: what is meant is taken, and nothing is said.
@@ -184,17 +184,6 @@ MEANT = {
 }
 OF_A_CLASS = {"class", "lecturer", "voter"}
 """Keys that mean something only while a class is open (test_scene_classroom)."""
-OLD = {
-    "derivation": {
-        "route": ("Hamilton", "hamilton"),
-        "show": ("Reading", "reading"),
-        "values": ("My numbers", "numbers"),
-        "body": ("top cylinder", "top"),
-        "question": ("The mass ratio", "unit_mass_ratio"),
-    },
-    "motion": {"figure": ("Contact forces", "forces")},
-    "speed": {"method": ("Runge–Kutta 4", "rk4"), "sweep": ("scale, float32", "scale_float32")},
-}
 
 
 @pytest.mark.parametrize("name", MEANT)
@@ -213,15 +202,6 @@ def test_an_address_is_taken_and_kept_as_it_is(name):
     assert not OWN[name] & set(app.query_params)
     app.switch_page(PAGES[name].file).run()
     assert {key: app.query_params.get(key) for key in address} == address
-
-
-@pytest.mark.parametrize("name", OLD)
-def test_an_old_address_with_labels_still_works_and_becomes_a_new_one(name):
-    app = opened(name, {key: text for key, (text, _) in OLD[name].items()})
-    assert not app.warning
-    for key, (_, value) in OLD[name].items():
-        assert state(app, key) == value
-        assert app.query_params[key] == value
 
 
 def test_every_option_has_a_short_ascii_id():

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pytest
 
-from ramanujan.scenes.pages import PAGES
+from ramanujan.shell.navigation import PAGES
 from tests.browser import settle
 from tests.test_look import THEME, rgb
 

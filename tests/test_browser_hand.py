@@ -384,7 +384,7 @@ def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(visit):
 
 def test_the_listed_transitions_are_all_there_are(visit):
     """The table of thumb.js: from every state every event, and nothing but what is listed happens."""
-    script = (ROOT / "ramanujan" / "stage" / "thumb.js").read_text(encoding="utf-8")
+    script = (ROOT / "ramanujan" / "browser" / "stage" / "thumb.js").read_text(encoding="utf-8")
     table = visit().evaluate(
         f"""() => {{
           {script}

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from ramanujan.scenes.pages import PAGES
+from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT, count_anew, listen, running, settle
 
 UNTOUCHED = """(text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍÓÚÝŚ⟦⟧·]/.test(text)"""

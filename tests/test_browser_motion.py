@@ -5,7 +5,7 @@ import pytest
 
 from ramanujan import Oscillator, motion, released
 from ramanujan.contact import contact_forces, normal_forces
-from ramanujan.scenes.cached import motion as cached
+from ramanujan.pages.motion import cache
 from tests.browser import next_frame, settle
 
 PLOT = ".js-plotly-plot .nsewdrag"
@@ -44,7 +44,7 @@ def cursor_times(page):
 
 def choose(page, view):
     """Open a view."""
-    page.get_by_role("tab").nth(list(cached.VIEWS).index(view)).click()
+    page.get_by_role("tab").nth(list(cache.VIEWS).index(view)).click()
     figure = "contact_forces" if view == "forces" else view
     page.locator(f".st-key-figure_{figure} .nsewdrag").first.wait_for(state="attached")
     settle(page)
@@ -52,7 +52,7 @@ def choose(page, view):
 
 def test_a_change_of_a_slider_sends_at_most_60_kB(visit):
     page = open_motion(visit, "?glide=3")
-    for view, keys in zip(cached.VIEWS, (("m", "glide"), ("compression", "spin"), ("k",), ("m", "mu")), strict=True):
+    for view, keys in zip(cache.VIEWS, (("m", "glide"), ("compression", "spin"), ("k",), ("m", "mu")), strict=True):
         choose(page, view)
         for key in keys:
             assert 0 < nudge(page, key) <= 60_000, (view, key)
@@ -67,12 +67,12 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
     next_frame(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
     # A pixel of the line is about a hundredth of a second.
-    assert cursor_times(page) == [pytest.approx(0.3 * cached.PERIODS * period, abs=0.02)]
+    assert cursor_times(page) == [pytest.approx(0.3 * cache.PERIODS * period, abs=0.02)]
     assert page.locator(MARK).count() == 1 + 3
     slider.focus()
     page.keyboard.press("End")
     next_frame(page)
-    assert cursor_times(page) == [pytest.approx(cached.PERIODS * period, abs=0.02)]
+    assert cursor_times(page) == [pytest.approx(cache.PERIODS * period, abs=0.02)]
     assert slider.get_attribute("aria-valuetext").endswith("2.00 periods")
     assert len(page.frames_sent) == before
 
@@ -120,7 +120,7 @@ def test_the_cursor_follows_to_another_view_and_another_machine(visit):
     nudge(page, "m", "End")
     (time,) = cursor_times(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
-    assert time == pytest.approx(0.5 * cached.PERIODS * period, rel=0.02)
+    assert time == pytest.approx(0.5 * cache.PERIODS * period, rel=0.02)
     assert "figure=momentum" in page.url
 
 
@@ -133,7 +133,7 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
     lines = path.read_text(encoding="utf-8").splitlines()
     header = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     numbers = np.loadtxt(path, delimiter=",", skiprows=header + 1)
-    motion = cached.record.__wrapped__(2.5, 1.0, 10.0, 0.1, 0.08, 0.04, -1.3)
+    motion = cache.record.__wrapped__(2.5, 1.0, 10.0, 0.1, 0.08, 0.04, -1.3)
     assert np.array_equal(numbers[:, 0], motion.t)
     assert np.array_equal(numbers[:, 1:7], np.concatenate([motion.q, motion.q_dot]).T)
     assert "# mu = 0.11" in lines
@@ -159,7 +159,7 @@ def test_the_spacing_is_that_of_the_picture(visit, radius):
         for name in ("hoop", "cylinder")
     )
     # The two positions are read one frame after the other, in which the rollers move by less than a centimetre.
-    assert cylinder - hoop == pytest.approx(100 * cached.drawn_spacing(radius / 100), abs=1.0)
+    assert cylinder - hoop == pytest.approx(100 * cache.drawn_spacing(radius / 100), abs=1.0)
 
 
 def test_nothing_jumps_when_the_model_stops_to_hold(visit):
@@ -172,7 +172,7 @@ def test_nothing_jumps_when_the_model_stops_to_hold(visit):
 
 def test_a_phone_does_not_scroll_sideways(visit):
     page = open_motion(visit, width=390, height=844)
-    for view in cached.VIEWS:
+    for view in cache.VIEWS:
         choose(page, view)
         assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= 390
 
@@ -201,7 +201,7 @@ def test_one_button_freezes_machine_and_figures_at_the_greatest_friction(visit):
     assert cursor_times(page) == [pytest.approx(now["time"], abs=0.02)]
     # No contact is nearer to slipping at any other instant: looked for among ten thousand, by the core.
     machine = Oscillator(1, 1, 10)
-    spacing = cached.drawn_spacing(machine.radius)
+    spacing = cache.drawn_spacing(machine.radius)
     times = np.linspace(0, machine.period, 10_001)
 
     def worst(t):

@@ -14,14 +14,14 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 from playwright.sync_api import expect
 
-from ramanujan.scenes import pages
+from ramanujan.shell import navigation
 from tests.benchmarks.visitor import Visitor
 from tests.browser import ROOT, listen, running, settle
 from tests.slow_network import delayed, network
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "8"))
 DELAYS = (0.1,) if CHANGES < 100 else (0.0, 0.1, 0.6)
-PAGES = tuple(page.address for page in pages.PAGES.values())
+PAGES = tuple(page.address for page in navigation.PAGES.values())
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 
 

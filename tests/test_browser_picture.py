@@ -18,9 +18,9 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator, mass_ratio_for
 from ramanujan.contact import contact_forces
 from ramanujan.energy import energies
 from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
-from ramanujan.scenes.cached.motion import drawn_spacing
-from ramanujan.scenes.look import BODY_COLORS
-from ramanujan.scenes.quantities import QUANTITIES
+from ramanujan.pages.motion.cache import drawn_spacing
+from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import STAGE, next_frame, settle
 from tests.picture import ROLLERS, Picture, difference, length, middle, places
 from tests.reading import NUMBER, read

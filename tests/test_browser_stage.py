@@ -10,11 +10,12 @@ import pytest
 import sympy as sp
 from playwright.sync_api import expect
 
-from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared, stage
+from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
+from ramanujan.browser import stage
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
-from ramanujan.scenes.cached.oscillator import CURVE_RANGE
-from ramanujan.scenes.quantities import QUANTITIES
+from ramanujan.pages.oscillator.cache import CURVE_RANGE
+from ramanujan.shell.parameters import QUANTITIES
 from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle
 from tests.reference import numpy_function
 

@@ -14,7 +14,7 @@ import pytest
 import ramanujan
 from tests.test_quantities import ROOMS as CHECKED_ROOMS
 
-PAGES = ("ramanujan.scenes",)
+PAGES = ("ramanujan.pages", "ramanujan.shell")
 """A page runs when it is imported."""
 ROOMS = ("quantities", "rounding", *CHECKED_ROOMS)
 """The numeric rooms, in which every public function has an example."""

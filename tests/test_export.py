@@ -21,7 +21,7 @@ from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
-from ramanujan.scenes.cached import derivation as page
+from ramanujan.pages.derivation import cache as page
 
 VALUES = {m: sp.Integer(2), m_prime: (sp.sqrt(1729) - 1) / 18, k: sp.Rational(7, 3)}
 ENGINE = shutil.which("pdflatex")

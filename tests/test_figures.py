@@ -12,7 +12,7 @@ from plotly.basedatatypes import BaseFigure
 from streamlit.testing.v1 import AppTest
 
 from ramanujan.figures import drawn
-from ramanujan.scenes.pages import PAGES
+from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 
 DRAWN = {path.stem for path in (ROOT / "ramanujan" / "figures").glob("*.py")} & set(PAGES)
@@ -33,6 +33,7 @@ def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
 def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     import streamlit as st
 
+    app.run()
     sent = []
     chart = st.plotly_chart
     monkeypatch.setattr(st, "plotly_chart", lambda figure, **more: (sent.append(figure), chart(figure, **more))[1])

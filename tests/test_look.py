@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from daltonlens import convert, simulate
 
-from ramanujan.scenes.look import BODY_COLORS
+from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import ROOT
 
 THEME = tomllib.loads((ROOT / ".streamlit" / "config.toml").read_text())["theme"]
-STYLE = (ROOT / "ramanujan" / "stage" / "stage.css").read_text()
+STYLE = (ROOT / "ramanujan" / "browser" / "stage" / "stage.css").read_text()
 
 
 def rgb(color: str) -> tuple[int, int, int]:
@@ -61,7 +61,7 @@ def test_words_on_a_button_of_the_theme_s_colour_have_contrast_aa(theme):
     """page.css writes them in the colour of the paper; Streamlit's own white would be too faint in the dark."""
     assert contrast(THEME[theme]["primaryColor"], THEME[theme]["backgroundColor"]) >= 4.5
     assert contrast(THEME["dark"]["primaryColor"], "#FFFFFF") < 4.5
-    page_css = (ROOT / "ramanujan" / "page" / "page.css").read_text()
+    page_css = (ROOT / "ramanujan" / "browser" / "page" / "page.css").read_text()
     assert re.search(r'stBaseButton-primary"\]:not\(:disabled\) \* \{ color: var\(--paper\) !important', page_css)
 
 

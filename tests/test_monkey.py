@@ -14,15 +14,15 @@ from collections.abc import Callable
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from ramanujan.scenes import quantities
-from ramanujan.scenes.pages import PAGES
+from ramanujan.shell import parameters
+from ramanujan.shell.navigation import PAGES
 
 ACTIONS = int(os.environ.get("RAMANUJAN_MONKEY", "60"))
 SEED = int(os.environ.get("RAMANUJAN_SEED", "1729"))
 LONGEST = 2.0
 """Seconds that a run may take, once everything has been loaded."""
 
-KEYS = sorted(key.name for key in (*quantities.KEYS, *(key for page in PAGES.values() for key in page.keys)))
+KEYS = sorted(key.name for key in (*parameters.KEYS, *(key for page in PAGES.values() for key in page.keys)))
 ANSWERS = (
     "",
     "m*v^2/2",

@@ -26,8 +26,8 @@ from ramanujan.derivation.numbers import exact_values, stands_for_the_root
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
-from ramanujan.scenes.cached import derivation as page
-from ramanujan.scenes.cached import oscillator as first_page
+from ramanujan.pages.derivation import cache as page
+from ramanujan.pages.oscillator import cache as first_page
 from tests.latex import Formula, equations, holds, sides, tokens
 from tests.motion_by_hand import quantities
 

@@ -12,9 +12,9 @@ from tests.browser import ROOT
 
 CORE = {"oscillator", "motion"}
 CONTRACT = {"quantities", "rounding"}
-LANGUAGE = {"words", "numerals"}
+LANGUAGE = {"translation", "numerals"}
 ROOMS = {
-    "words": (set(), set()),
+    "translation": (set(), set()),
     "numerals": (set(), set()),
     "quantities": (set(), {"numpy"}),
     "rounding": (set(), {"numpy"}),
@@ -35,10 +35,12 @@ ROOMS = {
         CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "number_theory"},
         {"numpy", "sympy"},
     ),
-    "page": (set(), {"streamlit"}),
-    "stage": (CORE | {"derivation", "page"}, {"streamlit", "sympy"}),
+    "browser": (CORE | {"derivation"}, {"streamlit", "sympy"}),
 }
-"""Room → rooms it may import from (besides `words` and `numerals`), third-party packages. `scenes` may import all."""
+"""Room → rooms it may import from (besides `translation` and `numerals`), third-party packages.
+
+`pages` and `shell` may import all.
+"""
 
 OTHER_PAGES = (
     "accuracy",
@@ -79,7 +81,7 @@ def test_a_room_imports_only_what_its_row_allows(graph, room):
 
 def test_every_room_has_its_row(graph):
     rooms = {room_of(module) for module in graph.modules if module.startswith("ramanujan.")}
-    assert rooms - {"scenes"} == set(ROOMS)
+    assert rooms - {"pages", "shell"} == set(ROOMS)
 
 
 def test_the_names_of_a_notebook_come_from_the_package_itself():
@@ -109,7 +111,7 @@ assert not app.exception and app.title
 for room in {OTHER_PAGES!r}:
     assert f"ramanujan.{{room}}" not in sys.modules, room
 # Negative control: what the page does show is there.
-assert "ramanujan.stage" in sys.modules and "plotly" in sys.modules
+assert "ramanujan.browser.stage" in sys.modules and "plotly" in sys.modules
 """
     done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr[-2000:]

@@ -12,7 +12,7 @@ from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import spaced
 from tests.browser import ROOT
 
-PAGE = "ramanujan/scenes/lesson.py"
+PAGE = "ramanujan/pages/lesson/page.py"
 STOP = lesson.STOPS[0]
 RIGHT = STOP.answer()
 WRONG = next(option.id for option in STOP.options if option.id != RIGHT)
@@ -175,7 +175,7 @@ def test_the_class_comes_back_after_a_reload(lecturer, school):
 
 def test_the_class_is_kept_while_the_lecturer_looks_at_another_page(lecturer):
     before = address(lecturer)
-    lecturer.switch_page("ramanujan/scenes/motion.py").run()
+    lecturer.switch_page("ramanujan/pages/motion/page.py").run()
     lecturer.switch_page(PAGE).run()
     assert {"class", "lecturer"} <= set(before)
     assert address(lecturer) == before
@@ -246,13 +246,13 @@ def test_a_reload_of_another_page_loses_nobody(lecturer, page):
     press(lecturer, "ask")
     answer(student.run(), RIGHT)
     for person, still in ((lecturer, "1 of 1"), (student, "Your answer counts")):
-        there = person.switch_page(f"ramanujan/scenes/{page}.py").run()
+        there = person.switch_page(f"ramanujan/pages/{page}/page.py").run()
         link = address(there)
         assert link["class"] == code_of(lecturer)
         again = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
         for key, value in link.items():
             again.query_params[key] = value
-        again.switch_page(f"ramanujan/scenes/{page}.py").run()
+        again.switch_page(f"ramanujan/pages/{page}/page.py").run()
         assert still in words(again.switch_page(PAGE).run())
 
 

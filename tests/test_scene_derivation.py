@@ -12,9 +12,9 @@ from ramanujan.derivation import ROUTES, energy
 from ramanujan.derivation.answers import QUESTIONS
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
-from ramanujan.scenes.cached import derivation as cached
+from ramanujan.pages.derivation import cache
 
-PAGE = "ramanujan/scenes/derivation.py"
+PAGE = "ramanujan/pages/derivation/page.py"
 TITLES = {name: ROUTES[name].title for name in ROUTES}
 COLOR = "#123456"
 
@@ -105,7 +105,7 @@ def test_all_routes_meet_in_one_table(page):
     assert [row.split("|")[1].strip() for row in rows] == list(TITLES.values())
     assert len({row.split("|")[3] for row in rows}) == len({row.split("|")[4] for row in rows}) == 1
     assert latex(ROUTES["newton"].natural_frequency_squared) in table
-    assert cached.all_agree()
+    assert cache.all_agree()
 
 
 # Whose terms
@@ -142,7 +142,7 @@ def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, mas
         (step.key, shown)
         for name in ROUTES
         for number, step in enumerate(ROUTES[name].steps)
-        if COLOR in (shown := cached.step(name, number, masses, part, COLOR)).equations + shown.by_body
+        if COLOR in (shown := cache.step(name, number, masses, part, COLOR)).equations + shown.by_body
     ]
     assert "lagrangian" in [key for key, _ in colored]
     assert "ratio" not in [key for key, _ in colored]
@@ -154,14 +154,14 @@ def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, mas
             or f"\\textcolor{{{COLOR}}}{{\\text{{{PARTS[part]}}}}}" in shown.by_body
             or part == "spring"
         )
-    assert COLOR not in cached.step("matrix", 0, masses, None, None).by_body
+    assert COLOR not in cache.step("matrix", 0, masses, None, None).by_body
 
 
 def test_choosing_a_body_shows_it_in_the_colour_that_it_has_on_the_stage(page):
-    from ramanujan.scenes import look
+    from ramanujan.shell import theme
 
     choose(page, show="reading", body="hoop")
-    ink = look.colors()["hoop_ink"]
+    ink = theme.colors()["hoop_ink"]
     assert formulas(page).count(rf"\textcolor{{{ink}}}") > 4
     choose(page, body=None)
     assert "textcolor" not in formulas(page)
@@ -179,7 +179,7 @@ def test_three_modes_and_the_momenta_of_the_two_that_do_not_swing(page):
 def test_every_note_on_the_paper_is_checked(page):
     choose(page, margin=True)
     notes = [text.value for text in page.markdown if "The paper has:" in text.value]
-    assert len(notes) == len(cached.notes()) >= 6
+    assert len(notes) == len(cache.notes()) >= 6
     assert all(":material/check: checked" in note for note in notes)
 
 
@@ -203,7 +203,7 @@ def test_each_kind_of_verdict_has_its_box(page):
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_every_question_can_be_asked_and_its_own_answer_is_not_given_away(page, question):
     choose(page, question=question)
-    asked = cached.questions()[question]
+    asked = cache.questions()[question]
     assert any(asked.prompt in text.value for text in page.markdown)
     sound(answer(page, question, asked.example))
     assert not page.success
@@ -232,11 +232,11 @@ def test_hostile_text_gets_one_plain_sentence(page, text):
 @pytest.mark.parametrize("text", ["(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"])
 def test_what_is_read_is_shown_as_it_was_typed(page, text):
     answer(page, "potential_energy", text)
-    assert cached.as_read(text) in formulas(page)
+    assert cache.as_read(text) in formulas(page)
 
 
 def test_what_means_nothing_is_not_read_back():
-    assert cached.as_read("m +") is None
+    assert cache.as_read("m +") is None
 
 
 # Steps in an address, and files
@@ -254,7 +254,7 @@ def test_a_step_that_the_route_does_not_have_is_told_once(app):
 @pytest.mark.parametrize("kind", ["latex", "markdown", "notebook"])
 @pytest.mark.parametrize("masses", [None, (1.0, 2.0, 30.0)], ids=["symbols", "numbers"])
 def test_a_file_holds_the_route_as_it_stands(kind, masses):
-    text = cached.document("matrix", masses, kind)
+    text = cache.document("matrix", masses, kind)
     assert ROUTES["matrix"]["spectrum"].heading in text
     assert "positive clockwise" in text
     # The notebook always derives in symbols; its last cells put the numbers in.

@@ -9,9 +9,9 @@ import pytest
 from google.protobuf.json_format import MessageToDict
 
 from ramanujan import UNIT_MASS_RATIO, lesson
-from ramanujan.scenes.pages import PAGES
+from ramanujan.shell.navigation import PAGES
 
-PAGE = "ramanujan/scenes/lesson.py"
+PAGE = "ramanujan/pages/lesson/page.py"
 IDS = [stop.id for stop in lesson.STOPS]
 CODE = {"jsContent", "htmlContent", "cssContent"}
 """Of a component: the same on every page, whatever the machine."""
@@ -23,7 +23,8 @@ def opened(app):
 
     def visit(**address):
         # An address is read when a page is opened: the visitor comes from the first page.
-        app.switch_page("ramanujan/scenes/oscillator.py").run()
+        app.run()
+        app.switch_page("ramanujan/pages/oscillator/page.py").run()
         for key, text in address.items():
             app.query_params[key] = text
         return sound(app.switch_page(PAGE).run())
@@ -220,7 +221,7 @@ def test_the_present_stop_is_the_only_one_on_the_page(opened):
 def test_progress_is_in_the_address_and_survives_another_page(opened):
     app = opened(stop="block", chosen="block.same~radius.longer")
     assert any("Your prediction:" in text.value for text in app.markdown)
-    sound(app.switch_page("ramanujan/scenes/derivation.py").run())
+    sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
     app.query_params.clear()
     sound(app.switch_page(PAGE).run())
     assert app.title[0].value.endswith(lesson.stop("block").heading)

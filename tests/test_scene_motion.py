@@ -10,11 +10,11 @@ import pytest
 from ramanujan import Oscillator
 from ramanujan.contact import first_to_slip, largest_compression, required_friction
 from ramanujan.numerals import quantity
+from ramanujan.pages.motion import cache
 from ramanujan.record import record
 from ramanujan.sampling import points_for_half_pixel
-from ramanujan.scenes.cached import motion as cached
 
-PAGE = "ramanujan/scenes/motion.py"
+PAGE = "ramanujan/pages/motion/page.py"
 VIEWS = ["displacements", "energy", "momentum", "forces"]
 
 
@@ -41,8 +41,8 @@ def numbers(given):
 
 def figures(view, *setting):
     colors = defaultdict(lambda: "#808080")
-    motion = cached.record.__wrapped__(*setting)
-    return motion, [json.loads(draw(motion, colors).to_json()) for draw in cached.VIEWS[view]]
+    motion = cache.record.__wrapped__(*setting)
+    return motion, [json.loads(draw(motion, colors).to_json()) for draw in cache.VIEWS[view]]
 
 
 @pytest.mark.parametrize("view", VIEWS)
@@ -59,7 +59,7 @@ def test_a_view_that_is_not_open_costs_no_bytes(app):
 @pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (0.2, 8.0), (1.5, 12.0), (0.01, 0.5), (0.07, 8.0)])
 def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression):
     open_page(app, mu=mu, compression=compression, figure="forces")
-    machine, spacing = Oscillator(1.0, 1.0, 10.0, 0.1), cached.drawn_spacing(0.1)
+    machine, spacing = Oscillator(1.0, 1.0, 10.0, 0.1), cache.drawn_spacing(0.1)
     needed = required_friction(machine, compression / 100, spacing=spacing)
     largest = largest_compression(machine, mu, spacing=spacing)
     slips = max(needed.values()) > mu
@@ -68,12 +68,12 @@ def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression)
     )
     assert ("no longer holds" in sentence.value) == slips
     assert quantity(100 * largest, "cm", 3) in sentence.value
-    assert cached.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
+    assert cache.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
     assert app.metric[0].value == quantity(100 * largest, "cm", 3)
 
 
 def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch, app):
-    from ramanujan import stage
+    from ramanujan.browser import stage
 
     given = []
     monkeypatch.setattr(
@@ -91,7 +91,7 @@ def test_the_bars_are_the_friction_needed(app, light):
     open_page(app, m_prime=0.05 if light else 3.0, mu=0.05, figure="forces")
     (bars,) = (figure for alt, figure in charts(app).items() if "that each contact needs" in alt)
     machine = Oscillator(1.0, 0.05 if light else 3.0, 10.0, 0.1)
-    needed = required_friction(machine, 0.08, spacing=cached.drawn_spacing(0.1))
+    needed = required_friction(machine, 0.08, spacing=cache.drawn_spacing(0.1))
     assert numbers(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
     slipping = ["slips" in text for text in bars["data"][0]["text"]]
     assert slipping == [value > 0.05 for value in needed.values()]
@@ -149,17 +149,17 @@ def fine_figure(view, setting, which=0):
         compression,
         glide=glide,
         spin=spin,
-        spacing=cached.drawn_spacing(radius),
-        periods=cached.PERIODS,
-        points=16 * (cached.POINTS - 1) + 1,
+        spacing=cache.drawn_spacing(radius),
+        periods=cache.PERIODS,
+        points=16 * (cache.POINTS - 1) + 1,
     )
     colors = defaultdict(lambda: "#808080")
-    return json.loads(cached.VIEWS[view][which](motion, colors).to_json())
+    return json.loads(cache.VIEWS[view][which](motion, colors).to_json())
 
 
 def test_the_points_are_those_of_the_bound():
     # Two swings of energy in a period.
-    assert points_for_half_pixel(2 * cached.PERIODS, 1080) == cached.POINTS
+    assert points_for_half_pixel(2 * cache.PERIODS, 1080) == cache.POINTS
 
 
 @pytest.mark.parametrize("setting", CORNERS)
@@ -179,7 +179,7 @@ def test_all_figures_over_time_share_one_axis_and_one_hover():
         assert layout["hovermode"] == "x unified"
         assert layout["meta"]["cursor"] == "time"
         ends = {round(trace["dx"] * (len(numbers(trace["y"])) - 1), 9) for trace in figure["data"]}
-        assert ends == {round(layout["meta"]["period"] * cached.PERIODS, 9)}
+        assert ends == {round(layout["meta"]["period"] * cache.PERIODS, 9)}
 
 
 def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does():

@@ -8,8 +8,8 @@ import math
 import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from ramanujan.scenes.controls import PRESETS
-from ramanujan.scenes.quantities import QUANTITIES, read_number
+from ramanujan.shell.parameters import QUANTITIES, read_number
+from ramanujan.shell.sidebar import PRESETS
 
 KEYS = list(QUANTITIES)
 

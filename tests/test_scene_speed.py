@@ -22,11 +22,11 @@ from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.motion import motion, released
 from ramanujan.numerals import duration, number
-from ramanujan.scenes import complaints, experiments, look, thinned, verdicts
-from ramanujan.scenes.cached import speed as cached
+from ramanujan.pages.speed import cache, downsampling, experiments, verdicts
+from ramanujan.shell import messages, theme
 from tests.test_scene_motion import numbers
 
-PAGE = "ramanujan/scenes/speed.py"
+PAGE = "ramanujan/pages/speed/page.py"
 DEFAULTS = (1.0, 1.0, 10.0)
 """m, m′, k as the sliders stand at first."""
 
@@ -45,8 +45,8 @@ def words(app: AppTest) -> str:
     return " ".join(element.value for kind in (app.markdown, app.caption, app.header) for element in kind)
 
 
-def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> thinned.Run:
-    return results(thinned.run_pieces(Oscillator(), method, steps, periods, dtype))[0]
+def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.Run:
+    return results(downsampling.run_pieces(Oscillator(), method, steps, periods, dtype))[0]
 
 
 # ---- the page
@@ -55,7 +55,7 @@ def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> th
 def test_opens_without_measuring_the_diagram(app):
     page(app)
     assert "How exact does this simulation have to be" in words(app)
-    assert cached.diagram(*DEFAULTS, 1).results is None
+    assert cache.diagram(*DEFAULTS, 1).results is None
     assert [button.label for button in app.button if button.key == "measure"] == ["Measure on this server"]
 
 
@@ -114,7 +114,7 @@ def test_measures_shares_and_measures_again(app):
     page(app)
     app.slider(key="k").set_value(k).run()
     app.button(key="measure").click().run()
-    first = cached.diagram(1.0, 1.0, k, 1).results
+    first = cache.diagram(1.0, 1.0, k, 1).results
     curves = [result for result in first if isinstance(result, WorkPrecision)]
     assert len(curves) == 2 * len(METHODS)
     best = cheapest(curves, 1e-3)[0]
@@ -134,7 +134,7 @@ def test_measures_shares_and_measures_again(app):
     assert duration(best.seconds) in words(other)
 
     app.button(key="measure").click().run()
-    again = cached.diagram(1.0, 1.0, k, 1).results
+    again = cache.diagram(1.0, 1.0, k, 1).results
     assert again is not first
     assert [c.seconds[0] for c in again if isinstance(c, WorkPrecision)] != [c.seconds[0] for c in curves]
 
@@ -164,7 +164,7 @@ def test_every_figure_has_a_text_alternative_with_numbers(app):
 def test_stage_plays_whole_periods_in_few_bytes(method, steps):
     machine, compression = Oscillator(), 0.12
     run = one_run(method, steps, 10)
-    played, first, last, _ = thinned.samples(run, machine, compression, 0.12)
+    played, first, last, _ = downsampling.samples(run, machine, compression, 0.12)
     assert 0 <= first < last <= 10
     assert len(played["phi"]) == (last - first) * run.per_period + 1
     assert played["step"] * run.per_period == pytest.approx(machine.period)
@@ -177,8 +177,8 @@ def test_stage_plays_whole_periods_in_few_bytes(method, steps):
 
 def test_a_fine_run_plays_the_exact_motion():
     machine, compression = Oscillator(m_prime=2.0), 0.05
-    run = results(thinned.run_pieces(machine, "yoshida6", 192, 3, "float64"))[0]
-    played, first, _, leaves = thinned.samples(run, machine, compression, 0.12)
+    run = results(downsampling.run_pieces(machine, "yoshida6", 192, 3, "float64"))[0]
+    played, first, _, leaves = downsampling.samples(run, machine, compression, 0.12)
     assert (first, leaves) == (0, False)
     times = np.arange(len(played["phi"])) * played["step"]
     q, _ = motion(machine, released(machine, compression), times)
@@ -188,10 +188,10 @@ def test_a_fine_run_plays_the_exact_motion():
 
 def test_growing_run_is_shown_until_it_leaves():
     run = one_run("explicit_euler", 24, 30)
-    _, _, last, leaves = thinned.samples(run, Oscillator(), 0.08, 0.12)
+    _, _, last, leaves = downsampling.samples(run, Oscillator(), 0.08, 0.12)
     assert leaves
     assert last < 30
-    _, _, last, leaves = thinned.samples(one_run("velocity_verlet", 24, 30), Oscillator(), 0.08, 0.12)
+    _, _, last, leaves = downsampling.samples(one_run("velocity_verlet", 24, 30), Oscillator(), 0.08, 0.12)
     assert (last, leaves) == (30, False)
 
 
@@ -270,7 +270,7 @@ def test_a_visitor_who_has_to_wait_is_told_how_many_come_first(monkeypatch):
                 line.leave(waiting[len(told) - 1])
 
     mine = experiments.Job(experiments.Record(), counted(1), "counting", timed=True)
-    monkeypatch.setattr(complaints, "run_again", lambda: None)
+    monkeypatch.setattr(messages, "run_again", lambda: None)
     experiments.work([("mine", mine, Place())])
     assert [words.partition(".")[0] for words in told] == [
         "2 measurements come before yours",
@@ -281,7 +281,7 @@ def test_a_visitor_who_has_to_wait_is_told_how_many_come_first(monkeypatch):
 
 
 def test_what_a_class_wants_at_once_one_works_out_and_the_others_watch(monkeypatch):
-    monkeypatch.setattr(complaints, "run_again", lambda: None)
+    monkeypatch.setattr(messages, "run_again", lambda: None)
     record: experiments.Record[int] = experiments.Record()
     worked, told = [], []
 
@@ -342,8 +342,8 @@ def test_forms_that_never_fail_are_named_right():
 def test_failures_are_gaps_and_plateaus(app):
     app.run()
     sweeps = [s for s in results(extremes(samples_per_decade=1)) if (s.along, s.dtype) == ("scale", "float64")]
-    exponents, truth, forms = thinned.sweep(sweeps)
-    figure = figures.forms(exponents, truth, forms, quantity="s", colors=look.colors()).checked()
+    exponents, truth, forms = downsampling.sweep(sweeps)
+    figure = figures.forms(exponents, truth, forms, quantity="s", colors=theme.colors()).checked()
     value, error = (numbers(trace.y) for trace in figure.data if trace.name == "the paper’s form")
     assert np.isnan(value[-1])  # it returns −0 there, which has no logarithm
     assert np.isfinite(value[0])
@@ -354,7 +354,7 @@ def test_failures_are_gaps_and_plateaus(app):
 @pytest.fixture(autouse=True)
 def fresh():
     """Every test measures for itself."""
-    for record in (cached.run, cached.diagram):
+    for record in (cache.run, cache.diagram):
         record.clear()
     yield
     st.cache_data.clear()

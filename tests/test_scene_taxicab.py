@@ -14,13 +14,14 @@ import pytest
 import sympy as sp
 from streamlit.testing.v1 import AppTest
 
-from ramanujan import normalized_frequency_squared, stage
+from ramanujan import normalized_frequency_squared
+from ramanujan.browser import stage
 from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice, machines
-from ramanujan.scenes.cached import taxicab as cached
+from ramanujan.pages.taxicab import cache
 
-PAGE = "ramanujan/scenes/taxicab.py"
+PAGE = "ramanujan/pages/taxicab/page.py"
 COLORS = dict.fromkeys(("ink", "faint", "paper", "primary", "top", "hoop", "on_hoop", "block"), "#123456")
 
 
@@ -137,7 +138,7 @@ def test_a_target_out_of_reach_gets_one_sentence_and_the_last_good_one_stays(pag
 
 def test_identity_of_the_norm_for_random_targets() -> None:
     p, q = sp.symbols("p q")
-    text = cached.norm_identity().replace(r"\begin{aligned}", "").replace(r"\end{aligned}", "")
+    text = cache.norm_identity().replace(r"\begin{aligned}", "").replace(r"\end{aligned}", "")
     text = re.sub(r"\\\\|\\quad|\\,|&", " ", text).replace(r"\cdot", "*").replace("^", "**")
     text = re.sub(r"(\d|p|q|\))\s*(?=[pq(])", r"\1*", text)
     left, right = (sp.sympify(side, {"p": p, "q": q}) for side in text.split("="))
@@ -162,8 +163,8 @@ def test_a_hoop_and_a_cylinder_are_enough_for_the_norm_whatever_is_on_top() -> N
 
 
 def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cached, "COUNTED_PART", 6)
-    tally = cached.tally.__wrapped__("hoop", "cylinder")
+    monkeypatch.setattr(cache, "COUNTED_PART", 6)
+    tally = cache.tally.__wrapped__("hoop", "cylinder")
     targets = {Fraction(p, q) for p in range(1, 7) for q in range(1, 7)}
     targets = {w for w in targets if w < Fraction(5, 3)}
     numbers = [BodyChoice("hoop", "cylinder", top, w).discriminant for top in BODIES for w in targets]
@@ -220,7 +221,7 @@ def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
 def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
     for w in (1 / 1000, 0.3, 1.0, 1.3, 1.74):
         root = (48 - 49 * w + ((7 * w - 48) ** 2 + 48 * w * w) ** 0.5) / (36 * w)
-        ratios, values = cached.curve(min(0.01, root / 3), max(30.0, 3 * root))
+        ratios, values = cache.curve(min(0.01, root / 3), max(30.0, 3 * root))
         figure = figures.level_crossing(
             ratios, values, level=w, level_label="w", root=root, root_label="r", present=(1, 1), colors=COLORS
         ).checked()

@@ -7,8 +7,8 @@ import json
 import pytest
 
 from ramanujan import Oscillator
-from ramanujan.scenes.quantities import QUANTITIES
-from ramanujan.scenes.view import PARTS
+from ramanujan.shell.display_mode import PARTS
+from ramanujan.shell.parameters import QUANTITIES
 from tests.test_scene_oscillator import DEFAULTS, sound, values
 
 MACHINE = Oscillator(1.0, 2.0, 10.0)
@@ -56,7 +56,7 @@ def test_nothing_is_hidden_without_being_asked_for(app):
 @pytest.mark.parametrize("path", ["derivation", "motion", "taxicab", "speed"])
 def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path):
     opened(app, hide="clocks,numbers,curve")
-    sound(app.switch_page(f"ramanujan/scenes/{path}.py").run())
+    sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
     assert app.query_params["hide"] == "clocks,numbers,curve"
     feeds = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_feed" in each.proto.id]
     stages = [told for feed in feeds for topic, told in feed.items() if topic.startswith("machine/")]
@@ -85,14 +85,6 @@ def test_an_unknown_view_is_no_projector(app, bad):
     opened(app, view=bad)
     assert len(app.warning) == 1
     assert not app.toggle(key="projector").value
-
-
-def test_the_old_words_of_the_derivation_s_address_still_work(app):
-    app.query_params["view"] = "Reading"
-    app.switch_page("ramanujan/scenes/derivation.py").run()
-    assert app.session_state["show"] == "reading"
-    assert not app.toggle(key="projector").value
-    assert not app.warning
 
 
 def test_reset_returns_to_what_the_link_set(app):

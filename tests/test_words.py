@@ -15,8 +15,8 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import read_po, write_po
 
-from ramanujan.stage import words
-from ramanujan.words import language
+from ramanujan.browser.stage import words
+from ramanujan.translation import language
 from tests.browser import ROOT
 
 PACKAGE = ROOT / "ramanujan"
@@ -33,12 +33,11 @@ KNOWN = {
     "number_theory": "ratio must not be negative",
     "numerals": "not a number",
     "oscillator": "natural frequency",
-    "page": "Copy link",
+    "browser": "Copy link",
     "quantities": "{name} must be a finite number, not {value}",
     "record": "largest compression without slip",
     "rounding": "{name} is too large for float64",
     "sampling": "periods and height_px are too large: the curve would need more than {most} points",
-    "stage": "In step: after a million periods the hands are less than {least} turns apart.",
     "table": "columns must hold at least one column",
 }
 """Room → one of its sentences."""
@@ -180,7 +179,7 @@ def test_underscore_means_gettext_wherever_it_is_imported():
         imported = {
             alias.name
             for node in ast.walk(tree)
-            if isinstance(node, ast.ImportFrom) and node.module == "ramanujan.words"
+            if isinstance(node, ast.ImportFrom) and node.module == "ramanujan.translation"
             for alias in node.names
         }
         stored = [node for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
@@ -263,10 +262,13 @@ def test_no_words_for_people_stand_in_a_script_or_in_html():
 def test_the_stage_says_what_words_py_holds_and_nothing_else():
     texts = scripts()
     used = {
-        name for path, text in texts.items() if path.startswith("stage") for name in re.findall(r"WORDS\.(\w+)", text)
+        name
+        for path, text in texts.items()
+        if path.startswith("browser/stage")
+        for name in re.findall(r"WORDS\.(\w+)", text)
     }
     # Why a motion has ended is looked up by the reason.
     reasons = {"edge", "struck", "ended", "edge_ahead", "struck_ahead"}
     assert used | reasons == {*words.SENTENCES, "slips", "bodies", "unity"}
-    assert sorted(set(fields(texts["stage/stage.html"]))) == sorted(words.TEXTS)
-    assert "{" not in words.filled((PACKAGE / "stage/stage.html").read_text(encoding="utf-8"))
+    assert sorted(set(fields(texts["browser/stage/stage.html"]))) == sorted(words.TEXTS)
+    assert "{" not in words.filled((PACKAGE / "browser/stage/stage.html").read_text(encoding="utf-8"))

@@ -120,7 +120,7 @@ def sheet(**query: str) -> AppTest:
     app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
     app.run()
     app.query_params.update(query)
-    return app.switch_page("ramanujan/scenes/worksheet.py").run()
+    return app.switch_page("ramanujan/pages/worksheet/page.py").run()
 
 
 def test_questions_show_no_answer_and_the_key_shows_all():

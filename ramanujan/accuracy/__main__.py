@@ -32,7 +32,7 @@ from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrec
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _, ngettext
+from ramanujan.translation import _, ngettext
 
 Cell = str | float | int
 

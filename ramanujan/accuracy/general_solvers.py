@@ -12,7 +12,7 @@ from ramanujan.accuracy.extremes import CHUNK, DECADES, powers_of_ten, ulp_error
 from ramanujan.accuracy.progress import Piece, exact_frequency_squared, float_type
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import integer, sequence
-from ramanujan.words import _
+from ramanujan.translation import _
 
 Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
 

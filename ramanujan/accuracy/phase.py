@@ -19,7 +19,7 @@ from ramanujan.motion import InitialState, motion
 from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import finite_array, instance, integer
-from ramanujan.words import _
+from ramanujan.translation import _
 
 LARGEST_DECADE = 15
 """Beyond 1e15 periods neighbouring doubles t are a quarter of a period apart: t itself no longer determines a phase."""

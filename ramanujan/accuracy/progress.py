@@ -14,7 +14,7 @@ import numpy as np
 from ramanujan.frequency import frequency_squared
 from ramanujan.numerals import quantity
 from ramanujan.quantities import function, instance, integer, one_of, positive, sequence
-from ramanujan.words import _
+from ramanujan.translation import _
 
 S = TypeVar("S")
 T = TypeVar("T")

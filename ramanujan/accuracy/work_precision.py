@@ -16,7 +16,7 @@ from ramanujan.integrators import METHODS, Method
 from ramanujan.numerals import quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.quantities import instance, integer, one_of, positive, sequence
-from ramanujan.words import _
+from ramanujan.translation import _
 
 STEPS_PER_PERIOD: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
 DTYPES = ("float32", "float64")

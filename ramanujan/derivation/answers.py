@@ -47,7 +47,7 @@ from ramanujan.derivation.questions import (
 )
 from ramanujan.derivation.units import unit_text, units
 from ramanujan.numerals import number as written
-from ramanujan.words import _, ngettext
+from ramanujan.translation import _, ngettext
 
 __all__ = ["QUESTIONS", "Question", "Verdict", "judge", "question"]
 

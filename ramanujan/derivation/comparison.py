@@ -12,7 +12,7 @@ from ramanujan.derivation.expansion import NormalForm, UncertainRootError
 from ramanujan.derivation.normal_form import MINUS_ONE, ONE, ZERO, at, coefficients, fraction, name_form, over, times
 from ramanujan.derivation.polynomials import VARIABLES, Monomial
 from ramanujan.numerals import superscript
-from ramanujan.words import _, ngettext
+from ramanujan.translation import _, ngettext
 
 _SHOWN = {"eps": "ε", "m'": "m′", "X'": "X′", "phi": "φ", "phi'": "φ′", "Phi": "Φ", "Phi'": "Φ′"}
 _WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}

@@ -22,7 +22,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 

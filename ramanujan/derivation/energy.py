@@ -29,7 +29,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)
 """Shares of block and top cylinder in the motion: ξ = Ẋ/(Rφ̇), η = Φ̇/φ̇."""

@@ -29,7 +29,7 @@ from ramanujan.derivation.symbols import (
     machine,
     normalized_frequency_squared,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 EQUAL_MASSES = equation(m_prime, m)
 """The special case with which the paper begins."""

@@ -14,7 +14,7 @@ from typing import Any
 
 import sympy as sp
 
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _EXACTLY = Context(prec=200)
 

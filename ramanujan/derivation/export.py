@@ -16,7 +16,7 @@ from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
 from ramanujan.derivation.numbers import stated
 from ramanujan.derivation.rows import Row, rows
 from ramanujan.derivation.steps import Route, Step
-from ramanujan.words import _
+from ramanujan.translation import _
 
 TITLE = _("Ramanujan’s oscillator: {route}")
 _SYMBOLS, _WITH_NUMBERS, _CHECKED = _("Symbols"), _("With numbers"), _("Check the result another way")

@@ -16,7 +16,7 @@ import sympy as sp
 
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
-from ramanujan.words import _
+from ramanujan.translation import _
 
 NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'", "eps")
 """Every name the grammar knows, as one types it."""

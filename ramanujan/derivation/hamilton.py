@@ -26,7 +26,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 p_phi = MOMENTA[COORDINATES.index(phi)]
 H_0 = sp.Symbol("H_0")

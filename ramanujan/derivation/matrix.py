@@ -22,7 +22,7 @@ from ramanujan.derivation.symbols import (
     machine,
     phi,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 Lambda = sp.Symbol("Lambda", real=True)
 """Λ, an eigenvalue of K relative to M: the square of a mode's angular frequency."""

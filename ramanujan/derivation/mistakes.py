@@ -27,7 +27,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 ROLLING = ("hoop", "cylinder", "top")
 LOWER_ROLLERS = ("hoop", "cylinder")

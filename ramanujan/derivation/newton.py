@@ -27,7 +27,7 @@ import sympy as sp
 
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import Body, Machine, Omega_squared, R, k, machine, phi, t
-from ramanujan.words import _
+from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1
 

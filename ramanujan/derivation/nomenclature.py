@@ -26,7 +26,7 @@ from ramanujan.derivation.symbols import (
     m_prime,
     phi,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 @dataclass(frozen=True)

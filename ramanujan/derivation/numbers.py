@@ -19,7 +19,7 @@ from ramanujan.derivation.exact import DIGITS, decimal_of, rounded
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _DIGITS_OF_A_FLOAT = 15
 """So many digits, and more, tell a float from its neighbours."""

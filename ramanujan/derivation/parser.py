@@ -18,7 +18,7 @@ from math import prod
 
 from ramanujan.derivation.expressions import NAMES, Expression, Name, Number, Power, Product, Sum, weight
 from ramanujan.numerals import FROM_SUPERSCRIPTS
-from ramanujan.words import _
+from ramanujan.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_DIGITS, MAX_EXPONENT, MAX_WEIGHT = 300, 20, 20, 12, 120
 """Limits on characters, nested brackets, digits of a number, |exponent| and `weight`: they bound all later work."""

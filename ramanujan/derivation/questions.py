@@ -34,7 +34,7 @@ from ramanujan.derivation.wrong_answers import (
     spring_mistakes,
     unit,
 )
-from ramanujan.words import _
+from ramanujan.translation import _
 
 POLYNOMIAL, QUOTIENT, NUMBER = "polynomial", "quotient", "number"
 """How an answer is compared: term by term, as one fraction, or as a number."""

@@ -18,7 +18,7 @@ from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, Machine, Omega_squared, X, k, m, machine, phi, t
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.symbols import m, m_prime, machine
-from ramanujan.words import _
+from ramanujan.translation import _
 
 PARTS = {
     "block": _("block"),

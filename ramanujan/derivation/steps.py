@@ -13,7 +13,7 @@ import sympy as sp
 
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.substitution import put_in
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 @dataclass(frozen=True)

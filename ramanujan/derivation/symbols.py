@@ -15,7 +15,7 @@ from typing import Any
 
 import sympy as sp
 
-from ramanujan.words import _
+from ramanujan.translation import _
 
 m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
 epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)

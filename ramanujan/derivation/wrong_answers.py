@@ -18,7 +18,7 @@ from ramanujan.derivation.elimination import (
 from ramanujan.derivation.expansion import NormalForm
 from ramanujan.derivation.expressions import NAMES
 from ramanujan.derivation.symbols import R, k, m, m_prime, machine
-from ramanujan.words import _
+from ramanujan.translation import _
 
 Variants = Iterator[tuple[str, sp.Expr | NormalForm | None]]
 """Hints, and the results of the mistakes; None where there is no solution."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from ramanujan.figures import Drawn, drawn, template
 from ramanujan.numerals import number
-from ramanujan.words import _
+from ramanujan.translation import _
 
 Colors = Mapping[str, str]
 

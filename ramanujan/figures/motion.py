@@ -10,7 +10,7 @@ import numpy as np
 
 from ramanujan.figures import Drawn, drawn, template
 from ramanujan.numerals import fixed, number
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _HEIGHT = {1: 330, 2: 370}
 """Number of panels → height of all panels and the gaps between them [px]."""

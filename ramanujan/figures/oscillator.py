@@ -9,7 +9,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from ramanujan.figures import template
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 @dataclass(frozen=True)

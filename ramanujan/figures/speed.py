@@ -25,7 +25,7 @@ from ramanujan.figures.logarithmic import (
     shown_range,
     within,
 )
-from ramanujan.words import _, ngettext
+from ramanujan.translation import _, ngettext
 
 _ENERGY_SHOWN, _PHASE_SHOWN = (1e-17, 1e6), (1e-17, 1e4)
 """A run whose error grows further leaves the figure at the top, so that the others can be seen."""

@@ -8,7 +8,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from ramanujan.figures import Drawn, drawn, template
-from ramanujan.words import _
+from ramanujan.translation import _
 
 
 def level_crossing(

@@ -18,7 +18,7 @@ from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, s
 from ramanujan.lesson.notes import NOTES, SOURCES, Note
 from ramanujan.lesson.stop import Option, Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict
-from ramanujan.words import _
+from ramanujan.translation import _
 
 STOPS: tuple[Stop, ...] = (*clocks.STOPS, *bodies.STOPS, *modes.STOPS, *ratio.STOPS, *computing.STOPS)
 """The stops in their order: two clocks, who is faster, what can move, where the energy is, the ratio, computers."""

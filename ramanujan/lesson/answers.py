@@ -16,7 +16,7 @@ from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.motion import motion, released
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
 from ramanujan.numerals import number, percent, told_from
-from ramanujan.words import _
+from ramanujan.translation import _
 
 TOLERANCE, PERIODS = 1e-3, 10
 """Of the integrators' race: the largest error of the state over the amplitude, and the length of the run."""

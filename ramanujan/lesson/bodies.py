@@ -16,7 +16,7 @@ from ramanujan.motion import (
 )
 from ramanujan.numerals import percent, quantity
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.08

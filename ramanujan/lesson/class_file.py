@@ -18,7 +18,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _LOG = logging.getLogger(__name__)
 T = TypeVar("T")

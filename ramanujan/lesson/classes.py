@@ -35,7 +35,7 @@ from ramanujan.lesson.class_codes import (
 )
 from ramanujan.lesson.class_file import CHANGES, DESK, QUESTION, ClassError, ClassFile, place
 from ramanujan.lesson.class_states import Class, Comparison, Desk, Question, Seat
-from ramanujan.words import _
+from ramanujan.translation import _
 
 __all__ = ["Class", "ClassError", "Classes", "Comparison", "Desk", "Question", "Seat", "shared"]
 

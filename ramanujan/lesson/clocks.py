@@ -9,7 +9,7 @@ from ramanujan.lesson.stop import Run, Stop, options
 from ramanujan.motion import motion, released
 from ramanujan.numerals import number, percent, quantity
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 LIGHT = Oscillator(m=1.0, m_prime=0.1, k=10.0)

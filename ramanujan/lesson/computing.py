@@ -14,7 +14,7 @@ from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
 from ramanujan.motion import released
 from ramanujan.numerals import number, percent
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.04

@@ -8,7 +8,7 @@ from ramanujan.contact import drawn_spacing, first_to_slip, required_friction
 from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
 from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.08

@@ -6,7 +6,7 @@ from xml.sax.saxutils import escape
 
 from ramanujan.motion import ground_positions, motion, released
 from ramanujan.oscillator import Oscillator, drawn_spacing
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _CM = 100.0
 _DECK, _THICK, _STEP, _GAP = 8.0, 4.5, 3.0, 2.5

@@ -13,7 +13,7 @@ from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 IN_STEP = Oscillator(m=1.0, m_prime=UNIT_MASS_RATIO, k=10.0)

@@ -13,7 +13,7 @@ from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.motion import ground_positions, ground_velocities, motion, pushed, released
 from ramanujan.numerals import number, percent, quantity, told_from
-from ramanujan.words import _
+from ramanujan.translation import _
 
 IN_STEP = 1e-3
 NINE_EIGHTHS = 9 / 8

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 FREQUENCY = ("clocks", "numbers")
 """Parts of the stage that tell how fast the machine is."""
@@ -72,7 +72,7 @@ class Stop:
     dials : the stage shows its clocks and its gauge after the prediction
     then : the machine after the prediction, where it is another one
     size : "large" where the picture matters, "small" where the question needs the room
-    page : the page on which it is seen in full, by its file in scenes
+    page : the page on which it is seen in full, by its folder in `pages`
     link : what the address of that page says besides the machine
     link_label : what the link says
     """

@@ -20,7 +20,7 @@ from ramanujan.lesson import STOPS, Stop
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
-from ramanujan.words import _
+from ramanujan.translation import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4

@@ -23,7 +23,7 @@ from types import MappingProxyType
 
 from ramanujan.number_theory import integers
 from ramanujan.quantities import one_of, rational
-from ramanujan.words import _
+from ramanujan.translation import _
 
 BODIES = MappingProxyType(
     {"hoop": Fraction(1), "shell": Fraction(2, 3), "cylinder": Fraction(1, 2), "sphere": Fraction(2, 5)}

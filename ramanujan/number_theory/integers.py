@@ -16,7 +16,7 @@ from math import isqrt, prod
 from sympy.ntheory import factorint
 
 from ramanujan.quantities import integer, sequence
-from ramanujan.words import _
+from ramanujan.translation import _
 
 LARGEST_NUMBER = 10**12
 """The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""

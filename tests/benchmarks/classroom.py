@@ -28,13 +28,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
 
-from ramanujan.scenes import pages
+from ramanujan.shell.navigation import PAGES as EVERY_PAGE
 from tests.benchmarks.app import BARE
 from tests.benchmarks.visitor import VisitError, Visitor
 from tests.browser import ROOT, running
 from tests.deployed import deployed
 
-PAGES = {page.name: page.address for page in pages.PAGES.values()}
+PAGES = {page.name: page.address for page in EVERY_PAGE.values()}
 EVERY = 2.0
 """Seconds between two changes of one session, on average."""
 

@@ -15,10 +15,10 @@ from time import monotonic, perf_counter, sleep
 
 from playwright.sync_api import Page, sync_playwright
 
-from ramanujan.scenes import pages
+from ramanujan.shell import navigation
 from tests.browser import CHROMIUM, FLAGS, ROOT, count_anew, listen, running, settle
 
-PAGES = {page.name: page.address for page in pages.PAGES.values()} | {"motion, energy": "motion?figure=energy"}
+PAGES = {page.name: page.address for page in navigation.PAGES.values()} | {"motion, energy": "motion?figure=energy"}
 CHANGES = 5
 
 

@@ -1,0 +1,1 @@
+"""The browser's side: the animated stage, and the components of the pages around it."""

@@ -1,0 +1,230 @@
+"""The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
+
+bus.js carries messages between the components, hosts.js holds every selector into the host pages, page.css every style
+rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
+component each. No physics here.
+
+Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
+message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
+
+The topics of the bus, where NAME is the name of a stage:
+
+    machine/NAME      what `stage.payload` returns; published by the stage's feed, forgotten when the page is left
+    time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
+    present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
+    seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
+    compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+    box/KEY           what a slider's box must know of it, see `bring`; published by the library
+    exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
+    moment/NAME       {time [s], label}: the instant to which a button takes the stage, and what the button says
+    say               {sentence, urgent}: news for the page's live region
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import Any
+
+import streamlit as st
+
+from ramanujan.browser.page import bundle
+from ramanujan.translation import _
+
+
+def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
+    """Bring the scripts of all components to the page; call it before any of them is drawn.
+
+    With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
+    that scroll sideways; a new run of the page when the visitor switches the theme, so that figures follow; and a ring
+    that follows the first page's machine on a curve. A figure has the ring if its layout's `meta` names the ring's
+    colour; its axes are the mass ratio ε and Ω²m/k.
+
+    Parameters
+    ----------
+    theme : the one that this run draws with, light or dark
+    boxes : key of a slider → what its box (`exact`) must know: symbol, unit and meaning; label of the box; scale to SI
+        units; longest text; stages whose slab moves the value
+    """
+    data = {
+        "theme": theme,
+        "boxes": boxes,
+        "label": _("Wide content: scroll it with the arrow keys"),
+        "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
+    }
+    _library()(key="library", data=data, on_switched_change=lambda: None)
+
+
+def feed(key: str, topics: Mapping[str, Any]) -> Any:
+    """Publish values on the bus of the page; after a change only these values are sent.
+
+    Parameters
+    ----------
+    key : of the element
+    topics : topic → value; a value that has not changed since the last run is not published again
+    """
+    return _component("feed")(key=key, data=dict(topics))
+
+
+def cursor(stage: str) -> Any:
+    """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
+
+    A figure takes part by its layout's `meta`: cursor ("time": t runs to the right; "orbit": points at equal steps of
+    time), period [s] and periods, the number of them that it shows. The marks are computed from the figure's own data.
+
+    Parameters
+    ----------
+    stage : the name of the stage that shares the cursor's clock
+    """
+    place = _("t = {time}, {periods} periods")
+    return _component("cursor")(key="cursor", data={"stage": stage, "place": place})
+
+
+def moment(stage: str) -> Any:
+    """Put a button on the page that moves a stage and all figures against time to one moment and stops them there.
+
+    The topic moment/NAME says which: {time [s], label}.
+
+    Parameters
+    ----------
+    stage : the name of the stage
+    """
+    return _component("moment")(key="moment", data={"stage": stage})
+
+
+def give_back(*keys: str) -> None:
+    """After a click on one of these widgets, return the keyboard focus to the page."""
+    _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+
+
+def sheet() -> Any:
+    """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
+    return _component("sheet")(key="sheet")
+
+
+def link(private: Sequence[str] = ()) -> Any:
+    """Put a button on the page that copies its address, which contains every setting.
+
+    Parameters
+    ----------
+    private : keys of the address that are left out of the copy
+    """
+    told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
+    return _component("link")(key="link", data={**told, "private": list(private)})
+
+
+def exact(key: str, on_typed: Callable[[str], None]) -> Any:
+    """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
+
+    What the box must know comes by `bring`. What changes comes by the topic exact/KEY: value, its full text, and
+    judged, the number of texts that have been answered so far.
+
+    Parameters
+    ----------
+    key : of the slider
+    on_typed : called with what was typed
+    """
+    own = f"{key}_exact"
+
+    def typed() -> None:
+        if (text := st.session_state[own].typed) is not None:
+            on_typed(text)
+
+    return _component("exact")(key=own, data={"key": key}, on_typed_change=typed)
+
+
+def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
+    """Call a function at every click on a point of a figure, also at a second click on the same point.
+
+    Parameters
+    ----------
+    figure : key of the figure
+    on_picked : called with the point's x and y, in the units of the axes
+    """
+    key = f"{figure}_pick"
+
+    def picked() -> None:
+        if (point := st.session_state[key].picked) is not None:
+            on_picked(point)
+
+    return _component("pick")(key=key, data={"figure": figure}, on_picked_change=picked)
+
+
+def receipt(key: str, number: int, values: Mapping[str, float]) -> Any:
+    """Let the page report the highest number that has reached it, as `received` in the state of this key.
+
+    Parameters
+    ----------
+    key : of the element
+    number : the number to be received
+    values : key of a slider → the value that it must show first
+    """
+    return _component("receipt")(
+        key=key, data={"number": number, "values": dict(values)}, on_received_change=lambda: None
+    )
+
+
+def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
+    """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
+
+    The lecture begins at the step that the address names, every further route at its first step.
+
+    Parameters
+    ----------
+    route : name of the route
+    headings : of the steps in their order, for screen readers
+    on_turned : called with the route and the step, some time after the last change
+    """
+
+    def turned() -> None:
+        at = st.session_state["steps"].at
+        on_turned(at["route"], at["step"])
+
+    data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
+    return _component("steps")(key="steps", data=data, on_at_change=turned)
+
+
+def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
+    """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
+
+    Parameters
+    ----------
+    headings : of the stops in their order, for screen readers
+    now : the number of the stop that is drawn, from 1 on
+    on_turned : called with the number of the stop that is asked for
+    """
+
+    def turned() -> None:
+        if (to := st.session_state["turn"].to) is not None:
+            on_turned(to)
+
+    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
+    return _component("turn")(key="turn", data=data, on_to_change=turned)
+
+
+def pager() -> Any:
+    """Show one picture of the page at a time, as a projector needs it, and put on the page what turns to the next."""
+    words = {"label": _("Pictures of this page"), "back": _("Back"), "next": _("Next"), "place": "{now} / {count}"}
+    return _component("pager")(key="pager", data=words)
+
+
+def stopwatch(key: str) -> float | None:
+    """Put a stopwatch on the page and return the time that it showed when it was last stopped [s].
+
+    Parameters
+    ----------
+    key : of the element
+    """
+    data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
+    return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
+@cache
+def _component(name: str) -> Any:
+    """Return a component of this folder, which asks the page's library for its part."""
+    return st.components.v2.component(f"ramanujan_{name}", js=bundle.ask(name))
+
+
+@cache
+def _library() -> Any:
+    return st.components.v2.component("ramanujan_library", js=bundle.library())

@@ -1,0 +1,259 @@
+"""The animated scene: a Components v2 component that draws the machine and listens to the sliders.
+
+This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting; words.py holds the texts.
+The page's side is stage.html, stage.css, and one JavaScript module for each concern, put together in the order of
+`_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
+what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript:
+its formulas are printed by SymPy from the derivation.
+
+The stage itself is mounted with constant arguments, so that Streamlit sends it once in a session. After a change only a
+small feed of the page (`page.feed`) is sent, which carries the numbers.
+
+The contract, version 1. To the page, once:
+
+    stage        the name under which the feed speaks to it
+    limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the
+                 same, it cannot be dragged
+    watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
+    clock        stages with the same clock run and pause together
+    layers       which of energy, arrows, traces, forces, coordinates are shown at first
+    compact      only the picture and its label, without controls
+    dials        whether the two clock hands, the gauge and the readouts are shown
+    narrow       whether these are shown below the picture
+    periods      after so many periods the motion begins again; left out: never
+    label        the text under the picture
+
+and by the feed, at every change:
+
+    version      1
+    parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
+    initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
+    samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
+    slipping     the contact that is marked, such as hoop_slab; left out: none
+    unity        the text at the gauge's mark 1; left out: the paper's number
+    awaiting     true while samples are being computed: the machine stands still
+    lit          the highlighted body, or spring; left out: none
+    hide         the parts that are hidden, see `PARTS`; left out: none
+
+Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.browser.page` lists them.
+
+From the page: the trigger `released`, the compression [m] at which the slab was let go.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import streamlit as st
+import sympy as sp
+
+from ramanujan.browser import page
+from ramanujan.browser.page import bundle
+from ramanujan.browser.stage.words import BODIES, SENTENCES, SLIPS, filled
+from ramanujan.derivation.elimination import eliminate
+from ramanujan.derivation.newton import contact_forces
+from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.printers import javascript
+from ramanujan.derivation.solution import coefficients
+from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
+from ramanujan.motion import InitialState
+from ramanujan.oscillator import DRAWN_SPACING, Oscillator
+from ramanujan.translation import _
+
+VERSION = 1
+PARTS = {
+    "clocks": "the two clock hands, and every sign of how near the two frequencies are",
+    "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and their consequences",
+    "plain": "the plain mass",
+    "motion": "the motion itself and what shows it: the machine stands still as it was released",
+    "energy": "the energy bar, with its button",
+    "arrows": "the velocity arrows, with their button",
+    "forces": "the contact forces, with their button",
+    "traces": "the traces, with their button",
+    "coordinates": "the coordinates, with their button",
+}
+"""Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
+SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
+"""β of the paper's rollers."""
+
+_HERE = Path(__file__).parent
+_PICTURE = ("parts", "motion", "drawing", "coordinates", "layers", "dial", "picture")
+_MODULES = (*_PICTURE, "clock", "words", "playback", "slab", "thumb", "toolbar", "stage")
+
+
+def formulas() -> dict[str, Any]:
+    """Return every expression that the stage evaluates, by name, for rollers of any shape; `javascript` prints them."""
+    shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
+    bodies = machine(**shape_factors)
+    frequency_squared = eliminate(bodies).natural_frequency_squared
+    Omega = sp.Symbol("Omega", positive=True)
+    per_radius, gap = map(sp.Rational, DRAWN_SPACING)
+    # φ has no drift, so that φ̈ = −Ω²φ at every moment.
+    forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
+    return {
+        "natural_frequency": sp.sqrt(frequency_squared),
+        "plain_frequency": sp.sqrt(k / m),
+        "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
+        "mass_ratio": m_prime / m,
+        "normalized_limit": sp.limit(unit_frequency_condition().normalized_frequency_squared, epsilon, 0),
+        "motion": {
+            str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
+            for q, parts in coefficients(bodies).items()
+        },
+        "spacing": per_radius * R + gap,
+        "deformation": bodies.deformation,
+        "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
+        "mass": {body.name: body.mass for body in bodies.bodies},
+        "displacement": {body.name: body.displacement for body in bodies.bodies},
+        "angle": {body.name: body.angle for body in bodies.bodies},
+        "velocity": {body.name: body.velocity for body in bodies.bodies},
+        "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
+        "potential_energy": bodies.potential_energy,
+        "contact_force": forces,
+    }
+
+
+def payload(
+    oscillator: Oscillator,
+    compression: float,
+    *,
+    initial: InitialState | None = None,
+    shape_factors: Mapping[str, float] = SHAPE_FACTORS,
+    samples: Mapping[str, Any] | None = None,
+    slipping: str | None = None,
+    unity: str | None = None,
+    lit: str | None = None,
+    awaiting: bool = False,
+) -> dict[str, Any]:
+    """Return the content of the feed: the machine and its motion as plain numbers.
+
+    Parameters
+    ----------
+    oscillator : the machine; m, m′ [kg], k [N/m], R [m]
+    compression : x₀ [m]
+    initial : the state at release; without it, at rest with the spring compressed by x₀
+    shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
+    samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
+    slipping : the contact to mark, such as hoop_slab
+    unity : the text at the gauge's mark 1, for bodies whose number is not the paper's
+    lit : the highlighted body, such as hoop, or spring
+    awaiting : samples are still being computed
+    """
+    shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
+    optional = {
+        "initial": initial and asdict(initial),
+        "samples": samples,
+        "slipping": slipping,
+        "unity": unity,
+        "lit": lit,
+        "awaiting": awaiting or None,
+    }
+    return {
+        "version": VERSION,
+        "parameters": {**asdict(oscillator), "compression": compression, **shapes},
+        **{name: value for name, value in optional.items() if value is not None},
+    }
+
+
+def mount(
+    data: Mapping[str, Any] | None,
+    *,
+    limits: tuple[float, float],
+    watch: Mapping[str, Mapping[str, Any]],
+    key: str = "stage",
+    name: str | None = None,
+    clock: str | None = None,
+    layers: tuple[str, ...] = ("energy",),
+    compact: bool = False,
+    dials: bool = True,
+    narrow: bool = False,
+    periods: float | None = None,
+    label: str | None = None,
+    hide: Iterable[str] = (),
+    on_released: Callable[[float], None] | None = None,
+) -> Any:
+    """Put a stage on the page and return its result; `result.released` is the compression at which a hand let it go.
+
+    Parameters
+    ----------
+    data : the payload; None where `tell` brings it
+    limits : the range of x₀ that the slab can be dragged through [m]
+    watch : slider key → parameter and scale, for following a drag without the server
+    key : of the stage among the page's elements
+    name : the stage's name on the page's bus, unique in the whole app; without it, the key
+    clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
+    layers : shown at first, of energy, arrows, traces, forces, coordinates
+    compact : only the picture and its label, without controls
+    dials : show the two clock hands, the gauge and the readouts beside the picture
+    narrow : show them below the picture
+    periods : of the machine, after which its motion begins again; without it, never
+    label : a few words under the picture, also its name for screen readers
+    hide : the parts that are hidden, of `PARTS`; another run may hide others
+    on_released : called with the compression [m] at which the slab was let go
+    """
+    stage = _component()
+    name = name or key
+    fixed = {
+        "stage": name,
+        "limits": {"compression": limits},
+        "watch": watch,
+        "clock": clock or name,
+        "layers": layers,
+        "compact": compact,
+        "dials": dials,
+        "narrow": narrow,
+        "periods": periods,
+        "label": label,
+    }
+
+    def released() -> None:
+        # Streamlit wants a callback for every trigger that is to be read.
+        if on_released:
+            on_released(st.session_state[key].released)
+
+    result = stage(key=key, data=fixed, on_released_change=released)
+    if data is not None:
+        tell(data, key=key, name=name, hide=hide)
+    return result
+
+
+def tell(
+    data: Mapping[str, Any],
+    *,
+    key: str = "stage",
+    name: str | None = None,
+    hide: Iterable[str] = (),
+    more: Mapping[str, Any] | None = None,
+) -> None:
+    """Tell a stage which machine it shows.
+
+    Parameters
+    ----------
+    data : the payload
+    key, name, hide : as in `mount`
+    more : topics of the page's bus that are told with it
+    """
+    if unknown := set(hidden := sorted(hide)).difference(PARTS):
+        sentence = _("hide must be among {known}, and {unknown} is not")
+        raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
+    page.feed(f"{key}_feed", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})})
+
+
+def warm_up() -> None:
+    """Derive and print the stage's formulas before the first visitor asks for them."""
+    _component()
+
+
+@cache
+def _component() -> Callable[..., Any]:
+    html, css = ((_HERE / name).read_text(encoding="utf-8") for name in ("stage.html", "stage.css"))
+    unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
+    words = {**SENTENCES, "slips": SLIPS, "bodies": BODIES, "unity": unity}
+    given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
+    script = bundle.script(*(_HERE / f"{module}.js" for module in _MODULES))
+    return st.components.v2.component("ramanujan_stage", html=filled(html), css=css, js=given + script)

@@ -1,0 +1,126 @@
+"""What the stage says: templates for the page, and the texts of stage.html. Numbers are put in by the page."""
+
+from __future__ import annotations
+
+from html import escape
+
+from ramanujan.translation import _
+
+SENTENCES = {
+    "picture": _(
+        "A stepped block carries two rollers: a {left} on the left and a {right} on the right. A slab lies on both and "
+        "is tied to the block by a spring. On the upper step of the block a {top} rolls freely."
+    ),
+    "faster": _(
+        "The slab oscillates relative to the block with a period of {period}. The machine is faster than the plain "
+        "mass: its clock hand gains one full turn in {turns} periods of the plain mass."
+    ),
+    "slower": _(
+        "The slab oscillates relative to the block with a period of {period}. The machine is slower than the plain "
+        "mass: its clock hand loses one full turn in {turns} periods of the plain mass."
+    ),
+    "together": _(
+        "The slab oscillates relative to the block with a period of {period}. The machine is in step with the plain "
+        "mass."
+    ),
+    "moment": _("{turns} periods after release, t = {time}."),
+    "turned": _("{turns} periods after release."),
+    "paused": _("Paused."),
+    "playing": _("Playing."),
+    "play": _("Play"),
+    "pause": _("Pause"),
+    "in_slow_motion": _("Shown in slow motion."),
+    "slowed": _("Shown at {factor} times its real speed, so that the eye can follow."),
+    "start": _("Both hands start together."),
+    "close": _("The hands are less than {least} turns apart after {periods} periods of the plain mass."),
+    "ahead": _("The machine is {turns} turns ahead after {periods} periods of the plain mass."),
+    "behind": _("The machine is {turns} turns behind after {periods} periods of the plain mass."),
+    "before": _("The hands are {turns} turns apart {periods} periods before the release."),
+    "parting": _("After {turns} plain-mass periods the hands are one full turn apart."),
+    "nearly": _("Nearly in step: after {turns} plain-mass periods the hands are one full turn apart."),
+    "in_step": _("In step: after a million periods the hands are less than {least} turns apart."),
+    "shared": _(
+        "Mass m: {block}, {slab}, {top}. Mass m′: {hoop}, {cylinder}. All rollers have the radius R. The arrows at X, "
+        "φ and Φ point in the positive direction."
+    ),
+    "edge": _("The top roller reached the edge of the block. The machine was released again."),
+    "struck": _("The slab hit the block. The machine was released again."),
+    "ended": _("The computed motion ends here. The machine was released again."),
+    "edge_ahead": _("Before this time the top roller reaches the edge of the block. The picture stops there."),
+    "struck_ahead": _("Before this time the slab hits the block. The picture stops there."),
+    "held": _("x₀ = {value}"),
+    "bound": _("x₀ must be between {least} and {most}. It will be {value} when you let go."),
+    "kept": _("x₀ is {value} again."),
+    "undo": _("Back to x₀ = {value}"),
+    "each": _("m′ each"),
+}
+"""Key → sentence, with slots for what the page knows."""
+
+SLIPS = {
+    "hoop_slab": _("The hoop would slip on the slab: the model no longer holds."),
+    "cylinder_slab": _("The lower cylinder would slip on the slab: the model no longer holds."),
+    "hoop_block": _("The hoop would slip on the block: the model no longer holds."),
+    "cylinder_block": _("The lower cylinder would slip on the block: the model no longer holds."),
+    "top_block": _("The top cylinder would slip on the block: the model no longer holds."),
+}
+"""Contact → what is said when it slips."""
+
+BODIES = {
+    "block": _("block"),
+    "slab": _("slab"),
+    "spring": _("spring"),
+    "hoop": _("hoop"),
+    "shell": _("spherical shell"),
+    "cylinder": _("cylinder"),
+    "sphere": _("sphere"),
+    "left": _("left {body}"),
+    "right": _("right {body}"),
+    "top": _("top {body}"),
+}
+"""The bodies, and where a body is if its shape does not tell."""
+
+TEXTS = {
+    "animated": _("The machine, animated"),
+    "machine": _("The machine"),
+    "plain": _("A plain mass m on the same spring k"),
+    "plain_caption": _("plain mass m, same spring k"),
+    "block": _("Block, mass m"),
+    "spring": _("Spring, stiffness k"),
+    "left_roller": _("Left roller, mass m′"),
+    "right_roller": _("Right roller, mass m′"),
+    "top_roller": _("Top roller, mass m"),
+    "slab_slider": _("Slab: compression x₀"),
+    "slab": _("Slab, mass m. Drag it and let go."),
+    "centre": _("Centre of mass of the whole machine"),
+    "centre_caption": _("centre of mass"),
+    "energy_bar": _("Energy by body: the parts of the bar change, its length, the total energy, does not."),
+    "dial": _("Two clock hands: each makes one full turn in one period. They stay together if the machine is in step."),
+    "machine_hand": _("Ω machine"),
+    "plain_hand": _("√(k/m) plain mass"),
+    "gauge": _("Gauge of Ω²m/k: at 1 the machine is in step with the plain mass."),
+    "period": _("Period"),
+    "playback": _("Playback"),
+    "restart_hint": _("Release again (Home)"),
+    "restart": _("Release again"),
+    "back_hint": _("Step back (←)"),
+    "back": _("Step back"),
+    "play_hint": _("Play or pause (space)"),
+    "pause": _("Pause"),
+    "forward_hint": _("Step forward (→)"),
+    "forward": _("Step forward"),
+    "scrub": _("Within one period"),
+    "scrub_label": _("Position within one period"),
+    "speed": _("Speed"),
+    "layers": _("Layers"),
+    "energy": _("Energy"),
+    "velocities": _("Velocities"),
+    "forces": _("Forces"),
+    "traces": _("Traces"),
+    "coordinates": _("Coordinates"),
+}
+"""Slot of stage.html → its text."""
+
+
+def filled(html: str) -> str:
+    """Return stage.html with its texts in their slots."""
+    return html.format(**{slot: escape(text) for slot, text in TEXTS.items()})

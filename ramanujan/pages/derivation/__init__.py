@@ -1,0 +1,1 @@
+"""Page 2: five routes to Ω²."""

@@ -1,0 +1,66 @@
+"""The section of page 2 on the three normal modes: each moves by itself, beside what it conserves."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from ramanujan.browser import stage
+from ramanujan.motion import InitialState
+from ramanujan.pages.derivation import cache
+from ramanujan.shell import sidebar, stages
+from ramanujan.translation import _
+
+
+def three_modes(masses: cache.Masses) -> None:
+    """Draw the three modes side by side, each moving by itself."""
+    st.header(_("Three normal modes, one of them oscillates"), anchor=False)
+    st.markdown(
+        _(
+            "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\Lambda$ is "
+            "the mode’s squared angular frequency. A mode that does not deform the spring has $\\Lambda=0$. It is "
+            "called a zero mode, and it conserves a momentum."
+        )
+    )
+    spectrum = cache.spectrum(masses)
+    shown = (
+        (
+            "swing",
+            _("The machine oscillates"),
+            _(
+                "Here $\\Lambda=\\Omega^2$, and all three coordinates oscillate with this one frequency. A machine "
+                "released at rest keeps $p_X=p_\\Phi=0$, so it moves in this mode alone."
+            ),
+            spectrum.oscillating,
+        ),
+        (
+            "glide",
+            _("The whole machine glides"),
+            _("$\\Lambda=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
+            spectrum.glide,
+        ),
+        (
+            "roll",
+            _("The top cylinder rolls freely"),
+            _("$\\Lambda=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
+            spectrum.free_rolling,
+        ),
+    )
+    for column, (key, title, words, shape) in zip(st.columns(3), shown, strict=True):
+        with column:
+            stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title)
+            st.markdown(words)
+            st.latex(shape)
+    st.latex(spectrum.momenta)
+    tell_modes()
+
+
+@st.fragment(key="modes")
+def tell_modes() -> None:
+    """Tell the three stages which machine moves in its modes; a slider reruns nothing else of the section."""
+    machine, compression = sidebar.oscillator(), sidebar.compression()
+    # Slow enough to watch: half of x₀ in the time of one period.
+    speed = compression / 2 / machine.period
+    starts = {"swing": None, "glide": InitialState(X_dot=speed), "roll": InitialState(Phi_dot=speed / machine.radius)}
+    for key, initial in starts.items():
+        told = stage.payload(machine, compression, initial=initial)
+        stages.tell(told, key=f"mode_{key}")

@@ -1,0 +1,110 @@
+"""How a class has voted, once it is revealed: a bar for each option, both votes side by side if there were two."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import streamlit as st
+
+from ramanujan.lesson.classes import ClassError, Comparison, shared
+from ramanujan.lesson.stop import Stop
+from ramanujan.numerals import quantity
+from ramanujan.pages.lesson import cache
+from ramanujan.translation import _, ngettext
+
+_KEPT = "class_result"
+
+
+@dataclass(frozen=True)
+class _Result:
+    """What is revealed of a question: of each vote the number of answers by option, the changes, the right option."""
+
+    votes: tuple[dict[str, int], ...]
+    changes: Comparison | None
+    right: str
+
+
+def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None = None) -> None:
+    """Draw the result of a question.
+
+    Parameters
+    ----------
+    access : the class's code, or the lecturer's key
+    stop : the question
+    round_ : the last vote
+    solved : whether to say which answer is right, and how many have found it
+    chosen : a student's own answer in the last vote
+    """
+    try:
+        result = _result(access, stop, round_)
+    except ClassError as error:
+        st.warning(str(error))
+        return
+    with st.container(key="class_result"):
+        if solved and result.changes and (said := _changes(result.changes)):
+            with st.container(key="class_changes"):
+                st.markdown(said)
+        for option in stop.options:
+            st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
+            places = st.columns(len(result.votes), gap="small")
+            for number, (place, votes) in enumerate(zip(places, result.votes, strict=True)):
+                total = sum(votes.values())
+                share = votes[option.id] / total if total else 0.0
+                place.progress(share, _share(number, len(result.votes), share, votes[option.id], total))
+
+
+def _result(access: str, stop: Stop, round_: int) -> _Result:
+    """Return what is revealed; it no longer changes, so that a phone asks for it once."""
+    name = (access, stop.id, round_)
+    kept = st.session_state.get(_KEPT)
+    if kept is None or kept[0] != name:
+        right = cache.solution(stop.id).option
+        if round_ == 1:
+            result = _Result((shared().distribution(access, stop.id, 1),), None, right)
+        else:
+            changes = shared().comparison(access, stop.id, right)
+            result = _Result((dict(changes.first), dict(changes.second)), changes, right)
+        kept = st.session_state[_KEPT] = (name, result)
+    return kept[1]
+
+
+def _label(label: str, right: bool, own: bool) -> str:
+    if right and own:
+        return _(":green[:material/check_circle:] **{label}** – This is right, and it was your answer.").format(
+            label=label
+        )
+    if right:
+        return _(":green[:material/check_circle:] **{label}** – This is right.").format(label=label)
+    if own:
+        return _("{label} – *This was your answer.*").format(label=label)
+    return label
+
+
+def _share(number: int, votes: int, share: float, people: int, total: int) -> str:
+    """Return what stands at a bar: which vote it is, if there were two, and its share."""
+    if votes == 1:
+        words = _("{people} of {total}, {share}")
+    elif number == 0:
+        words = _("First vote: {people} of {total}, {share}")
+    else:
+        words = _("Second vote: {people} of {total}, {share}")
+    return words.format(people=people, total=total, share=quantity(round(100 * share), "%"))
+
+
+def _changes(changes: Comparison) -> str:
+    """Return how many have changed their answers, a sentence for each kind of change; nothing if nobody voted twice."""
+    if not (changes.to_right or changes.to_wrong or changes.stayed_right or changes.stayed_wrong):
+        return ""
+    to_right = ngettext(
+        "**{n} student changed from a wrong answer to the right one.**",
+        "**{n} students changed from a wrong answer to the right one.**",
+        changes.to_right,
+    )
+    to_wrong = ngettext(
+        "{n} student changed from the right answer to a wrong one.",
+        "{n} students changed from the right answer to a wrong one.",
+        changes.to_wrong,
+    )
+    stayed = ngettext("{n} student was right both times.", "{n} students were right both times.", changes.stayed_right)
+    sentences = ((to_right, changes.to_right), (to_wrong, changes.to_wrong), (stayed, changes.stayed_right))
+    return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)

@@ -1,0 +1,207 @@
+"""One stop of the lesson on the page: predict, observe, explain.
+
+The sliders hold the stop’s machine, so that a reader may change it afterwards and watch. Before the prediction the
+stage gets neither what `stop.hides` names nor the samples of a computed motion, and the explanation is not worked out.
+"""
+
+from __future__ import annotations
+
+import string
+from functools import partial
+
+import streamlit as st
+
+from ramanujan import Oscillator
+from ramanujan.browser import page, stage
+from ramanujan.contact import drawn_spacing, first_to_slip
+from ramanujan.lesson import Run, Stop
+from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.pages.lesson import cache, classroom, progress
+from ramanujan.shell import class_session, messages, sidebar, stages
+from ramanujan.shell.navigation import PAGES
+from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.translation import _
+
+_LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
+_PLACES = ("hoop", "cylinder", "top")
+_LOADED = "lesson_loaded"
+"""Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
+
+
+def load(stop: Stop, predicted: bool) -> None:
+    """Give the sliders the machine of a stop, in a callback."""
+    st.session_state[_LOADED] = (stop.id, predicted)
+    sidebar.take_machine(stop.shown if predicted else stop.machine, stop.compression)
+
+
+def arrive(stop: Stop, predicted: bool) -> None:
+    """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
+    if st.session_state.get(_LOADED) == (stop.id, predicted):
+        return
+    st.session_state[_LOADED] = (stop.id, predicted)
+    machine = stop.shown if predicted else stop.machine
+    if not sidebar.linked() and not sidebar.holds(machine, stop.compression):
+        sidebar.ask_for_machine(machine, stop.compression)
+        messages.run_again()
+
+
+def predict(stop: Stop, option: str | None) -> None:
+    """Take a prediction, or take it back, in a callback."""
+    progress.predict(stop.id, option)
+    load(stop, option is not None)
+
+
+def is_answered(stop: Stop) -> bool:
+    """Tell whether the page may show the right answer: there is a prediction, or the class has seen the answer."""
+    seen = class_session.has_seen(stop)
+    return stop.id in progress.predictions() if seen is None else seen
+
+
+def draw(stop: Stop, number: int) -> None:
+    """Draw a stop, the one of that number."""
+    chosen = progress.predictions().get(stop.id)
+    predicted = chosen is not None
+    st.title(f"{number}. {stop.heading}", anchor=False)
+    st.markdown(stop.question)
+    words, picture = st.columns([3, 2] if stop.size == "small" else [1, 1], gap="medium")
+    with words:
+        solved = classroom.panel(stop)
+        if solved is not None:
+            # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
+            predicted = solved
+            if solved:
+                why(stop)
+        elif chosen is None:
+            ask(stop)
+        else:
+            explain(stop, chosen)
+    arrive(stop, predicted)
+    with words, st.container(key="lesson_caption"):
+        st.markdown(f":small[{_caption(stop, predicted)}]")
+    with picture, st.container(key=f"observed_{_arrangement(stop, predicted)}"):
+        observe(stop, predicted)
+
+
+def _arrangement(stop: Stop, predicted: bool) -> str:
+    """Return by what the style sheets know how much room the picture takes on a projector."""
+    if len(stop.runs) > 1:
+        return "several"
+    return "dials" if stop.dials and predicted else "one"
+
+
+def ask(stop: Stop) -> None:
+    """Draw the options and the hints."""
+    st.markdown(_("**Predict** before you see it:"))
+    with st.container(key="options", gap="xsmall"):
+        for option in stop.options:
+            st.button(
+                option.label,
+                key=f"option_{stop.id}_{option.id}",
+                on_click=partial(predict, stop, option.id),
+                width="stretch",
+            )
+    hints(stop.id, stop.hints)
+
+
+def explain(stop: Stop, chosen: str) -> None:
+    """Say whether the prediction was right, which option is, and why."""
+    solved = cache.solution(stop.id)
+    own = stop.option(chosen).label
+    # A phone shows this part above the machine.
+    with st.container(key="judged"):
+        if chosen == solved.option:
+            said = _("Your prediction was right.")
+            st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
+        else:
+            said = _("Your prediction was different.")
+            st.markdown(_(":red[:material/cancel: **Your prediction:**] {option}").format(option=own))
+            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
+    # With the option that was clicked the focus has gone: who cannot see the page is told here.
+    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
+    why(stop)
+    st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(predict, stop, None), type="tertiary")
+
+
+def why(stop: Stop) -> None:
+    """Say why the right option is right, and where all of it is seen."""
+    st.markdown(cache.solution(stop.id).explanation)
+    st.page_link(
+        PAGES[stop.page].file,
+        label=stop.link_label,
+        icon=":material/open_in_full:",
+        query_params=dict(stop.link),
+    )
+
+
+def hints(name: str, sentences: tuple[str, ...]) -> None:
+    """Draw the hints that have been asked for, and a button for the next one."""
+    key = f"hints_shown_{name}"
+    shown = st.session_state.get(key, 0)
+    for sentence in sentences[:shown]:
+        st.markdown(f":material/lightbulb: {plain(sentence)}")
+    if left := len(sentences) - shown:
+        label = _("Hint ({n} left)").format(n=left)
+        st.button(label, key=f"hint_{name}", on_click=partial(_show_hint, key, shown + 1), type="tertiary")
+
+
+def observe(stop: Stop, predicted: bool) -> None:
+    """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
+    several = len(stop.runs) > 1
+    hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
+    # Machines side by side belong to the stop; a single one follows the sliders.
+    own = {"watch": {}} if several else {"on_released": sidebar.set_compression}
+    for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
+        machine = run.machine if several else sidebar.oscillator()
+        compression = run.compression if several else sidebar.compression()
+        stages.mount(
+            payload(run, machine, compression, predicted),
+            key=f"stage_{stop.id}_{number}",
+            clock=f"stop_{stop.id}",
+            layers=stop.layers,
+            compact=several,
+            dials=stop.dials,
+            narrow=True,
+            label=run.label if several else None,
+            hide=hidden,
+            **own,
+        )
+
+
+def payload(run: Run, machine: Oscillator, compression: float, predicted: bool) -> dict[str, object]:
+    """Return what the stage is sent of a run; before the prediction, the released machine alone."""
+    choice = BodyChoice(*run.bodies)
+    slips = run.slipping and predicted
+    return stage.payload(
+        machine,
+        compression,
+        shape_factors={place: float(BODIES[body]) for place, body in zip(_PLACES, run.bodies, strict=True)},
+        samples=run.samples() if run.samples and predicted else None,
+        slipping=first_to_slip(machine, compression, drawn_spacing(machine.radius)) if slips else None,
+        unity=f"1 ↔ √{choice.discriminant}" if predicted and choice != BodyChoice() else None,
+    )
+
+
+def plain(text: str) -> str:
+    """Return text such that Markdown shows it as it is."""
+    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
+
+
+def _caption(stop: Stop, predicted: bool) -> str:
+    """Return what the sliders have to do with the picture."""
+    if len(stop.runs) > 1:
+        return _("Here the sliders change nothing: these machines belong to the stop.")
+    machine = stop.shown if predicted else stop.machine
+    if not sidebar.holds(machine, stop.compression):
+        return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
+    if predicted:
+        return _("The sliders hold this machine: {machine}. Change it and watch.").format(machine=_written(machine))
+    return _("The machine: {machine}.").format(machine=_written(machine))
+
+
+def _written(machine: Oscillator) -> str:
+    values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
+    return ", ".join(f"{QUANTITIES[key].symbol} = {QUANTITIES[key].written(x)}" for key, x in values.items())
+
+
+def _show_hint(key: str, count: int) -> None:
+    st.session_state[key] = count

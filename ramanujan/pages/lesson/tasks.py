@@ -1,0 +1,150 @@
+"""The tasks of the lesson on the page: choose one, set the machine, read the verdict."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from ramanujan.browser import page, stage
+from ramanujan.integrators import METHODS
+from ramanujan.lesson import Setting, Task
+from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
+from ramanujan.motion import pushed
+from ramanujan.number_theory import BODIES
+from ramanujan.pages.lesson import stops
+from ramanujan.shell import address, sidebar, stages, widgets
+from ramanujan.shell.parameters import WATCH, Quantity, read_number
+from ramanujan.translation import _
+
+RELEASE = Quantity("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", "", 0.01)
+GLIDE = Quantity(
+    "task_glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01
+)
+SPIN = Quantity("task_spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+METHOD = address.Choice("task_method", tuple(METHODS), "rk4")
+STEPS = address.Count("task_steps", MOST_STEPS, 100, FEWEST_STEPS)
+PERIODS = address.Count("task_periods", 100, 10)
+PLACES = (
+    address.Choice("task_left", tuple(BODIES), "hoop"),
+    address.Choice("task_right", tuple(BODIES), "cylinder"),
+    address.Choice("task_top", tuple(BODIES), "cylinder"),
+)
+PLACE_WORDS = (_("Left roller"), _("Right roller"), _("Body on top"))
+KEYS = (RELEASE.in_links, GLIDE.in_links, SPIN.in_links, METHOD, STEPS, PERIODS, *PLACES)
+METHOD_WORDS = {name: METHODS[name].title for name in METHODS}
+BODY_WORDS = {
+    "hoop": _("hoop"),
+    "shell": _("spherical shell"),
+    "cylinder": _("solid cylinder"),
+    "sphere": _("solid sphere"),
+}
+_LONGEST = 200
+_WIDTH = 160
+
+
+def draw(task: Task) -> None:
+    """Draw a task."""
+    st.title(task.heading, anchor=False)
+    st.markdown(task.text)
+    words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
+    with words:
+        typed = {}
+        for field in task.fields:
+            typed |= FIELDS[field]()
+        setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
+        if not task.fields:
+            st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
+        with st.container(key="task_verdict"):
+            verdict(task, setting)
+        stops.hints(f"task_{task.id}", task.hints)
+    if picture:
+        with picture:
+            machine(task, setting)
+
+
+def verdict(task: Task, setting: Setting) -> None:
+    """Say whether the task is done, and how far away the goal is."""
+    judged = task.judge(setting)
+    box = st.container(border=True)
+    if judged.done:
+        done = _("Done.")
+        box.markdown(f":green[:material/check_circle: **{done}**] {stops.plain(judged.sentence)}")
+    else:
+        yet = _("Not yet.")
+        box.markdown(f":orange[:material/flag: **{yet}**] {stops.plain(judged.sentence)}")
+
+
+def machine(task: Task, setting: Setting) -> None:
+    """Draw the machine as it was set."""
+    shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": True, "hide": task.hides}
+    with st.container(key="observed_dials"):
+        if "release" not in task.fields:
+            payload = stage.payload(setting.machine, setting.compression)
+            stages.mount(payload, on_released=sidebar.set_compression, **shown)
+            return
+        # How this machine starts is set beside it, and not with the slab.
+        initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)
+        stages.mount(
+            stage.payload(setting.machine, setting.release, initial=initial),
+            limits=(RELEASE.limits[1],) * 2,
+            watch={key: each for key, each in WATCH.items() if key != "compression"},
+            **shown,
+        )
+
+
+# What is set beside the machine
+
+
+def _release() -> dict[str, float]:
+    return {"release": widgets.page_slider(RELEASE)}
+
+
+def _glide() -> dict[str, float]:
+    return {"glide": widgets.page_slider(GLIDE)}
+
+
+def _spin() -> dict[str, float]:
+    return {"spin": widgets.page_slider(SPIN)}
+
+
+def _part() -> dict[str, float | None]:
+    text = st.text_input(_("Part of a period"), key="task_part", placeholder="1/3", max_chars=20)
+    return {"part": read_number(text)}
+
+
+def _stopwatch() -> dict[str, float | int | None]:
+    seconds = page.stopwatch("task_stopwatch")
+    return {"seconds": seconds, "periods": widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH)}
+
+
+def _formula() -> dict[str, str]:
+    return {"formula": st.text_input("ε =", key="task_formula", placeholder="(sqrt(5) − 1)/2", max_chars=_LONGEST)}
+
+
+def _method() -> dict[str, str]:
+    return {"method": widgets.menu(METHOD, _("Method"), METHOD_WORDS)}
+
+
+def _steps() -> dict[str, int]:
+    return {"steps": widgets.count(STEPS, _("Steps per period"), width=_WIDTH)}
+
+
+def _bodies() -> dict[str, tuple[str, ...]]:
+    chosen = []
+    for column, place, label in zip(st.columns(len(PLACES)), PLACES, PLACE_WORDS, strict=True):
+        with column:
+            chosen.append(widgets.menu(place, label, BODY_WORDS))
+    return {"bodies": tuple(chosen)}
+
+
+FIELDS = {
+    "release": _release,
+    "glide": _glide,
+    "spin": _spin,
+    "part": _part,
+    "stopwatch": _stopwatch,
+    "formula": _formula,
+    "method": _method,
+    "steps": _steps,
+    "bodies": _bodies,
+}
+"""What a task's field draws, and the part of a `Setting` that it returns."""

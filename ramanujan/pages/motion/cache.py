@@ -1,0 +1,180 @@
+"""What the motion page keeps: its motion, and the figures of it, for the settings that were asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import streamlit as st
+
+from ramanujan import Oscillator, drawn_spacing
+from ramanujan.figures import Drawn
+from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
+from ramanujan.record import Record
+from ramanujan.record import record as take_record
+from ramanujan.sampling import points_for_half_pixel
+from ramanujan.shell import theme
+from ramanujan.translation import _
+
+PERIODS = 2
+"""How many periods of the machine the figures show."""
+
+POINTS = points_for_half_pixel(2 * PERIODS)
+"""An energy goes up and down twice in a period; and any figure can be opened to fill the screen."""
+
+NAMES = {
+    "block": _("block"),
+    "hoop": _("hoop"),
+    "cylinder": _("lower cylinder"),
+    "slab": _("slab"),
+    "top": _("top cylinder"),
+    "spring": _("spring"),
+}
+"""Body → what a legend calls it."""
+CONTACTS = {
+    "hoop_slab": _("hoop and slab"),
+    "cylinder_slab": _("cylinder and slab"),
+    "hoop_block": _("hoop and block"),
+    "cylinder_block": _("cylinder and block"),
+    "top_block": _("top cylinder and block"),
+}
+"""Contact → the two bodies that touch there."""
+_CM = 100.0
+# Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it.
+_LINES = {"hoop": {"width": 5.0}, "cylinder": {"dash": "6px 6px"}}
+_ENERGIES = {
+    "spring": _("spring"),
+    "block_translation": _("block, translation"),
+    "hoop_translation": _("hoop, translation"),
+    "hoop_rotation": _("hoop, rotation"),
+    "cylinder_translation": _("lower cylinder, translation"),
+    "cylinder_rotation": _("lower cylinder, rotation"),
+    "slab_translation": _("slab, translation"),
+    "top_translation": _("top cylinder, translation"),
+    "top_rotation": _("top cylinder, rotation"),
+}
+_MOMENTA = {
+    "block": _("mv of the block"),
+    "hoop": _("mv of the hoop"),
+    "cylinder": _("mv of the lower cylinder"),
+    "slab": _("mv of the slab"),
+    "top": _("mv of the top cylinder"),
+}
+
+
+@st.cache_resource(show_spinner=False, max_entries=128)
+def record(m: float, m_prime: float, k: float, radius: float, compression: float, glide: float, spin: float) -> Record:
+    """Return the motion after a release with a push, as densely as the figures need it; parameters in SI units."""
+    return take_record(
+        Oscillator(m, m_prime, k, radius),
+        compression,
+        glide=glide,
+        spin=spin,
+        spacing=drawn_spacing(radius),
+        periods=PERIODS,
+        points=POINTS,
+    )
+
+
+@st.cache_resource(show_spinner=False, max_entries=64)
+def figures(view: str, light_or_dark: str, *setting: float) -> tuple[Drawn, ...]:
+    """Return the figures of a view, a key of `VIEWS`, in the present theme; the setting is that of `record`."""
+    motion, colors = record(*setting), theme.colors()
+    return tuple(draw(motion, colors) for draw in VIEWS[view])
+
+
+def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
+    """Draw where the bodies are, relative to the ground and to the block."""
+    places = (
+        (_("relative to the ground"), _("ground"), motion.over_ground),
+        (_("relative to the block"), _("block"), motion.over_block),
+    )
+    panels = [
+        _panel(
+            title,
+            "cm",
+            [Curve(NAMES[body], _CM * x, colors[body], **_LINES.get(body, {})) for body, x in bodies.items()],
+            short,
+        )
+        for title, short, bodies in places
+    ]
+    return _over_time(motion, panels, colors)
+
+
+def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
+    """Draw one orbit for each coordinate: slab and top cylinder relative to the block, the block to the ground."""
+    shown = {
+        "slab": (_("slab, relative to the block"), motion.over_block, motion.velocity_over_block),
+        "block": (_("block, relative to the ground"), motion.over_ground, motion.velocity_over_ground),
+        "top": (_("top cylinder, relative to the block"), motion.over_block, motion.velocity_over_block),
+    }
+    curves = [Curve(name, _CM * x[body], colors[body]) for body, (name, x, _v) in shown.items()]
+    velocities = [_CM * v[body] for body, (_name, _x, v) in shown.items()]
+    return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
+
+
+def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
+    """Draw the energies of all bodies by kind, one upon the other, below their constant sum."""
+    curves = []
+    for key, values in motion.energies.items():
+        body = key.partition("_")[0]
+        turns = key.endswith("_rotation")
+        curves.append(Curve(_ENERGIES[key], values * 1e3, colors[body], stacked=True, hatched=turns))
+    total = 1e3 * motion.total_energy
+    curves.append(Curve(_("total energy"), total, colors["ink"], width=3))
+    # A sixth above the total is room for the names of the periods.
+    return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
+
+
+def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
+    """Draw the momentum of each body, which oscillates, and the two conserved ones, which are flat."""
+    curves = [
+        Curve(_MOMENTA[body], values, colors[body], width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
+        for body, values in motion.body_momenta.items()
+    ]
+    curves += [
+        Curve(_("all bodies together, −p<sub>X</sub>"), -motion.momenta["p_X"], colors["ink"], width=4),
+        Curve(
+            "p<sub>Φ</sub>/R",
+            motion.momenta["p_Phi"] / motion.oscillator.radius,
+            colors["primary"],
+            width=4,
+            dash="10px 6px",
+        ),
+    ]
+    return _over_time(motion, [_panel(_("momentum"), "kg m/s", curves)], colors)
+
+
+def _contacts(motion: Record, colors: Mapping[str, str]) -> Drawn:
+    """Draw the horizontal force on each roller at its contacts, and the normal forces there."""
+    forces = [_contact_curve(name, values, colors) for name, values in motion.forces.items() if name != "spring"]
+    normals = [_contact_curve(name, values, colors) for name, values in motion.normal_forces.items()]
+    highest = max(float(curve.values.max()) for curve in normals)
+    panels = [_panel(_("friction"), "N", forces), Panel(_("normal force"), "N", normals, (0.0, 1.1 * highest))]
+    return _over_time(motion, panels, colors)
+
+
+VIEWS = {
+    "displacements": (_displacements, _orbits),
+    "energy": (_energy,),
+    "momentum": (_momentum,),
+    "forces": (_contacts,),
+}
+"""View → what draws its figures."""
+
+
+def contact_color(contact: str, colors: Mapping[str, str]) -> str:
+    """Return the colour of a contact: that of its roller."""
+    return colors[contact.partition("_")[0]]
+
+
+def _contact_curve(contact: str, values: object, colors: Mapping[str, str]) -> Curve:
+    dash = "solid" if contact.endswith("slab") or contact.startswith("top") else "7px 5px"
+    return Curve(CONTACTS[contact], values, contact_color(contact, colors), dash=dash)
+
+
+def _panel(title: str, unit: str, curves: list[Curve], short: str = "") -> Panel:
+    return Panel(title, unit, curves, roomy([curve.values for curve in curves]), short)
+
+
+def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> Drawn:
+    return time_panels(panels, period=motion.oscillator.period, periods=PERIODS, colors=colors)

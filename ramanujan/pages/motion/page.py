@@ -1,0 +1,160 @@
+"""Page 3: the motion over time, what it conserves, its zero modes, and the friction that it needs."""
+
+from __future__ import annotations
+
+import numpy as np
+import streamlit as st
+
+from ramanujan.browser import page, stage
+from ramanujan.contact import first_to_slip, largest_compression
+from ramanujan.numerals import quantity
+from ramanujan.pages.motion import cache
+from ramanujan.pages.motion.plots import (
+    Friction,
+    centimetres,
+    show_displacements,
+    show_energy,
+    show_forces,
+    show_momentum,
+)
+from ramanujan.record import Record, table
+from ramanujan.shell import address, sidebar, stages, theme, widgets
+from ramanujan.shell.parameters import Quantity
+from ramanujan.translation import _
+
+GLIDE = Quantity("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
+SPIN = Quantity("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+MU = Quantity("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
+FIGURE = address.Choice("figure", tuple(cache.VIEWS), "displacements")
+KEYS = (GLIDE.in_links, SPIN.in_links, MU.in_links, FIGURE)
+VIEW_WORDS = {
+    "displacements": _("Displacements"),
+    "energy": _("Energy"),
+    "momentum": _("Momentum"),
+    "forces": _("Contact forces"),
+}
+
+
+def show() -> None:
+    """Draw the page."""
+    st.title(_("Motion"), anchor=False)
+    scene = st.container(key="without_dials")
+    glide, spin, mu = the_sliders()
+    machine, compression = sidebar.oscillator(), sidebar.compression()
+    setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
+    motion = cache.record(*setting)
+    largest = largest_compression(machine, mu, spacing=motion.spacing)
+    friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
+    with scene:
+        the_machine(motion, friction)
+    with st.container(key="verdict"):
+        verdict(friction, compression)
+    freeze(motion)
+    cursor_and_download(motion, mu)
+    the_figures(motion, friction, setting)
+
+
+def the_sliders() -> tuple[float, float, float]:
+    """Draw the sliders of this page and return their values in SI units."""
+    values = []
+    for column, each in zip(st.columns(3, gap="medium"), (GLIDE, SPIN, MU), strict=True):
+        with column:
+            values.append(widgets.page_slider(each))
+    return tuple(values)
+
+
+def the_machine(motion: Record, friction: Friction) -> None:
+    """Draw the machine in motion; a contact that slips is marked."""
+    slips = motion.compression > friction.largest
+    stages.mount(
+        stage.payload(
+            motion.oscillator,
+            motion.compression,
+            initial=motion.initial,
+            slipping=friction.first if slips else None,
+        ),
+        name="motion",
+        layers=("forces",),
+        dials=False,
+        periods=cache.PERIODS,
+        on_released=sidebar.set_compression,
+    )
+
+
+def verdict(friction: Friction, compression: float) -> None:
+    """Say whether every contact rolls, in sentences of about the same length."""
+    holds = compression <= friction.largest
+    sentence = (
+        _(
+            ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ = {mu} this is true up "
+            "to x₀ = {largest}. Beyond that, the contact between **{contact}** slips first."
+        )
+        if holds
+        else _(
+            ":red[:material/error: **The model no longer holds.**] With μ = {mu}, the contact between **{contact}** "
+            "slips from x₀ = {largest} on. The picture still shows rolling."
+        )
+    )
+    # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
+    st.container(border=True).markdown(
+        sentence.format(
+            mu=f"{friction.coefficient:.2f}",
+            largest=centimetres(friction.largest),
+            contact=cache.CONTACTS[friction.first],
+        )
+    )
+
+
+def freeze(motion: Record) -> None:
+    """Offer to stop at the instant at which a contact needs the most friction."""
+    instant, contact = greatest_friction(motion)
+    label = _("Stop where friction is greatest: {contact}, t = {time}").format(
+        contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)
+    )
+    page.feed("moment_feed", {"moment/motion": {"time": instant, "label": label}})
+    page.moment("motion")
+
+
+def greatest_friction(motion: Record) -> tuple[float, str]:
+    """Return when within the first period a contact needs the most friction [s], and which contact that is."""
+    first_period = motion.t <= motion.oscillator.period
+    needed = {
+        name: (np.abs(motion.forces[name]) / normal)[first_period] for name, normal in motion.normal_forces.items()
+    }
+    first = max(needed, key=lambda name: needed[name].max())
+    return float(motion.t[needed[first].argmax()]), first
+
+
+def cursor_and_download(motion: Record, mu: float) -> None:
+    """Draw the time cursor over all figures, and the download of their numbers."""
+    marker, download = st.columns([5, 1], vertical_alignment="center")
+    with marker:
+        page.cursor("motion")
+    download.download_button(
+        _("CSV"),
+        lambda: table(motion, mu),
+        "ramanujan motion.csv",
+        "text/csv",
+        icon=":material/download:",
+        help=_("All numbers of this page, in SI units"),
+        on_click="ignore",
+        width="stretch",
+    )
+
+
+def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) -> None:
+    """Draw the figures of the view that is open."""
+    shows = {
+        "displacements": show_displacements,
+        "energy": show_energy,
+        "momentum": show_momentum,
+        "forces": lambda motion, drawn: show_forces(motion, drawn, friction),
+    }
+    for view, tab in widgets.tabs(FIGURE, VIEW_WORDS).items():
+        if tab.open:
+            with tab:
+                shows[view](motion, cache.figures(view, theme.current(), *setting))
+
+
+if __name__ == "__main__":
+    show()

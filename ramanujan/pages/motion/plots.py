@@ -1,0 +1,192 @@
+"""The figures of page 3, each with what it means: displacements, energy, momentum, contact forces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import streamlit as st
+
+from ramanujan.contact import required_friction
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.symbols import MOMENTA
+from ramanujan.figures.motion import friction_bars
+from ramanujan.numerals import number, quantity
+from ramanujan.pages.motion import cache
+from ramanujan.record import Record
+from ramanujan.shell import drawings, theme
+from ramanujan.translation import _
+
+
+@dataclass(frozen=True)
+class Friction:
+    """What a coefficient of static friction allows: the largest compression [m] without slip, and what slips first."""
+
+    coefficient: float
+    largest: float
+    first: str
+
+
+def show_displacements(motion: Record, drawn: tuple) -> None:
+    """Draw displacements over time beside the phase plane, and say what the two initial velocities do."""
+    time, plane = st.columns([3, 2])
+    farthest = {
+        body: 100 * abs(motion.over_ground[body] - motion.over_ground[body][0]).max()
+        for body in cache.NAMES
+        if body != "spring"
+    }
+    sees = (
+        _(
+            "Displacements over time. The slab oscillates about a steady drift that comes from the initial velocities. "
+            "Greatest distance from the start, relative to the ground: {distances}."
+        )
+        if motion.initial.X_dot or motion.initial.Phi_dot
+        else _(
+            "Displacements over time. The slab oscillates; the centres of the lower rollers move least. Greatest "
+            "distance from the start, relative to the ground: {distances}."
+        )
+    )
+    with time:
+        chart(drawn[0], "displacements", sees.format(distances=listed(cache.NAMES, farthest, "cm")))
+    with plane:
+        chart(
+            drawn[1],
+            "phase_plane",
+            _(
+                "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, "
+                "because it oscillates with one frequency. It reaches ±{displacement} and ±{velocity}."
+            ).format(
+                displacement=quantity(100 * motion.compression, "cm", 3),
+                velocity=quantity(100 * motion.compression * motion.oscillator.natural_frequency, "cm/s", 3),
+            ),
+        )
+    end = motion.t[-1]
+    # Rounding leaves something of a drift that is not there.
+    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
+    block, top = (round(float(drift), 9) for drift in drifts)
+    note(
+        _(
+            "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
+            "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
+            "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away. After whole "
+            "periods only this drift is left: {block} for the block, {top} for the top cylinder relative to it."
+        ).format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3))
+    )
+
+
+def show_energy(motion: Record, drawn: tuple) -> None:
+    """Draw the energies, stacked."""
+    total = motion.total_energy
+    spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
+    greatest = max(motion.energies, key=lambda key: motion.energies[key][1:].max())
+    whole = quantity(1e3 * float(total[0]), "mJ", 4)
+    chart(
+        drawn[0],
+        "energy",
+        _(
+            "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
+            "{total}. The largest single share belongs to this body: {body}."
+        ).format(total=whole, body=cache.NAMES[greatest.partition("_")[0]]),
+    )
+    note(
+        _(
+            "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
+            "{total} at every instant, with a relative error of at most {error}. At release the spring holds {spring}; "
+            "the initial velocities add the rest."
+        ).format(
+            total=whole,
+            error=number(spread, 1),
+            spring=quantity(1e3 * float(motion.energies["spring"][0]), "mJ", 4),
+        )
+    )
+
+
+def show_momentum(motion: Record, drawn: tuple) -> None:
+    """Draw the momenta of the bodies, and the two conserved ones."""
+    p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
+    of_X, _of_phi, of_Phi = map(latex, MOMENTA)
+    chart(
+        drawn[0],
+        "momentum",
+        _(
+            "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two "
+            "momenta are conserved: all bodies together {all}, p_Φ/R {top}."
+        ).format(all=quantity(-p_X, "kg m/s", 3), top=quantity(p_Phi / motion.oscillator.radius, "kg m/s", 3)),
+    )
+    note(
+        _(
+            "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ "
+            "nor $\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus "
+            "sign. ${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
+            "Change the initial velocities and watch both lines move."
+        ).format(p_X=of_X, p_Phi=of_Phi)
+    )
+
+
+def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
+    """Draw contact forces over time beside the friction that each contact needs."""
+    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
+    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
+    time, bars = st.columns([3, 2])
+    with time:
+        chart(
+            drawn[0],
+            "contact_forces",
+            _(
+                "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts "
+                "between the rollers. Greatest friction: {forces}."
+            ).format(forces=listed(cache.CONTACTS, strongest, "N")),
+        )
+    with bars:
+        draw_friction_needed(needed, friction.coefficient)
+        st.metric(_("Largest compression without slip"), centimetres(friction.largest))
+    note(
+        _(
+            "Forces on the rollers, positive to the right. A contact does not slip while its friction stays "
+            "below μ times its normal force; the bars show the least μ that this takes at the worst instant. The axes "
+            "of the two lower rollers are {spacing} apart, as drawn. No initial velocity changes a contact force: in a "
+            "zero mode nothing accelerates."
+        ).format(spacing=centimetres(motion.spacing))
+    )
+
+
+def draw_friction_needed(needed: dict[str, float], mu: float) -> None:
+    """Draw the friction that each contact needs as bars beside the present μ."""
+    colors = theme.colors()
+    chart(
+        friction_bars(
+            {cache.CONTACTS[name]: value for name, value in needed.items()},
+            [cache.contact_color(name, colors) for name in needed],
+            friction_coefficient=mu,
+            colors=colors,
+        ),
+        "friction_needed",
+        _(
+            "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
+        ).format(mu=f"{mu:.2f}", needed=listed(cache.CONTACTS, needed, "")),
+    )
+
+
+def chart(figure: object, name: str, alt: str) -> None:
+    """Put a figure on the page, with Plotly's own legend, hover, zoom and PNG export."""
+    image = {"filename": f"ramanujan {name}", "scale": 2}
+    config = {"displaylogo": False, "toImageButtonOptions": image}
+    drawings.plot(figure, f"figure_{name}", alt, config=config)
+
+
+def note(text: str) -> None:
+    """Put small print under a figure, in full contrast."""
+    st.markdown(f":small[{text}]")
+
+
+def listed(names: dict[str, str], values: dict[str, float], unit: str) -> str:
+    """Return names with their values, for a text alternative."""
+    item = _("{name}: {value}")
+    return "; ".join(
+        item.format(name=names[key], value=quantity(float(value), unit, 3)) for key, value in values.items()
+    )
+
+
+def centimetres(metres: float) -> str:
+    """Return a length in centimetres."""
+    return quantity(100 * metres, "cm", 3)

@@ -1,0 +1,127 @@
+"""What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import streamlit as st
+import sympy as sp
+
+from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
+from ramanujan.derivation import Step
+from ramanujan.derivation.numbers import exact_values, stated, unit_frequency_condition
+from ramanujan.derivation.rows import Row, aligned, rows
+from ramanujan.derivation.symbols import epsilon
+from ramanujan.figures import Drawn, kept
+from ramanujan.figures.oscillator import Mark, frequency_curve
+from ramanujan.shell import theme
+from ramanujan.shell.cache import route
+from ramanujan.translation import _
+
+CURVE_RANGE = (0.01, 30.0)
+"""The mass ratios that the Ω² curve shows; the sliders stay inside."""
+
+_POINTS = 2001
+"""Of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They also make the
+figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The fixed part of the Ω² figure; every number and formula in it comes from the core or from SymPy."""
+
+    ratios: np.ndarray
+    values: np.ndarray
+    light_limit: float
+    heavy_limit: np.ndarray
+    equal: Mark
+    unit: Mark
+    light_label: str
+    heavy_label: str
+
+
+@st.cache_resource(show_spinner=False)
+def curve() -> Curve:
+    """Return the Ω² curve with its limits and the two marked ratios."""
+    normalized, condition = unit_frequency_condition().normalized_frequency_squared, unit_frequency_condition()
+    ratios = np.geomspace(*CURVE_RANGE, _POINTS)
+    light = sp.limit(normalized, epsilon, 0)
+    heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
+    at_equal = normalized.subs(epsilon, 1)
+    numerator, denominator = sp.fraction(condition.root)
+    root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("sqrt", "√")
+    root = root.replace("√(1729)", "√1729").replace("-", "−")
+    return Curve(
+        ratios,
+        normalized_frequency_squared(ratios),
+        float(light),
+        sp.lambdify(epsilon, heavy, "numpy")(ratios),
+        Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
+        Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
+        _("{value} for ε → 0").format(value=light),
+        _("{value}<br>for ε → ∞").format(value=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", "")),
+    )
+
+
+def equal_masses_value() -> str:
+    """Return Ω²m/k at equal masses as an exact fraction."""
+    return str(unit_frequency_condition().normalized_frequency_squared.subs(epsilon, 1))
+
+
+@st.cache_resource(show_spinner=False, max_entries=4)
+def figure(light_or_dark: str) -> Drawn:
+    """Return the figure of the curve in the present theme; it is the same for every machine."""
+    base, colors = curve(), theme.colors()
+    return kept(
+        frequency_curve(
+            base.ratios,
+            base.values,
+            light_limit=base.light_limit,
+            heavy_limit=base.heavy_limit,
+            limit_labels=(base.light_label, base.heavy_label),
+            equal=base.equal,
+            unit=base.unit,
+            colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
+        )
+    )
+
+
+@dataclass(frozen=True)
+class SummaryStep:
+    """A step as the page shows it: words, and one block of LaTeX, in symbols, then with the present numbers."""
+
+    heading: str
+    reason: str
+    equations: str
+
+
+_LINE_WIDTH = 60
+"""Characters of a formula that fit beside the sidebar in a window of 1280 points."""
+
+_SUMMARY = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
+
+
+@st.cache_data(show_spinner=False, max_entries=256)
+def summary(present: tuple[float, float, float] | None) -> list[SummaryStep]:
+    """Return the derivation in six steps, in symbols, and with the present m, m′ and k where these are given."""
+    values = exact_values(*present) if present else None
+    return [_with_numbers(step, symbols, values) for step, symbols in _in_symbols()]
+
+
+@st.cache_data(show_spinner=False, max_entries=256)
+def numbers_stated(m: float, m_prime: float, k: float) -> str:
+    """Return the sentence that says whose numbers the steps show."""
+    return stated(exact_values(m, m_prime, k))
+
+
+@st.cache_resource(show_spinner=False)
+def _in_symbols() -> list[tuple[Step, list[Row]]]:
+    steps = (route("euler_lagrange")[key] for key in _SUMMARY)
+    return [(step, rows(step)) for step in steps]
+
+
+def _with_numbers(step: Step, symbols: list[Row], values: dict[sp.Symbol, sp.Expr] | None) -> SummaryStep:
+    numbers = rows(step, values) if values else symbols
+    blocks = [symbols] if numbers == symbols else [symbols, numbers]
+    return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH))

@@ -1,0 +1,110 @@
+"""Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
+
+from __future__ import annotations
+
+import math
+
+import streamlit as st
+
+from ramanujan import Oscillator
+from ramanujan.browser import page, stage
+from ramanujan.pages.oscillator import cache
+from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages, theme
+from ramanujan.translation import _
+
+KEYS = ()
+
+
+def show() -> None:
+    """Draw the page."""
+    opening()
+    stages.mount(None, name="oscillator", on_released=sidebar.set_compression)
+    if not display_mode.hides("curve"):
+        the_curve()
+    steps = not display_mode.hides("steps")
+    if steps:
+        st.header(_("The derivation in six steps"), anchor=False)
+    with st.container(key="steps"):
+        what_follows(steps)
+    if steps:
+        st.page_link(
+            navigation.PAGES["derivation"].file,
+            label=_("The whole derivation, in five ways"),
+            icon=":material/function:",
+        )
+    sidebar.follow("machine")
+
+
+@st.fragment(key="machine")
+def what_follows(steps: bool) -> None:
+    """Tell the stage, the boxes and the reader what the sliders hold: a slider reruns nothing else."""
+    machine = sidebar.oscillator()
+    stages.tell(stage.payload(machine, sidebar.compression()), name="oscillator", more=sidebar.followed())
+    if steps:
+        six_steps(machine)
+
+
+def opening() -> None:
+    """Say what this is, what it asks and what to do first; beside it, the way into the lesson."""
+    words, lesson = st.container(key="opening").columns([4, 1], vertical_alignment="bottom")
+    with words:
+        st.title(_("Ramanujan’s oscillator"), anchor=False)
+        first = _("Drag the slab and let go.")
+        if not display_mode.hides("clocks"):
+            first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
+        question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
+        st.markdown(f"**{question}** {first}")
+    with lesson:
+        st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), icon=":material/school:")
+
+
+def the_curve() -> None:
+    """Draw the curve of Ω² with a ring at the present machine."""
+    base = cache.curve()
+    st.header(_("When is it in step with the plain mass?"), anchor=False)
+    st.markdown(
+        _(
+            "The plain mass $m$ on the spring $k$ has the angular frequency √(k/m), the machine has $\\Omega$. "
+            "They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
+        )
+    )
+    drawings.plot(
+        cache.figure(theme.current()),
+        "curve",
+        # What changes with the machine is said by the ring: so the figure is sent to a page only once.
+        _(
+            "Ω²m/k over the mass ratio ε, falling from {light} to {heavy}: heavier rollers make the machine slower. It "
+            "is {equal} at equal masses, and exactly 1 at one ratio only."
+        ).format(light=base.light_label, heavy=base.heavy_label.replace("<br>", " "), equal=cache.equal_masses_value()),
+    )
+    page.pick("curve", take_clicked)
+    st.caption(_("Click on the curve to build the machine with that mass ratio."))
+
+
+def take_clicked(point: dict[str, float]) -> None:
+    """Take the mass ratio of the clicked point: exactly that of a mark if one lies there, else with round masses."""
+    base = cache.curve()
+    marks = (base.equal.ratio, base.unit.ratio)
+    mark = next((mark for mark in marks if math.isclose(point["x"], mark, rel_tol=0.02)), None)
+    if mark is None:
+        sidebar.take_ratio(point["x"], digits=3)
+    else:
+        sidebar.take_ratio(mark)
+
+
+def six_steps(machine: Oscillator) -> None:
+    """Draw the derivation in short, in symbols and with the present numbers."""
+    numbers = None if display_mode.hides("numbers") else (machine.m, machine.m_prime, machine.k)
+    steps = "\n\n".join(
+        f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
+        for number, step in enumerate(cache.summary(numbers), start=1)
+    )
+    # One text: each element of a page costs the server a message.
+    if numbers:
+        said = _("Each step appears in symbols, then with your numbers.")
+        steps = f":small[{said} {cache.numbers_stated(*numbers)}]\n\n{steps}"
+    st.markdown(steps)
+
+
+if __name__ == "__main__":
+    show()

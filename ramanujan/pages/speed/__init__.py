@@ -1,0 +1,1 @@
+"""Page 5: accuracy and what it costs."""

@@ -1,0 +1,258 @@
+"""What the experiments of page 5 found, in sentences and tables: every number in them is looked up in the results."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from ramanujan.accuracy import FORMS, SOLVERS
+from ramanujan.accuracy.choices import ClosedForm
+from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
+from ramanujan.accuracy.general_solvers import EigenSweep
+from ramanujan.accuracy.phase import PhaseErrors
+from ramanujan.accuracy.work_precision import Choice
+from ramanujan.integrators import METHODS, Method
+from ramanujan.numerals import duration, number, percent, quantity, told_from
+from ramanujan.pages.speed.downsampling import Run
+from ramanujan.translation import _, ngettext
+
+_SEEN = 0.05
+"""Phase error [rad] that an eye can see between two machines side by side: about a hundredth of a full turn."""
+
+Table = list[tuple[str, ...]]
+
+
+def table(rows: Table) -> str:
+    """Return rows as a Markdown table; the first row names the columns."""
+    lines = [" | ".join(row) for row in rows]
+    return "\n".join([lines[0], " | ".join(["---"] * len(rows[0])), *lines[1:]])
+
+
+def method_facts(method: Method, steps: int) -> str:
+    """Say of what order a method is, what it costs, and whether these steps are stable."""
+    turn, limit = 2 * math.pi / steps, method.stability_limit
+    cost = ngettext(
+        "The method has order {order} and takes {n} evaluation of the force per step of size h.",
+        "The method has order {order} and takes {n} evaluations of the force per step of size h.",
+        method.evaluations,
+    )
+    if math.isinf(limit):
+        stable = _("It is stable at every step size.")
+    elif limit == 0:
+        stable = _("Its energy grows at every step size, however small.")
+    elif turn > limit:
+        stable = _("It is **unstable here**: hΩ = {turn} is beyond its stability limit, hΩ = {limit}.")
+    else:
+        stable = _("It is stable up to hΩ = {limit}; here hΩ = {turn}.")
+    cost = cost.format(order=method.order, n=method.evaluations)
+    return f"{cost} {stable.format(turn=told_from(turn, limit, 3), limit=told_from(limit, turn, 3))}"
+
+
+def errors_of(run: Run) -> str:
+    """Say how far a run is off at its end, and whether it shows."""
+    worst = float(np.max(run.energy))
+    counts = {"n": run.periods, "evaluations": number(run.evaluations, 3)}
+    if not math.isfinite(run.energy_at_end) or worst > 1e6:
+        return ngettext(
+            "After {n} period and {evaluations} evaluations of the force, the energy has grown beyond all bounds.",
+            "After {n} periods and {evaluations} evaluations of the force, the energy has grown beyond all bounds.",
+            run.periods,
+        ).format(**counts)
+    phase = (
+        ngettext(
+            "After {n} period and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
+            "ahead**.",
+            "After {n} periods and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
+            "ahead**.",
+            run.periods,
+        )
+        if run.phase_at_end > 0
+        else ngettext(
+            "After {n} period and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
+            "behind**.",
+            "After {n} periods and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
+            "behind**.",
+            run.periods,
+        )
+    )
+    if worst > 1:
+        energy = _("Its energy grew to **{factor} times** the true value.").format(factor=number(1 + worst))
+    elif worst >= 1e-4:
+        energy = _("Its energy was off by up to **{share}**.").format(share=percent(worst))
+    else:
+        energy = _("Its relative energy error was at most **{error}**.").format(error=number(worst))
+    seen = abs(run.phase_at_end) > _SEEN or worst > _SEEN
+    verdict = _("The difference is visible.") if seen else _("The difference is too small to see.")
+    return f"{phase.format(phase=number(abs(run.phase_at_end)), **counts)} {energy} {verdict}"
+
+
+def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
+    """Name the cheapest run within the tolerance, its cost, and the closed form's."""
+    said = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
+    if exact is not None:
+        said.append(
+            ngettext(
+                "The closed form takes {time} for a state after {n} period, and its phase error is {error} rad.",
+                "The closed form takes {time} for a state after {n} periods, and its phase error is {error} rad.",
+                exact.periods,
+            ).format(time=duration(exact.seconds.median), n=exact.periods, error=number(exact.phase_error))
+        )
+    return " ".join(said)
+
+
+def _cheapest(best: Choice, tolerance: float, by: str) -> str:
+    sentence = (
+        _(
+            "For an error of at most {tolerance} of the amplitude, the fastest run on this server is **{method}** in "
+            "{precision} with **{steps} steps per period**. It takes {time} and {evaluations} evaluations of the "
+            "force, and its error is {error}."
+        )
+        if by == "seconds"
+        else _(
+            "For an error of at most {tolerance} of the amplitude, the run with the fewest evaluations of the force is "
+            "**{method}** in {precision} with **{steps} steps per period**. It takes {evaluations} evaluations and "
+            "{time} on this server, and its error is {error}."
+        )
+    )
+    return sentence.format(
+        tolerance=number(tolerance, 1),
+        method=METHODS[best.method].title,
+        precision=best.dtype,
+        steps=best.steps_per_period,
+        error=number(best.state_error),
+        evaluations=number(best.evaluations, 3),
+        time=duration(best.seconds),
+    )
+
+
+def _none_reaches(tolerance: float) -> str:
+    return _("No method reaches an error of {tolerance} with the step sizes that were tried.").format(
+        tolerance=number(tolerance, 1)
+    )
+
+
+def choice_table(choices: Iterable[Choice]) -> Table:
+    """List the cheapest run of each method and precision."""
+    rows: Table = [
+        (_("Method"), _("Precision"), _("Steps per period"), _("Error"), _("Evaluations"), _("Time")),
+    ]
+    for c in choices:
+        cells = (METHODS[c.method].title, c.dtype, str(c.steps_per_period), number(c.state_error))
+        rows.append((*cells, number(c.evaluations, 3), duration(c.seconds)))
+    return rows
+
+
+def where_forms_fail(sweeps: Sequence[Sweep], symbol: str) -> str:
+    """Say of each form where it fails and what it then returns, and name those that never do."""
+    sound = [sweep for sweep in sweeps if set(sweep.verdict) == {RIGHT}]
+    lines = []
+    for sweep in (sweep for sweep in sweeps if sweep not in sound):
+        failures = " ".join(_failure(sweep, each, symbol) for each in sweep.stretches if each.verdict != RIGHT)
+        lines.append(_("- **{form}**: {failures}").format(form=_form(sweep), failures=failures))
+    if sound:
+        lines.append(
+            _("- **Right over the whole range**, to within {error} ulp: {forms}.").format(
+                error=number(max(sweep.worst_right_ulp for sweep in sound)), forms=", ".join(map(_form, sound))
+            )
+        )
+    return "\n".join(lines)
+
+
+def _form(sweep: Sweep) -> str:
+    return FORMS[sweep.form].title
+
+
+_FAILURES = {
+    ZERO: _("For {symbol} from {first} to {last} it returns 0."),
+    "−0": _("For {symbol} from {first} to {last} it returns −0."),
+    OVERFLOW: _("For {symbol} from {first} to {last} it returns infinity or NaN."),
+    PLAUSIBLE: _("For {symbol} from {first} to {last} it returns a plausible wrong value, such as {value}."),
+    INACCURATE: _("For {symbol} from {first} to {last} it loses digits."),
+}
+_FAILURES_AT_A_POINT = {
+    ZERO: _("For {symbol} = {first} it returns 0."),
+    "−0": _("For {symbol} = {first} it returns −0."),
+    OVERFLOW: _("For {symbol} = {first} it returns infinity or NaN."),
+    PLAUSIBLE: _("For {symbol} = {first} it returns a plausible wrong value, {value}."),
+    INACCURATE: _("For {symbol} = {first} it loses digits."),
+}
+
+
+def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
+    inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
+    verdict = "−0" if stretch.verdict == ZERO and np.signbit(inside).all() else stretch.verdict
+    sentence = (_FAILURES_AT_A_POINT if stretch.first == stretch.last else _FAILURES)[verdict]
+    usual = number(float(np.median(inside)), 4) if stretch.verdict == PLAUSIBLE else ""
+    ends = {"first": number(float(stretch.first)), "last": number(float(stretch.last))}
+    return sentence.format(symbol=symbol, value=usual, **ends)
+
+
+def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
+    """Say when each way to compute the phase has lost it, and how small the reduced one's error stays."""
+    single = next((e.periods for e in errors if e.float32 > 1), None)
+    said = []
+    if single:
+        said.append(
+            _(
+                "In float32 the error of the plain product Ω·t exceeds 1 rad after {periods} periods. From there on "
+                "the phase is meaningless and the curve is flat."
+            ).format(periods=number(single))
+        )
+    said.append(
+        _(
+            "In float64 the error is {error} rad after {periods} periods. If Ω/2π is stored in two floating-point "
+            "numbers and whole turns are subtracted first, the error never exceeds **{least} rad**."
+        ).format(
+            error=number(errors[-1].float64),
+            periods=number(errors[-1].periods),
+            least=number(max(e.reduced for e in errors)),
+        )
+    )
+    return " ".join(said)
+
+
+def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
+    """Say which solvers find both zero modes exactly, and how often the others return what is no frequency."""
+    said = [
+        _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
+            solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size
+        )
+        for s in sweeps
+        if s.dtype == "float64" and s.without_frequency.any()
+    ]
+    if said:
+        said.append(
+            _(
+                "The square root of such a value is not a real number, so a program that computes with real numbers "
+                "gets NaN."
+            )
+        )
+    said += [
+        _("**{solver}** returns exactly 0 for both zero modes, because only one entry of K is not zero.").format(
+            solver=SOLVERS[s.solver].title
+        )
+        for s in sweeps
+        if s.dtype == "float64" and np.all(s.zero_modes == 0)
+    ]
+    return " ".join(said)
+
+
+def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
+    """List the solvers with their errors."""
+    rows: Table = [
+        (_("Solver"), _("Precision"), _("Greatest error of Ω²"), _("Greatest zero mode"), _("Negative or complex")),
+    ]
+    for s in sweeps:
+        largest = float(np.nanmax(np.abs(s.zero_modes)))
+        rows.append(
+            (
+                SOLVERS[s.solver].title,
+                s.dtype,
+                quantity(float(np.nanmax(s.error_ulp)), "ulp"),
+                quantity(largest, "rad²/s²") if largest else _("exactly 0"),
+                _("{count} of {all}").format(count=int(s.without_frequency.sum()), all=s.error_ulp.size),
+            )
+        )
+    return rows

@@ -1,0 +1,229 @@
+"""What page 4 keeps: the unit condition as formulas, the 40 machines, and what follows from a choice of bodies.
+
+Everything comes from `number_theory` (exact integers) or from the derivation; here it is only put into LaTeX.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import gcd, isqrt
+from statistics import median
+
+import numpy as np
+import streamlit as st
+import sympy as sp
+
+from ramanujan import normalized_frequency_squared, number_theory
+from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import equation
+from ramanujan.derivation.symbols import epsilon
+from ramanujan.figures import Drawn, cubes, kept
+from ramanujan.figures import taxicab as figures
+from ramanujan.number_theory import BodyChoice
+from ramanujan.shell.cache import route
+
+LARGEST_PART = 1000
+"""The largest p and q: every discriminant can then be factored."""
+
+COUNTED_PART = 20
+"""The largest p and q among the targets whose discriminants are counted."""
+
+
+# Building a figure costs more than everything else on the page; these depend on little.
+@st.cache_resource(show_spinner=False, max_entries=64)
+def cube_stack(sides: list[int], *, widest: int, apart: bool, turn: float, colors: dict[str, str]) -> Drawn:
+    """Return the figure of a stack of cubes."""
+    return kept(cubes.cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors))
+
+
+@st.cache_resource(show_spinner=False, max_entries=80)
+def machine_grid(*shown: object) -> Drawn:
+    """Return the figure of all machines."""
+    return kept(figures.machine_grid(*shown))
+
+
+@st.cache_resource(show_spinner=False, max_entries=4)
+def cube_counts(*shown: object) -> Drawn:
+    """Return the figure that counts sums of two cubes."""
+    return kept(figures.cube_counts(*shown))
+
+
+@dataclass(frozen=True)
+class Condition:
+    """Ω² = k/m for the paper's machine: its equations, discriminant D and the cubes that add up to D.
+
+    `expanded` is D as b² − 4ac, `term_by_term` the sum of cubes whose terms are the same; texts are LaTeX.
+    """
+
+    equations: tuple[str, ...]
+    number: int
+    smallest_taxicab: int
+    cubes: tuple[tuple[int, int], ...]
+    cubes_latex: str
+    expanded: str
+    term_by_term: str
+
+
+@st.cache_resource(show_spinner=False)
+def condition() -> Condition:
+    """Return the unit condition of the paper's machine, from its derivation."""
+    steps = route("euler_lagrange")
+    frequency = steps["ratio"].equations[1]
+    lines = (frequency, *steps["unit"].equations, *steps["root"].equations)
+    paper = BodyChoice()
+    a, b, c = paper.quadratic
+    with sp.evaluate(False):
+        expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
+    same_terms = [(x, y) for x, y in paper.cubes if x**3 == b**2]
+    return Condition(
+        tuple(map(latex, lines)),
+        int(unit_frequency_condition().discriminant),
+        number_theory.smallest_taxicab(),
+        paper.cubes,
+        sums_of_cubes(paper.cubes),
+        sp.latex(expanded, mul_symbol="dot", order="none"),
+        sums_of_cubes(same_terms),
+    )
+
+
+@dataclass(frozen=True)
+class Story:
+    """What a machine's bodies and target lead to; formulas as LaTeX, the mass ratio also as a number."""
+
+    machine: BodyChoice
+    quadratic: str
+    root: str
+    ratio: float
+    factors: str
+    cubes: str
+    square: str
+
+
+@st.cache_data(show_spinner=False, max_entries=512)
+def story(left: str, right: str, top: str, p: int = 1, q: int = 1) -> Story:
+    """Return the story of the machine with these bodies and the target Ω²m/k = p/q; ValueError as in `BodyChoice`."""
+    machine = BodyChoice(left, right, top, Fraction(p, q))
+    a, b, c = machine.quadratic
+    root = (sp.sqrt(machine.discriminant) - b) / (2 * a)
+    return Story(
+        machine,
+        latex(equation(a * epsilon**2 + b * epsilon + c, sp.S.Zero)),
+        with_decimal(root, 7),
+        float(number_theory.positive_root_digits(a, b, c, 40)),
+        product_of_primes(machine.factorization),
+        sums_of_cubes(machine.cubes),
+        latex(equation((2 * a * epsilon + b) ** 2, sp.Integer(machine.discriminant))),
+    )
+
+
+@st.cache_resource(show_spinner=False)
+def machines() -> tuple[BodyChoice, ...]:
+    """Return all 40 machines at the unit frequency, their factors and cubes at hand."""
+    return tuple(number_theory.machines())
+
+
+@dataclass(frozen=True)
+class PracticalMachine:
+    """A ratio for the workshop, the exact error it leaves in Ω²m/k, and after how many periods it is one turn off."""
+
+    ratio: Fraction
+    error: Fraction
+    periods: float
+
+
+@st.cache_resource(show_spinner=False)
+def practical_machines() -> tuple[PracticalMachine, ...]:
+    """Return the first convergents of the paper's mass ratio as machines to build."""
+    return tuple(
+        # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
+        PracticalMachine(entry.ratio, entry.error, (1 + (1 + entry.error) ** 0.5) / abs(entry.error))
+        for entry in number_theory.practical_ratios(terms=5)
+    )
+
+
+def quotients(terms: int = 12) -> list[int]:
+    """Return the continued fraction of the paper's mass ratio."""
+    return number_theory.continued_fraction(*BodyChoice().quadratic, terms)
+
+
+@st.cache_data(show_spinner=False, max_entries=64)
+def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return mass ratios and Ω²m/k of the paper's machine between two mass ratios."""
+    ratios = np.geomspace(least, most, 121)
+    return ratios, normalized_frequency_squared(ratios)
+
+
+@st.cache_resource(show_spinner=False)
+def norm_identity() -> str:
+    """Return, as LaTeX, the discriminant for the target p/q as a norm: the square is completed in q by SymPy."""
+    p, q = sp.symbols("p q", positive=True)
+    numerator, denominator = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
+    a, b, c = sp.Poly(sp.expand(p * denominator - q * numerator), epsilon).all_coeffs()
+    leading, middle, _ = sp.Poly(b**2 - 4 * a * c, q).all_coeffs()
+    root = sp.sqrt(leading)
+    rest = middle / (2 * root)
+    y = sp.sqrt(sp.expand((b**2 - 4 * a * c - (root * q + rest) ** 2) / 3))
+    x = root * q + rest
+    # Each sum with its positive term first, as one writes it.
+    b, x, minus_c = sp.latex(b), sp.latex(x, order="rev-lex"), sp.latex(sp.expand(-c), order="rev-lex")
+    a, y = sp.latex(a), sp.latex(y)
+    lines = rf"&({b})^2 + 4\cdot {a}\,({minus_c}) \\ &\quad = ({x})^2 + 3\,({y})^2"
+    return rf"\begin{{aligned}}{lines}\end{{aligned}}"
+
+
+def as_norm(p: int, q: int) -> str:
+    """Return, as LaTeX, the norm x² + 3y² that belongs to the target p/q, and what it says of the discriminant."""
+    target = Fraction(p, q)
+    x, y = number_theory.norm_form(target)
+    number = BodyChoice(target=target).discriminant
+    # Where the quadratic's coefficients share a factor, the norm carries its square.
+    shared = isqrt((x * x + 3 * y * y) // number)
+    right = f"{shared}^2 \\cdot {number}" if shared > 1 else str(number)
+    return f"{parenthesized(x)}^2 + 3 \\cdot {y}^2 = {right}"
+
+
+@dataclass(frozen=True)
+class Tally:
+    """A pair of lower rollers, over many targets and all four top bodies: how many discriminants are sums of cubes."""
+
+    pair: tuple[str, str]
+    machines: int
+    sums: int
+    taxicabs: int
+    median: float
+
+
+@st.cache_resource(show_spinner=False)
+def tally(left: str, right: str) -> Tally:
+    """Return the count for all targets p/q, p and q up to COUNTED_PART, that every top body can reach."""
+    limit = min(number_theory.normalized_frequency_squared_exact(left, right, top, 0) for top in number_theory.BODIES)
+    parts = range(1, COUNTED_PART + 1)
+    targets = [Fraction(p, q) for p in parts for q in parts if gcd(p, q) == 1 and Fraction(p, q) < limit]
+    numbers = [
+        number_theory.discriminant(*number_theory.unit_quadratic(left, right, top, target))
+        for top in number_theory.BODIES
+        for target in targets
+    ]
+    ways = [len(number_theory.sums_of_two_cubes(number)) for number in numbers]
+    return Tally((left, right), len(numbers), sum(map(bool, ways)), sum(way > 1 for way in ways), median(numbers))
+
+
+def product_of_primes(factorization: Sequence[tuple[int, int]]) -> str:
+    """Return a factorization as LaTeX; a first power is written without exponent."""
+    powers = (sp.Pow(prime, exponent, evaluate=exponent == 1) for prime, exponent in factorization)
+    return sp.latex(sp.Mul(*powers, evaluate=False), mul_symbol="dot", order="none") if factorization else "1"
+
+
+def sums_of_cubes(cubes: Sequence[tuple[int, int]]) -> str:
+    """Return sums of two cubes as LaTeX, joined by equals signs; nothing if there are none."""
+    with sp.evaluate(False):
+        sums = [sp.Add(sp.Pow(x, 3), sp.Pow(y, 3)) for x, y in cubes]
+    return " = ".join(sp.latex(total, order="none") for total in sums)
+
+
+def parenthesized(number: int) -> str:
+    """Return a number as LaTeX that may be raised to a power."""
+    return f"({number})" if number < 0 else str(number)

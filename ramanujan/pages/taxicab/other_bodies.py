@@ -1,0 +1,199 @@
+"""The section of page 4 on other bodies: choosers, the machine they make, its numbers, and all forty machines."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import streamlit as st
+
+from ramanujan import number_theory
+from ramanujan.browser import stage
+from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.pages.taxicab import cache, emblems
+from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
+from ramanujan.translation import _, ngettext
+
+PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
+KEYS = tuple(address.Choice(place, tuple(BODIES), body) for place, body in PAPER.items())
+PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
+STAGE = "stage_bodies"
+FOLLOWERS = ("bodies_machine", "bodies_numbers")
+"""Keys of the fragments that depend on the machine of the sidebar."""
+
+
+def other_bodies() -> None:
+    """Draw choosers, stage, numbers and the table of all machines."""
+    st.header(_("Other bodies, other numbers"), anchor=False)
+    st.markdown(
+        _(
+            "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ has "
+            "the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor $\\beta$."
+        )
+    )
+    choose()
+    chosen = [address.held(key) for key in KEYS]
+    story = cache.story(*chosen)
+    the_machine(story, chosen)
+    table, words = st.columns([1, 1], gap="medium")
+    with words:
+        told(story)
+    with table:
+        forty_machines(story.machine)
+
+
+def choose() -> None:
+    """Draw the choosers, set out like the machine: the body on top stands above, to the right."""
+    pictures, above = st.columns(2, vertical_alignment="center")
+    pictures.html(emblems.legend(theme.colors()["block"]))
+    for column, key in zip((*st.columns(2), above), KEYS, strict=True):
+        with column:
+            widgets.chips(key, PLACE_WORDS[key.name], emblems.WORDS)
+
+
+def the_machine(story: cache.Story, chosen: list[str]) -> None:
+    """Draw the machine with the chosen bodies in motion."""
+    stages.mount(None, key=STAGE, layers=(), on_released=sidebar.set_compression)
+    tell_machine(f"1 ↔ √{story.machine.discriminant}", chosen)
+
+
+@st.fragment(key="bodies_machine")
+def tell_machine(unity: str, chosen: list[str]) -> None:
+    """Tell the stage and the sliders' boxes which machine it is; a slider reruns nothing else of the section."""
+    left, right, top = (float(BODIES[body]) for body in chosen)
+    stages.tell(
+        stage.payload(
+            sidebar.oscillator(),
+            sidebar.compression(),
+            shape_factors={"hoop": left, "cylinder": right, "top": top},
+            unity=unity,
+        ),
+        key=STAGE,
+        more=sidebar.followed(),
+    )
+
+
+def told(story: cache.Story) -> None:
+    """Say what the chosen bodies lead to."""
+    machine = story.machine
+    st.markdown(f"**{name(machine)}**")
+    st.latex(story.quadratic)
+    st.latex(rf"\varepsilon = {story.root}")
+    st.latex(story.square)
+    st.markdown(f"{_about_cubes(story)} {_about_field(machine)}")
+    with_your_masses(machine)
+    with st.container(horizontal=True):
+        st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
+        st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)
+
+
+@st.fragment(key="bodies_numbers")
+def with_your_masses(machine: BodyChoice) -> None:
+    """Say how fast the machine with these bodies is with the masses of the sidebar."""
+    if display_mode.hides("numbers"):
+        return
+    oscillator = sidebar.oscillator()
+    present = number_theory.normalized_frequency_squared_exact(
+        *machine.bodies, Fraction(oscillator.m_prime) / Fraction(oscillator.m)
+    )
+    st.markdown(
+        _("With your masses, $\\varepsilon={ratio}$, it has $\\Omega^2m/k={value}$.").format(
+            ratio=f"{oscillator.mass_ratio:.5g}", value=f"{float(present):.6g}"
+        )
+    )
+
+
+def _about_cubes(story: cache.Story) -> str:
+    ways = len(story.machine.cubes)
+    sentence = (
+        ngettext(
+            "The discriminant {number} is a sum of two positive cubes in {n} way: ${cubes}$.",
+            "The discriminant {number} is a sum of two positive cubes **in {n} ways**: ${cubes}$.",
+            ways,
+        )
+        if ways
+        else _("The discriminant {number} is not a sum of two positive cubes.")
+    )
+    return sentence.format(number=factored(story), cubes=story.cubes, n=ways)
+
+
+def _about_field(machine: BodyChoice) -> str:
+    sentence = (
+        _(
+            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant: this number stays if $\\varepsilon$ "
+            "is multiplied by any fraction."
+        )
+        if machine.field_discriminant == machine.discriminant
+        else _(
+            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**: this number stays if "
+            "$\\varepsilon$ is multiplied by any fraction."
+        )
+    )
+    return sentence.format(field=machine.field_discriminant)
+
+
+def factored(story: cache.Story) -> str:
+    """Return the discriminant with its prime factors, as Markdown."""
+    discriminant = story.machine.discriminant
+    prime = story.factors == str(discriminant)
+    return f"**{discriminant}**" if prime else f"**{discriminant}** $={story.factors}$"
+
+
+def forty_machines(chosen: BodyChoice) -> None:
+    """Draw all machines in one figure."""
+    machines, columns = cache.machines(), list(BODIES)
+    rows = [machines[n : n + len(columns)] for n in range(0, len(machines), len(columns))]
+    pairs = [row[0].bodies[:2] for row in rows]
+    place = pairs.index(tuple(sorted(chosen.bodies[:2], key=columns.index))), columns.index(chosen.top)
+    best = max(machines, key=lambda machine: len(machine.cubes))
+    one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
+    facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
+    drawings.plot(
+        cache.machine_grid(
+            [pair(*names) for names in pairs],
+            [emblems.WORDS[body] for body in columns],
+            [[machine.discriminant for machine in row] for row in rows],
+            [[len(machine.cubes) for machine in row] for row in rows],
+            place,
+            theme.colors() | {"on_hoop": "#1D2430"},
+        ),
+        "machines",
+        _(
+            "The discriminants of all {count} machines, ten pairs of lower rollers, each with four bodies on top. "
+            "Only {best} is a sum of two positive cubes in two ways; {one} and {other} are such a sum in one way. "
+            "Marked: {chosen} ({name})."
+        ).format(**facts, chosen=chosen.discriminant, name=name(chosen)),
+        on_select=take_clicked,
+        selection_mode="points",
+    )
+    st.caption(
+        _(
+            "The discriminants of all {count} machines, for Ω² = k/m. Filled: a sum of two positive cubes, {best} in "
+            "two ways, {one} and {other} in one. Click on a machine to build it."
+        ).format(**facts)
+    )
+
+
+def take_clicked() -> None:
+    """Put the bodies of the machine that was clicked into their places; a second click on it brings them back."""
+    points = st.session_state["machines"].selection.points
+    if points:
+        st.session_state["clicked"] = points[0]["point_index"]
+    if (clicked := st.session_state.get("clicked")) is not None:
+        st.session_state.update(zip(PAPER, cache.machines()[clicked].bodies, strict=True))
+
+
+def take_paper() -> None:
+    """Put the paper's bodies back."""
+    st.session_state.update(PAPER)
+
+
+def name(machine: BodyChoice) -> str:
+    """Return the bodies in words."""
+    return _("Lower rollers: {left} and {right}; on top: {top}").format(
+        **{place: emblems.WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
+    )
+
+
+def pair(left: str, right: str) -> str:
+    """Return a pair of lower rollers in words."""
+    return _("{left} + {right}").format(left=emblems.WORDS[left], right=emblems.WORDS[right])

@@ -1,0 +1,235 @@
+"""The sections of page 4 on other target frequencies and on the paper's open question."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+from typing import Any
+
+import streamlit as st
+
+from ramanujan import number_theory
+from ramanujan.figures.taxicab import level_crossing
+from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.numerals import number
+from ramanujan.pages.taxicab import cache
+from ramanujan.pages.taxicab.other_bodies import PAPER, factored, pair
+from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
+from ramanujan.translation import _, ngettext
+
+P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
+KEYS = (P, Q)
+_LAST = "last_target"
+FOLLOWERS = ("target_curve",)
+"""Keys of the fragments that depend on the machine of the sidebar."""
+
+
+def another_frequency() -> None:
+    """Draw the paper's bodies with another target."""
+    st.header(_("Another frequency, another number"), anchor=False)
+    picture, words = st.columns([3, 2], gap="medium")
+    with words:
+        st.markdown(
+            _(
+                "Here the bodies are the paper’s again. Choose another value for the normalized frequency squared: "
+                "$\\Omega^2m/k=p/q$."
+            )
+        )
+        with st.container(horizontal=True):
+            p = widgets.count(P, _("p"), width=130)
+            q = widgets.count(Q, _("q"), width=130)
+        story = _reachable(p, q)
+        told(story)
+    with picture:
+        _draw(story)
+
+
+def _reachable(p: int, q: int) -> cache.Story:
+    """Return the story of the target p/q, or where no machine reaches it, say so and return that of the last one."""
+    good = st.session_state.setdefault(_LAST, (1, 1))
+    try:
+        story = cache.story(*PAPER.values(), p, q)
+    except ValueError:
+        most = number_theory.normalized_frequency_squared_exact(*PAPER.values(), 0)
+        st.warning(
+            _(
+                "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
+                "{old_p}/{old_q} is shown."
+            ).format(most=most, p=p, q=q, old_p=good[0], old_q=good[1])
+        )
+        return cache.story(*PAPER.values(), *good)
+    st.session_state[_LAST] = (p, q)
+    return story
+
+
+def told(story: cache.Story) -> None:
+    """Say what the target leads to."""
+    target, discriminant = story.machine.target, story.machine.discriminant
+    st.latex(story.quadratic)
+    st.latex(rf"\varepsilon = {story.root}")
+    sentence = (
+        _("The discriminant {number} is a sum of two positive cubes, ${cubes}$.")
+        if story.cubes
+        else _("The discriminant {number} is not a sum of two positive cubes.")
+    )
+    said = [sentence.format(number=factored(story), cubes=story.cubes)]
+    if isqrt(discriminant) ** 2 == discriminant:
+        said.append(_("It is a square, so this $\\varepsilon$ is a fraction."))
+    st.markdown(" ".join(said))
+    st.latex(cache.as_norm(target.numerator, target.denominator))
+
+
+@st.fragment(key="target_curve")
+def _draw(story: cache.Story) -> None:
+    """Draw the curve and where it reaches the target."""
+    target: Fraction = story.machine.target
+    crossing(
+        "target_curve",
+        (min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
+        _(
+            "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {ratio}."
+        ).format(target=target, ratio=number(story.ratio, 6)),
+        level=float(target),
+        level_label=_("Ω²m/k = {target}").format(target=target),
+        root=story.ratio,
+        root_label=_("ε = {ratio}").format(ratio=number(story.ratio, 6)),
+    )
+
+
+def crossing(key: str, between: tuple[float, float], alt: str, **marks: Any) -> None:
+    """Draw the paper's curve, a level that it crosses, and the present machine, unless the link hides them.
+
+    Parameters
+    ----------
+    key : of the figure
+    between : the least and the greatest ε
+    alt : the text alternative
+    marks : level and root with their labels, as in `level_crossing`
+    """
+    if display_mode.hides("curve", "numbers"):
+        return
+    machine = sidebar.oscillator()
+    present = machine.mass_ratio, machine.normalized_frequency_squared
+    figure = level_crossing(*cache.curve(*between), present=present, colors=theme.colors(), **marks)
+    drawings.plot(figure, key, alt)
+
+
+# ---- the open question
+
+
+def open_question(facts: cache.Condition) -> None:
+    """Say what has a reason, what was measured, and what stays a coincidence."""
+    st.header(_("Is there a reason?"), anchor=False)
+    st.markdown(
+        _(
+            "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
+            "{number}”? This much can be said."
+        ).format(number=facts.number)
+    )
+    what_has_a_reason(facts.number)
+    pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
+    tallies = _counted(pairs)
+    count_of_cubes(tallies, pairs.index(BodyChoice().bodies[:2]))
+    what_stays(facts.number, tallies[pairs.index(BodyChoice().bodies[:2])])
+
+
+def what_has_a_reason(discriminant: int) -> None:
+    """Say why the discriminant is a norm, and what follows."""
+    x, y = number_theory.norm_form()
+    ways = number_theory.represent_x2_plus_3y2(discriminant)
+    primes = [prime for prime, _power in BodyChoice().factorization]
+    st.markdown(
+        _(
+            "**What has a reason.** For the target $p/q$, the discriminant of the paper’s machine is, up to a square "
+            "factor:"
+        )
+    )
+    st.latex(cache.norm_identity())
+    st.markdown(
+        _(
+            "It always has the form $x^2+3y^2$: it is a *norm* of a number $x+y\\sqrt{{-3}}$. A hoop and a cylinder as "
+            "lower rollers are enough for this, whatever rolls on top."
+        ).format()
+    )
+    st.markdown(
+        ngettext(
+            "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There is {n} way to write it so: ${written}$.",
+            "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There are {n} ways to write it so: ${written}$.",
+            len(ways),
+        ).format(
+            x=x,
+            y=y,
+            number=discriminant,
+            n=len(ways),
+            written=" = ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways)),
+        )
+    )
+    st.markdown(
+        _(
+            "Its prime factors ${primes}$ all leave the remainder {remainder} when divided by 3. This is no accident: "
+            "a square-free number of this form has no other prime factors, except 3."
+        ).format(primes=", ".join(map(str, primes)), remainder=", ".join(str(rest) for rest in {p % 3 for p in primes}))
+    )
+    st.markdown(
+        _(
+            "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, "
+            "too. So numbers of this form should be sums of two cubes more often than others. A count confirms it:"
+        )
+    )
+
+
+def _counted(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
+    progress, tallies = st.empty(), []
+    for n, names in enumerate(pairs):
+        progress.progress(n / len(pairs), _("Counting sums of two cubes …"))
+        tallies.append(cache.tally(*names))
+    progress.empty()
+    return tallies
+
+
+def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
+    """Draw how many discriminants are sums of two cubes, for each pair of lower rollers."""
+    paper = tallies[at]
+    second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
+    smaller = [tally for tally in tallies if tally.median < paper.median]
+    labels = [pair(*tally.pair) for tally in tallies]
+    item = _("{pair}: {sums}")
+    drawings.plot(
+        cache.cube_counts(labels, [tally.sums for tally in tallies], at, theme.colors()),
+        "counts",
+        _(
+            "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s "
+            "pair has the most. {sums}."
+        ).format(
+            count=paper.machines,
+            sums="; ".join(item.format(pair=label, sums=t.sums) for label, t in zip(labels, tallies, strict=True)),
+        ),
+    )
+    st.caption(
+        _(
+            "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on "
+            "top: {count} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {sums} sums of "
+            "two cubes; the next pair gives {second}. Small numbers are such sums more often, but that is not the "
+            "reason: {smaller} other pairs have a smaller median."
+        ).format(
+            most=cache.COUNTED_PART,
+            count=paper.machines,
+            pair=labels[at],
+            sums=paper.sums,
+            second=second.sums,
+            smaller=len(smaller),
+        )
+    )
+
+
+def what_stays(discriminant: int, paper: cache.Tally) -> None:
+    """Say what stays a coincidence."""
+    near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
+    st.markdown(
+        _(
+            "**What stays a coincidence.** The simplest target, 1, gives a sum of two cubes in *two* ways, and the "
+            "smallest there is. Of the {count} discriminants, {taxicabs} are sums of two cubes in two ways, and "
+            "nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of these is such a "
+            "sum. The norm explains the form of {number}, but not why it had to be {number}."
+        ).format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=discriminant)
+    )

@@ -1,0 +1,177 @@
+"""Page 4: why 1729. The exact mass ratio, two stacks of cubes, other bodies, other targets, the open question."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import streamlit as st
+
+from ramanujan import UNIT_MASS_RATIO, number_theory
+from ramanujan.figures.cubes_on_paper import cubes_svg
+from ramanujan.number_theory import BodyChoice
+from ramanujan.numerals import number
+from ramanujan.pages.taxicab import cache, other_bodies, other_targets
+from ramanujan.shell import address, drawings, sidebar, theme, widgets
+from ramanujan.translation import _, ngettext
+
+DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
+KEYS = (*other_bodies.KEYS, *other_targets.KEYS, DIGITS)
+
+
+def show() -> None:
+    """Draw the page."""
+    facts = cache.condition()
+    st.title(str(facts.number), anchor=False)
+    st.markdown(
+        _(
+            "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
+            "smallest number that is a sum of two cubes in two different ways. Here the same number decides when two "
+            "oscillators stay in step."
+        ).format(number=facts.number)
+    )
+    exactly_in_step(facts)
+    digits_and_fractions()
+    two_stacks()
+    other_bodies.other_bodies()
+    other_targets.another_frequency()
+    other_targets.open_question(facts)
+    sidebar.follow("unit_curve", *other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
+
+
+def exactly_in_step(facts: cache.Condition) -> None:
+    """The unit condition on the curve and as algebra."""
+    st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
+    picture, algebra = st.columns([3, 2], gap="medium")
+    with algebra:
+        st.markdown(
+            _(
+                "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
+                "√(k/m). They stay in step for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
+                "matters: the mass of a lower roller divided by the mass of the others."
+            )
+        )
+        for line in facts.equations:
+            st.latex(line)
+    with picture:
+        the_crossing()
+
+
+@st.fragment(key="unit_curve")
+def the_crossing() -> None:
+    """Draw the curve, with the present machine on it."""
+    machine = sidebar.oscillator()
+    other_targets.crossing(
+        "unit_curve",
+        (0.01, 30.0),
+        _(
+            "Ω²m/k of the paper’s machine falls as ε grows, so it is 1 at one ratio only, ε = {root}. With your "
+            "masses, ε = {ratio}, it is {value}."
+        ).format(
+            root=f"{UNIT_MASS_RATIO:.9f}",
+            ratio=number(machine.mass_ratio, 4),
+            value=number(machine.normalized_frequency_squared, 7),
+        ),
+        level=1.0,
+        level_label=_("Ω² = k/m"),
+        root=UNIT_MASS_RATIO,
+        root_label=_("<b>in step</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
+    )
+
+
+@st.fragment
+def digits_and_fractions() -> None:
+    """The exact ratio in any number of digits, and as fractions for the workshop."""
+    decimals, fractions = st.columns([2, 3], gap="medium")
+    with decimals:
+        count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=260)
+        st.code(
+            number_theory.positive_root_digits(*BodyChoice().quadratic, count),
+            language=None,
+            wrap_lines=True,
+            height=190 if count > 200 else "content",
+        )
+        st.caption(
+            _(
+                "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, "
+                "because the square root of {number} is irrational."
+            ).format(number=cache.condition().number)
+        )
+    with fractions:
+        first, *others = cache.quotients()
+        st.markdown(
+            _(
+                "As a continued fraction, $\\varepsilon=[{first};{others},\\dots]$. Cut off after any term, it gives a "
+                "fraction that no fraction with a smaller denominator can beat. Rollers with these ratios can be made:"
+            ).format(first=first, others=", ".join(map(str, others)))
+        )
+        st.markdown(practical_ratios())
+
+
+def practical_ratios() -> str:
+    """Return the table of ratios for the workshop as Markdown."""
+    head = (_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
+    rows = [f"| {' | '.join(head)} |", "|--|--|--|"]
+    for entry in cache.practical_machines():
+        periods = round(entry.periods)
+        lasting = ngettext("{n} period", "{n} periods", periods).format(n=number(periods, 4))
+        rows.append(
+            f"| ${entry.ratio.numerator}/{entry.ratio.denominator}$ "
+            f"| ${{{entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}}}$ "
+            f"| {lasting} |"
+        )
+    return "\n".join(rows)
+
+
+def scientific(value: Fraction) -> str:
+    """Return a number as LaTeX in two digits and a power of ten."""
+    mantissa, exponent = f"{float(value):+.1e}".split("e")
+    return rf"{mantissa}\times10^{{{int(exponent)}}}"
+
+
+@st.fragment
+def two_stacks() -> None:
+    """The number as two stacks of cubes."""
+    facts = cache.condition()
+    st.header(_("Two stacks of cubes"), anchor=False)
+    st.markdown(
+        _(
+            "${number}={cubes}$. This page has tried 1, 2, 3, … in turn: **{smallest}** is the smallest number that is "
+            "a sum of two *positive* cubes in two ways. Turn the stacks and count."
+        ).format(number=facts.number, cubes=facts.cubes_latex, smallest=facts.smallest_taxicab)
+    )
+    with st.container(horizontal=True, vertical_alignment="bottom"):
+        apart = st.toggle(_("Pull the layers apart"), key="apart")
+        turn = st.slider(_("Turn the stacks"), 0, 360, 305, 5, format="%d°", key="turn", width=260)
+    widest = max(map(sum, facts.cubes))
+    for column, cubes in zip(st.columns(len(facts.cubes)), facts.cubes, strict=True):
+        with column:
+            one_stack(facts.number, sorted(cubes, reverse=True), widest=widest, apart=apart, turn=turn)
+    st.markdown(
+        _(
+            "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
+            "${expanded}={sum}$."
+        ).format(expanded=facts.expanded, sum=facts.term_by_term)
+    )
+
+
+def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
+    """Draw two cubes of unit cubes, and what they add up to."""
+    larger, smaller = sides
+    volumes = f"{smaller**3} + {larger**3}"
+    drawings.plot(
+        cache.cube_stack(sides, colors=theme.colors(), **drawn),
+        f"cubes_{larger}",
+        _(
+            "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
+            "{number} unit cubes."
+        ).format(larger=larger, smaller=smaller, volumes=volumes, number=number),
+    )
+    with st.container(key=f"on_paper_{larger}"):
+        # The figure above prints empty; a screen reader has heard of it.
+        drawings.draw(cubes_svg(sides, **drawn), alt="", style="display:block;margin:auto;width:7cm")
+    st.markdown(f"{volumes} = **{number}**", text_alignment="center")
+
+
+if __name__ == "__main__":
+    show()

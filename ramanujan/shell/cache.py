@@ -1,0 +1,51 @@
+"""What is computed once and kept: the only caches of the app, each bounded, one file for each page.
+
+A page asks here for anything that costs more than a moment. Keys are plain numbers. What only one page needs is
+imported in that page's file, so that the first page does not pay for the others.
+"""
+
+from __future__ import annotations
+
+import gc
+
+import streamlit as st
+
+from ramanujan.browser import stage
+from ramanujan.derivation import ROUTES, Route
+from ramanujan.derivation.nomenclature import nomenclature
+from ramanujan.translation import _
+
+
+@st.cache_resource(show_spinner=False)
+def warm_up() -> bool:
+    """Import and derive what every page needs, then take it out of the garbage collector's rounds.
+
+    With SymPy and Plotly loaded, walking through what never changes would be most of the collector's work.
+    """
+    # Imported here, because page 1's caches themselves stand on this file.
+    from ramanujan.pages.oscillator import cache
+    from ramanujan.shell import theme
+
+    stage.warm_up()
+    cache.curve()
+    cache.summary((1.0, 1.0, 1.0))
+    # Plotly loads what checks a figure when the first one is drawn.
+    cache.figure(theme.current())
+    gc.collect()
+    gc.freeze()
+    return True
+
+
+@st.cache_resource(show_spinner=False)
+def route(name: str) -> Route:
+    """Return a route of the derivation."""
+    return ROUTES[name]
+
+
+@st.cache_data(show_spinner=False)
+def symbols() -> str:
+    """Return the machine's symbols and their meanings as a Markdown list."""
+    entries = [(entry.latex, entry.meaning) for entry in nomenclature(route("euler_lagrange"))]
+    entries.append(("x_0", _("compression of the spring at release [m]")))
+    # A square bracket before a round one would be read as a link.
+    return "\n".join(f"- ${symbol}$: {meaning}" for symbol, meaning in entries).replace("[", "\\[").replace("]", "\\]")

@@ -1,0 +1,122 @@
+"""Who this session is in a class: a lecturer with a key, a student with a seat, or nobody.
+
+It is known from the session, and after a reload from the address (`class_keys`).
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable
+
+import streamlit as st
+
+from ramanujan.lesson.class_codes import parts_of
+from ramanujan.lesson.classes import ClassError, Desk, Seat, shared
+from ramanujan.lesson.stop import Stop
+from ramanujan.shell import address
+from ramanujan.shell.class_keys import CLASS, LECTURER, VOTER
+
+_KEY, _SEAT = "class_key", "class_seat"
+_SESSION = "class_session"
+_JUDGED = "class_link_judged"
+_SAID = "class_said"
+"""Session state: why the last thing that somebody did here was refused."""
+_SHOWN = "class_said_with"
+"""Session state: the question with which this was shown first."""
+
+
+def arrive() -> None:
+    """Know a lecturer and a student again by their address, once a session; from then on the address follows."""
+    if not st.session_state.get(_JUDGED):
+        st.session_state[_JUDGED] = True
+        if key := address.held(LECTURER):
+            attempt(_sit_at_desk, key)
+        elif code := address.held(CLASS):
+            attempt(take_seat, code, address.held(VOTER))
+    if mine := key_held():
+        _write_address(parts_of(mine)[0], lecturer=mine)
+    elif seat := seat_held():
+        _write_address(seat.code, voter=seat.voter)
+
+
+def key_held() -> str | None:
+    """Return the lecturer's key, if this session is the lecturer's."""
+    return st.session_state.get(_KEY)
+
+
+def seat_held() -> Seat | None:
+    """Return the student's seat, if this session is a student's."""
+    return st.session_state.get(_SEAT)
+
+
+def is_solved(stop: Stop, desk: Desk) -> bool:
+    """Tell whether the class has seen the right answer of a stop."""
+    return desk.stop == stop.id and desk.solved
+
+
+def has_seen(stop: Stop) -> bool | None:
+    """Return whether the class has seen the right answer of a stop; None for whoever is no lecturer."""
+    if (key := key_held()) is None:
+        return None
+    try:
+        return is_solved(stop, shared().desk(key))
+    except ClassError:
+        return False
+
+
+def open_class() -> None:
+    """Become the lecturer of a new class."""
+    st.session_state[_KEY] = shared().open_class().key
+
+
+def take_seat(code: str, voter: str = "") -> None:
+    """Become a student of the class with this code."""
+    session = st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
+    st.session_state[_SEAT] = shared().join(code, session, voter)
+
+
+def change_seat() -> Seat:
+    """Give the seat up to a neighbour who came with the same address, and return another with the same answers."""
+    seat = st.session_state[_SEAT] = shared().move(st.session_state[_SEAT])
+    arrive()
+    return seat
+
+
+def leave() -> None:
+    """Be nobody again."""
+    for name in (_KEY, _SEAT, _SAID):
+        st.session_state.pop(name, None)
+    _write_address()
+
+
+def attempt(act: Callable, *values: object) -> None:
+    """Do something in the class, or keep the sentence that says why not."""
+    for name in (_SAID, _SHOWN):
+        st.session_state.pop(name, None)
+    try:
+        act(*values)
+    except ClassError as error:
+        st.session_state[_SAID] = str(error)
+
+
+def refusal() -> str | None:
+    """Return why the last attempt was refused, if it was."""
+    return st.session_state.get(_SAID)
+
+
+def forget_refusal(question: tuple[str, int]) -> None:
+    """Forget a refusal that was shown with an earlier question than this one, stop and vote."""
+    if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
+        st.session_state.pop(_SAID)
+
+
+def _sit_at_desk(key: str) -> None:
+    shared().code_of(key)
+    st.session_state[_KEY] = key
+
+
+def _write_address(code: str = "", lecturer: str = "", voter: str = "") -> None:
+    """Let the address say this of the class."""
+    for key, value in ((CLASS, code), (LECTURER, lecturer), (VOTER, voter)):
+        st.session_state[key.name] = value
+    address.keep(CLASS, LECTURER, VOTER)

@@ -1,0 +1,44 @@
+"""How figures are put on a page, and still drawings for paper."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from typing import Any
+
+import streamlit as st
+from plotly.basedatatypes import BaseFigure
+
+from ramanujan.figures.large_print import in_large_print
+from ramanujan.shell import display_mode
+
+STILL = {"displayModeBar": False, "scrollZoom": False}
+"""Plotly's options for a figure that is only looked at and clicked."""
+
+
+def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
+    """Put a figure on the page; on a projector it grows with the screen.
+
+    Parameters
+    ----------
+    figure : of Plotly's
+    key : of the element
+    alt : its text alternative
+    config, options : of Plotly and of `st.plotly_chart`
+    """
+    height = "content"
+    if display_mode.is_projector():
+        figure, height = in_large_print(figure), "stretch"
+    st.plotly_chart(figure, key=key, theme=None, height=height, config=config, alt=alt, **options)
+
+
+def draw(svg: str, *, alt: str, style: str) -> None:
+    """Put an SVG on the page as an image, which no style of the page reaches.
+
+    Parameters
+    ----------
+    svg : the drawing
+    alt : its text alternative; empty where something else on the page says it
+    style : rules for its place and size
+    """
+    source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
+    st.markdown(f'<img alt="{alt}" src="{source}" style="{style}">', unsafe_allow_html=True)

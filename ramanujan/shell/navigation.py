@@ -1,0 +1,92 @@
+"""The pages of the app, in their order: a new page is one line here and one folder in `pages`.
+
+The file draws its page where Streamlit runs it (`if __name__ == "__main__":`), and declares as `KEYS` what it keeps in
+the address. Navigation, tests and benchmarks take everything from here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from importlib import import_module
+
+import streamlit as st
+
+from ramanujan.shell.address import Key
+from ramanujan.translation import _
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page.
+
+    Parameters
+    ----------
+    name : of its file in this folder
+    title : in the navigation and in the browser's tab
+    icon : one of the Material symbols
+    path : its address; empty for the first page
+    quick : what a test or a benchmark adds to the address so that the page computes little
+    """
+
+    name: str
+    title: str
+    icon: str
+    path: str = ""
+    quick: str = ""
+
+    @property
+    def file(self) -> str:
+        """The file as `st.page_link` and `AppTest.switch_page` take it."""
+        return f"ramanujan/pages/{self.name}/page.py"
+
+    @property
+    def address(self) -> str:
+        """The address as a test or a benchmark opens it."""
+        return f"{self.path}?{self.quick}" if self.quick else self.path
+
+    @property
+    def keys(self) -> tuple[Key, ...]:
+        """What the page keeps in the address beside the machine."""
+        return import_module(f"ramanujan.pages.{self.name}.page").KEYS
+
+    def withheld(self) -> Collection[str]:
+        """Return the presets of the sidebar that would tell what the page asks."""
+        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), "withheld", tuple)()
+
+
+PAGES = {
+    page.name: page
+    for page in (
+        Page("oscillator", _("Oscillator"), "waves"),
+        Page("derivation", _("Derivation"), "function", "derivation"),
+        Page("motion", _("Motion"), "timeline", "motion"),
+        Page("taxicab", _("1729"), "local_taxi", "1729"),
+        Page("speed", _("Speed and accuracy"), "speed", "speed", "periods=1"),
+        Page("lesson", _("Lesson"), "school", "lesson"),
+        Page("worksheet", _("Worksheet"), "print", "worksheet"),
+    )
+}
+
+
+def navigate() -> tuple[Page, st.Page]:
+    """Draw the navigation; return the page that was asked for, and what runs it."""
+    offered = {
+        st.Page(
+            page.file,
+            title=page.title,
+            icon=f":material/{page.icon}:",
+            url_path=page.path or None,
+            default=not page.path,
+        ): page
+        for page in PAGES.values()
+    }
+    runner = st.navigation(list(offered), position="top")
+    page = next(page for page in PAGES.values() if page.path == runner.url_path)
+    return page, runner
+
+
+def tab_title(page: Page) -> str:
+    """Return the title of the browser's tab."""
+    app = _("Ramanujan’s oscillator")
+    return _("{page} – {app}").format(page=page.title, app=app) if page.path else app

@@ -1,0 +1,73 @@
+"""How pages look beyond the theme: its colours for figures (they are set in .streamlit/config.toml) and the margins."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+import streamlit as st
+
+from ramanujan.browser import page
+from ramanujan.browser.page import bundle
+from ramanujan.shell import display_mode
+
+BODY_COLORS = {
+    "block": "gray",
+    "hoop": "orange",
+    "cylinder": "blue",
+    "slab": "green",
+    "spring": "violet",
+    "top": "red",
+}
+"""Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
+
+_OPTIONS = {
+    "ink": "textColor",
+    "paper": "backgroundColor",
+    "faint": "borderColor",
+    "primary": "primaryColor",
+    **{body: f"{color}Color" for body, color in BODY_COLORS.items()},
+    **{f"{body}_ink": f"{color}TextColor" for body, color in BODY_COLORS.items()},
+}
+
+
+def current() -> str:
+    """Return the theme that the visitor sees: light or dark."""
+    return st.context.theme.type or "light"
+
+
+def colors() -> dict[str, str]:
+    """Return the theme's colours by use: ink, paper, faint, primary, and one (and its ink) for each body."""
+    return _colors(current())
+
+
+@cache
+def _colors(shown: str) -> dict[str, str]:
+    # To ask for an option takes a tenth of a millisecond, and a page asks for all of them several times a run.
+    fallback = {"ink": "#808080", "paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
+    return {
+        use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, "#808080")
+        for use, option in _OPTIONS.items()
+    }
+
+
+def dress(boxes: Mapping[str, Mapping[str, Any]]) -> None:
+    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its live region.
+
+    Parameters
+    ----------
+    boxes : what the page must know of the sliders' boxes
+    """
+    shown = current()
+    under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
+    kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
+    own = f":root{{{kept}--under:{under}}}"
+    rules = bundle.style("projector.css") if display_mode.is_projector() else ""
+    # On paper, which is white, the light lines of a dark figure would not be seen.
+    printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
+    # Markdown with HTML in it loads a script first, and comes later than the headings.
+    st.html(f"<style>{own}{rules}{printed}</style>")
+    page.bring(shown, boxes)
+    if display_mode.is_projector():
+        page.pager()

@@ -1,0 +1,146 @@
+"""The widgets of the pages: each belongs to a key of the address (`links`), holds an id, and shows its words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+import streamlit as st
+
+from ramanujan.browser import page
+from ramanujan.shell import address, messages
+from ramanujan.shell.address import Choice, Count
+from ramanujan.shell.parameters import LONGEST, Quantity
+from ramanujan.translation import _
+
+Words = Mapping[Any, str]
+"""Option → what the person reads."""
+
+
+def _said(words: Words) -> Callable[[Any], str]:
+    """Return what Streamlit asks for the words of an option; a page that was left open may name one that is gone."""
+    return lambda option: words.get(option, str(option))
+
+
+def chips(key: Choice, label: str, words: Words, **more: Any) -> Any:
+    """Draw the options side by side; exactly one of them is chosen."""
+    st.segmented_control(
+        label,
+        key.options,
+        format_func=_said(words),
+        default=key.default,
+        required=True,
+        key=key.name,
+        persist_state="session",
+        **more,
+    )
+    address.keep(key)
+    return address.held(key)
+
+
+def pills(key: Choice, label: str, words: Words, **more: Any) -> Any:
+    """Draw the options side by side; one of them may be chosen."""
+    st.pills(label, key.options, format_func=_said(words), key=key.name, persist_state="session", **more)
+    address.keep(key)
+    return address.held(key)
+
+
+def menu(key: Choice, label: str, words: Words, **more: Any) -> Any:
+    """Draw the options as a menu."""
+    st.selectbox(
+        label,
+        key.options,
+        index=key.options.index(key.default),
+        format_func=_said(words),
+        key=key.name,
+        persist_state="session",
+        **more,
+    )
+    address.keep(key)
+    return address.held(key)
+
+
+def ladder(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+    """Draw the options as the marks of a slider."""
+    said = _said(words or {})
+    st.select_slider(label, key.options, key.default, format_func=said, key=key.name, persist_state="session", **more)
+    address.keep(key)
+    return address.held(key)
+
+
+def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
+    """Draw a box for a whole number, with the range that Streamlit's own box keeps to itself until it is left."""
+    label = _("{label} ({least} to {most})").format(label=label, least=key.least, most=key.most)
+    st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
+    address.keep(key)
+    return address.held(key)
+
+
+def tabs(key: Choice, words: Words) -> dict[str, Any]:
+    """Draw tabs and return them by the ids of their options; the open one alone has to be filled."""
+    widget, ids = f"{key.name}_tabs", {label: option for option, label in words.items()}
+
+    def chosen() -> None:
+        st.session_state[key.name] = ids.get(st.session_state[widget], key.default)
+
+    # Streamlit knows a tab only by its label.
+    if st.session_state.get(widget, words[key.default]) != words[address.held(key)]:
+        st.session_state[widget] = words[address.held(key)]
+    drawn = st.tabs([words[option] for option in key.options], key=widget, on_change=chosen)
+    address.keep(key)
+    return dict(zip(key.options, drawn, strict=True))
+
+
+def slider(quantity: Quantity, **more: Any) -> float:
+    """Draw a slider, bound to the address, and return its value in this quantity's unit."""
+    return st.slider(
+        quantity.label,
+        quantity.least,
+        quantity.most,
+        quantity.default,
+        quantity.step,
+        format=quantity.format,
+        key=quantity.key,
+        bind="query-params",
+        **more,
+    )
+
+
+def page_slider(quantity: Quantity) -> float:
+    """Draw a slider that only the present page has, and return its value in SI units."""
+    value = slider(quantity)
+    return (value if quantity.least <= value <= quantity.most else quantity.default) * quantity.scale
+
+
+def slider_with_box(quantity: Quantity, enter: Callable[[str, str], None], moved: Callable[[str], None]) -> float:
+    """Draw a slider with the box that takes an exact number, and return its value in this quantity's unit.
+
+    Parameters
+    ----------
+    quantity : what is set
+    enter : called with the key and what was typed into the box
+    moved : called with the key when the slider was moved
+    """
+    page.exact(quantity.key, partial(enter, quantity.key))
+    messages.show_note(quantity.key)
+    return slider(quantity, label_visibility="collapsed", on_change=moved, args=(quantity.key,))
+
+
+def box(quantity: Quantity, stages: tuple[str, ...]) -> dict[str, Any]:
+    """Return what the page must know of the box of a slider.
+
+    Parameters
+    ----------
+    quantity : what is set
+    stages : names of the stages on which it can be dragged
+    """
+    return {
+        "symbol": quantity.symbol,
+        "unit": quantity.unit,
+        "meaning": quantity.short,
+        "label": _("Exact value: {quantity}").format(quantity=quantity.label),
+        "longest": LONGEST,
+        "scale": quantity.scale,
+        "stages": stages,
+    }
