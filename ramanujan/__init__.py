@@ -32,7 +32,7 @@ are first asked for. One motion with everything known of it, and as CSV: `ramanu
 Reading order: `oscillator` and `frequency` (the numbers), `motion` (time), `energy` and `contact` (what it carries),
 `derivation` (where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing
 costs), `figures` and `browser` (how it looks), `pages` (one folder
-each), `shell` (what all pages share). `quantities` says which arguments are accepted, and
+each), `shell` (what all pages share). `validation` says which arguments are accepted, and
 `rounding` how results keep their digits.
 """
 

@@ -38,9 +38,9 @@ from numpy.typing import ArrayLike, NDArray
 from ramanujan.motion import InitialState
 from ramanujan.numerals import quantity
 from ramanujan.oscillator import Oscillator, drawn_spacing
-from ramanujan.quantities import coordinates, instance, positive, real
 from ramanujan.rounding import in_range, nearest, product, scaled, square_root
 from ramanujan.translation import _
+from ramanujan.validation import coordinates, instance, positive, real
 
 __all__ = [
     "contact_forces",

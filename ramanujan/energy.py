@@ -16,9 +16,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import ground_velocities, relative_positions, relative_velocities
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import coordinates
 from ramanujan.rounding import in_range, product
 from ramanujan.translation import _
+from ramanujan.validation import coordinates
 
 
 def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:

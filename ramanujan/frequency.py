@@ -13,9 +13,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.quantities import floats
 from ramanujan.rounding import product_error
 from ramanujan.translation import _
+from ramanujan.validation import floats
 
 UNIT_MASS_RATIO = 48 / (1 + math.sqrt(1729))
 """ε* = (√1729 − 1)/36, where Ω² = k/m exactly; written without the subtraction, it rounds to the nearest double."""

@@ -34,8 +34,8 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from ramanujan.quantities import finite_array, function, instance
 from ramanujan.translation import _
+from ramanujan.validation import finite_array, function, instance
 
 Runs: TypeAlias = float | NDArray[np.floating]
 """One number for each independent run: an array of any shape, or a float for a single run."""

@@ -24,9 +24,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.numerals import number
 from ramanujan.oscillator import TWO_PI, Oscillator
-from ramanujan.quantities import coordinates, finite_array, instance, real
 from ramanujan.rounding import in_range, nearest, product_error, scaled, square_root
 from ramanujan.translation import _
+from ramanujan.validation import coordinates, finite_array, instance, real
 
 FARTHEST = 1e18
 """Periods up to which the phase is right to 1e-12 rad: Ω/2π is known to two doubles, 106 bits."""

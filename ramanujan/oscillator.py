@@ -25,9 +25,9 @@ from numpy.typing import NDArray
 
 from ramanujan.frequency import frequency_squared
 from ramanujan.numerals import quantity
-from ramanujan.quantities import positive
 from ramanujan.rounding import nearest, normal, square_root
 from ramanujan.translation import _
+from ramanujan.validation import positive
 
 TWO_PI = Fraction(Decimal("6.28318530717958647692528676655900576839433879875021164194988918"))
 """2π to 60 digits."""

@@ -22,10 +22,10 @@ from ramanujan.motion import (
     relative_velocities,
 )
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import instance, integer, positive
 from ramanujan.rounding import in_range
 from ramanujan.table import csv_table
 from ramanujan.translation import _
+from ramanujan.validation import instance, integer, positive
 
 MOST_POINTS = 10**7
 """The most times that a record may hold; with all its series it then takes some gigabytes."""

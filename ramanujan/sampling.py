@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from ramanujan.numerals import number
-from ramanujan.quantities import positive
 from ramanujan.translation import _
+from ramanujan.validation import positive
 
 MOST_POINTS = 2**53
 """A curve may not have more points than a float can count."""

@@ -13,8 +13,8 @@ from collections.abc import Iterable, Mapping
 
 from numpy.typing import ArrayLike
 
-from ramanujan.quantities import finite_array, instance, sequence, shown
 from ramanujan.translation import _
+from ramanujan.validation import finite_array, instance, sequence, shown
 
 
 def csv_table(columns: Mapping[str, ArrayLike], comments: Iterable[str] = ()) -> str:

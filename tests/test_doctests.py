@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 import ramanujan
-from tests.test_quantities import ROOMS as CHECKED_ROOMS
+from tests.test_validation import ROOMS as CHECKED_ROOMS
 
 PAGES = ("ramanujan.pages", "ramanujan.shell")
 """A page runs when it is imported."""
-ROOMS = ("quantities", "rounding", *CHECKED_ROOMS)
+ROOMS = ("validation", "rounding", *CHECKED_ROOMS)
 """The numeric rooms, in which every public function has an example."""
 
 _FOUND = [module.name for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan.")]

@@ -11,24 +11,24 @@ import pytest
 from tests.browser import ROOT
 
 CORE = {"oscillator", "motion"}
-CONTRACT = {"quantities", "rounding"}
+CONTRACT = {"validation", "rounding"}
 LANGUAGE = {"translation", "numerals"}
 ROOMS = {
     "translation": (set(), set()),
     "numerals": (set(), set()),
-    "quantities": (set(), {"numpy"}),
+    "validation": (set(), {"numpy"}),
     "rounding": (set(), {"numpy"}),
     "frequency": (CONTRACT, {"numpy"}),
     "oscillator": (CONTRACT | {"frequency"}, {"numpy"}),
     "motion": (CONTRACT | {"oscillator"}, {"numpy"}),
     "energy": (CONTRACT | CORE, {"numpy"}),
-    "sampling": ({"quantities"}, set()),
+    "sampling": ({"validation"}, set()),
     "contact": (CONTRACT | CORE, {"numpy"}),
     "record": (CONTRACT | CORE | {"energy", "contact", "table"}, {"numpy"}),
-    "table": ({"quantities"}, {"numpy"}),
-    "integrators": ({"quantities"}, {"numpy"}),
-    "number_theory": ({"quantities"}, {"sympy"}),
-    "accuracy": (CORE | {"quantities", "frequency", "integrators"}, {"numpy", "mpmath"}),
+    "table": ({"validation"}, {"numpy"}),
+    "integrators": ({"validation"}, {"numpy"}),
+    "number_theory": ({"validation"}, {"sympy"}),
+    "accuracy": (CORE | {"validation", "frequency", "integrators"}, {"numpy", "mpmath"}),
     "derivation": (set(), {"sympy"}),
     "figures": (set(), {"numpy", "plotly"}),
     "lesson": (

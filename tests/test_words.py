@@ -34,7 +34,7 @@ KNOWN = {
     "numerals": "not a number",
     "oscillator": "natural frequency",
     "browser": "Copy link",
-    "quantities": "{name} must be a finite number, not {value}",
+    "validation": "{name} must be a finite number, not {value}",
     "record": "largest compression without slip",
     "rounding": "{name} is too large for float64",
     "sampling": "periods and height_px are too large: the curve would need more than {most} points",

@@ -19,7 +19,7 @@ from ramanujan.accuracy.progress import Piece, Timing, each, measure
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared, normalized_frequency_squared
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import instance, integer, real, sequence
+from ramanujan.validation import instance, integer, real, sequence
 
 Value: TypeAlias = float | np.floating | np.ndarray | Fraction | mpmath.mpf
 """A value of one kind of arithmetic."""

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.progress import REFERENCE, Piece, exact_frequency_squared, float_type
 from ramanujan.frequency import frequency_squared, normalized_frequency_squared
-from ramanujan.quantities import integer, sequence, some_of
 from ramanujan.translation import _
+from ramanujan.validation import integer, sequence, some_of
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow", "zero", "plausible"
 """The verdicts: few enough ulp; some digits lost; ∞ or NaN; 0; finite and not 0, but wrong."""

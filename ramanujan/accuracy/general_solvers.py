@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from ramanujan.accuracy.extremes import CHUNK, DECADES, powers_of_ten, ulp_errors
 from ramanujan.accuracy.progress import Piece, exact_frequency_squared, float_type
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import integer, sequence
 from ramanujan.translation import _
+from ramanujan.validation import integer, sequence
 
 Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
 

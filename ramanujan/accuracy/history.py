@@ -11,7 +11,7 @@ from ramanujan.accuracy.progress import Piece, float_type
 from ramanujan.accuracy.runs import LONGEST_RUN, blocks, errors, exact, method_named, steps_within
 from ramanujan.integrators import Method
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import instance, integer
+from ramanujan.validation import instance, integer
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,8 +18,8 @@ from ramanujan.accuracy.progress import REFERENCE, Piece, each, exact_frequency_
 from ramanujan.motion import InitialState, motion
 from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import finite_array, instance, integer
 from ramanujan.translation import _
+from ramanujan.validation import finite_array, instance, integer
 
 LARGEST_DECADE = 15
 """Beyond 1e15 periods neighbouring doubles t are a quarter of a period apart: t itself no longer determines a phase."""

@@ -13,8 +13,8 @@ import numpy as np
 
 from ramanujan.frequency import frequency_squared
 from ramanujan.numerals import quantity
-from ramanujan.quantities import function, instance, integer, one_of, positive, sequence
 from ramanujan.translation import _
+from ramanujan.validation import function, instance, integer, one_of, positive, sequence
 
 S = TypeVar("S")
 T = TypeVar("T")

@@ -18,7 +18,7 @@ import numpy as np
 from ramanujan.accuracy.progress import Timing, measure
 from ramanujan.integrators import METHODS, Acceleration, Method, Runs, trajectory
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import integer, one_of
+from ramanujan.validation import integer, one_of
 
 LONGEST_RUN = 10_000_000
 """The most steps of one run; at some microseconds a step they take minutes."""

@@ -15,8 +15,8 @@ from ramanujan.accuracy.runs import LONGEST_RUN, blocks, errors, method_named, s
 from ramanujan.integrators import METHODS, Method
 from ramanujan.numerals import quantity
 from ramanujan.oscillator import Oscillator
-from ramanujan.quantities import instance, integer, one_of, positive, sequence
 from ramanujan.translation import _
+from ramanujan.validation import instance, integer, one_of, positive, sequence
 
 STEPS_PER_PERIOD: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
 DTYPES = ("float32", "float64")

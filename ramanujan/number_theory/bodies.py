@@ -22,8 +22,8 @@ from math import gcd, lcm
 from types import MappingProxyType
 
 from ramanujan.number_theory import integers
-from ramanujan.quantities import one_of, rational
 from ramanujan.translation import _
+from ramanujan.validation import one_of, rational
 
 BODIES = MappingProxyType(
     {"hoop": Fraction(1), "shell": Fraction(2, 3), "cylinder": Fraction(1, 2), "sphere": Fraction(2, 5)}

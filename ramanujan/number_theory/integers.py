@@ -15,8 +15,8 @@ from math import isqrt, prod
 
 from sympy.ntheory import factorint
 
-from ramanujan.quantities import integer, sequence
 from ramanujan.translation import _
+from ramanujan.validation import integer, sequence
 
 LARGEST_NUMBER = 10**12
 """The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""

@@ -23,8 +23,8 @@ import ramanujan
 from ramanujan import METHODS, InitialState, Oscillator, motion
 from ramanujan.accuracy import Piece, results, work_precision
 from ramanujan.number_theory import BodyChoice
-from ramanujan.quantities import coordinates, floats, integer, positive, rational, real, sequence, shown
 from ramanujan.record import record
+from ramanujan.validation import coordinates, floats, integer, positive, rational, real, sequence, shown
 
 ROOMS = (
     "frequency",
@@ -43,7 +43,7 @@ STEPS = {method.step.__name__ for method in METHODS.values()}
 UNCHECKED = {
     "frequency_squared": "works in whatever arithmetic its arguments bring with them",
     "main": "takes the words of a command line and answers them with one sentence and an exit status",
-    **dict.fromkeys(("float_type", "method_named", "steps_within"), "is itself a check, like those of quantities"),
+    **dict.fromkeys(("float_type", "method_named", "steps_within"), "is itself a check, like those of validation"),
     **dict.fromkeys(
         ("blocks", "errors", "exact", "seconds_per_step", "powers_of_ten", "ulp_errors"),
         "is inside an experiment, which checks once before its first piece",
