@@ -1,12 +1,13 @@
 """Reads LaTeX as the pages show it, and evaluates it with 60 digits: what a reader with pencil and paper would do.
 
-It knows nothing of the package or of SymPy. A decimal that ends in dots is read as the number that is written.
+It knows nothing of the package or of SymPy: each mark becomes the one of Python that means the same. A decimal that
+ends in dots is read as the number that is written.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import lru_cache
 
 import mpmath
@@ -18,28 +19,34 @@ Number = mpmath.mpf | np.ndarray
 mpmath.mp.dps = 60
 
 _LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|d?dot)[a-zA-Z]+|[a-zA-Z])"
+_PYTHON = {
+    r"\left[\begin{matrix}": "matrix([[",
+    r"\end{matrix}\right] \left[\begin{matrix}": "]])@matrix([[",
+    r" \left[\begin{matrix}": "*matrix([[",
+    r"\end{matrix}\right]": "]])",
+    r"\left|{\begin{matrix}": "det([[",
+    r"\end{matrix}}\right|": "]])",
+    r"\left(": "(",
+    r"\right)": ")",
+    r"\frac{": "frac(",
+    r"\sqrt{": "sqrt(",
+    r"\\": "],[",
+    r"\ ": "",
+    r"\,": "*",
+    "{": "(",
+    "}": ")",
+    "^{": "**(",
+    "&": ",",
+    **{mark: mark for mark in ",+-"},
+    " ": "",
+}
 _TOKEN = re.compile(
-    r"(?P<space>(?:\\,|\\ |\\textstyle|\s)+)"
-    r"|(?P<number>\d+(?:\.\d+)?)(?:\\ldots)?(?: \\times 10\^\{(?P<power>-?\d+)\})?"
-    r"|(?P<mark>\\frac|\\sqrt|\\left|\\right|\\begin\{matrix\}|\\end\{matrix\}|\\\\|[-+^{}()\[\]|,&])"
+    r"(?P<number>\d+(?:\.\d+)?)(?:\\ldots)?(?: \\times 10\^\{(?P<power>-?\d+)\})?"
+    rf"|(?P<mark>{'|'.join(re.escape(mark) for mark in sorted(_PYTHON, key=len, reverse=True))})"
     r"|(?P<name>\\Omega(?:_\{\\text\{clamped\}\})?\^\{2\}|M\^\{-1\}"
     rf"|(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?(?:_\{{(?:\\text\{{\w+\}}|\\?[a-zA-Z0-9*]+)\}})?)"
 )
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
-
-
-def tokens(text: str) -> Iterator[tuple[str, str]]:
-    place = 0
-    while place < len(text):
-        found = _TOKEN.match(text, place)
-        if found is None:
-            raise ValueError(f"not understood: {text[place:]!r} in {text!r}")
-        place = found.end()
-        if found["number"]:
-            yield "number", f"{found['number']}e{found['power'] or 0}"
-        elif not found["space"]:
-            yield ("mark", found["mark"]) if found["mark"] else ("name", found["name"])
-    yield "end", ""
 
 
 @lru_cache(maxsize=10_000)
@@ -49,14 +56,24 @@ def formula(text: str) -> Formula:
 
 
 class Formula:
-    """A formula as a tree; `value` evaluates it."""
+    """A formula as Python; `names` are its symbols as written in LaTeX, `value` evaluates it."""
 
     def __init__(self, text: str) -> None:
-        self._tokens = list(tokens(text))
-        self._place = 0
-        self._tree = self._sum()
-        if self._tokens[self._place][0] != "end":
-            raise ValueError(f"not understood: {self._tokens[self._place :]} in {text!r}")
+        place, python, self._numbers, self.names = 0, "", [], []
+        while place < len(text):
+            found = _TOKEN.match(text, place)
+            if found is None:
+                raise ValueError(f"not understood: {text[place:]!r} in {text!r}")
+            place = found.end()
+            if found["number"]:
+                python += f"numbers[{len(self._numbers)}]"
+                self._numbers.append(mpmath.mpf(f"{found['number']}e{found['power'] or 0}"))
+            elif found["name"]:
+                python += f"names[{len(self.names)}]"
+                self.names.append(found["name"])
+            else:
+                python += _PYTHON[found["mark"]]
+        self._exact, self._rough = (compile(each, text, "eval") for each in (python, python.replace("-", "+")))
 
     def value(self, values: Mapping[str, Number], rough: bool = False) -> Number:
         """Return the value; a rough one leaves every sign out, so that it bounds the terms of all sums.
@@ -65,121 +82,17 @@ class Formula:
         ----------
         values : name as written in LaTeX → number, or matrix as an array of numbers
         """
-        return _value(self._tree, values, rough)
-
-    def _eat(self, *marks: str) -> bool:
-        stretch = self._tokens[self._place : self._place + len(marks)]
-        is_there = stretch == [("mark", mark) for mark in marks]
-        self._place += len(marks) if is_there else 0
-        return is_there
-
-    def _must(self, *marks: str) -> None:
-        if not self._eat(*marks):
-            raise ValueError(f"{marks} expected at {self._tokens[self._place :]}")
-
-    def _sum(self) -> tuple:
-        terms = [("minus", self._product()) if self._eat("-") else self._product()]
-        while True:
-            if self._eat("+"):
-                terms.append(self._product())
-            elif self._eat("-"):
-                terms.append(("minus", self._product()))
-            else:
-                return terms[0] if len(terms) == 1 else ("sum", *terms)
-
-    def _product(self) -> tuple:
-        factors = []
-        while (factor := self._power()) is not None:
-            factors.append(factor)
-        if not factors:
-            raise ValueError(f"a factor expected at {self._tokens[self._place :]}")
-        return factors[0] if len(factors) == 1 else ("product", *factors)
-
-    def _power(self) -> tuple | None:
-        base = self._atom()
-        if base is not None and self._eat("^", "{"):
-            (_, exponent), self._place = self._tokens[self._place], self._place + 1
-            self._must("}")
-            return "power", base, int(exponent.removesuffix("e0"))
-        return base
-
-    def _group(self) -> tuple:
-        self._must("{")
-        inside = self._sum()
-        self._must("}")
-        return inside
-
-    def _atom(self) -> tuple | None:
-        kind, text = self._tokens[self._place]
-        if kind in ("number", "name"):
-            self._place += 1
-            return (kind, mpmath.mpf(text)) if kind == "number" else (kind, text)
-        if self._eat(r"\frac"):
-            return "quotient", self._group(), self._group()
-        if self._eat(r"\sqrt"):
-            return "root", self._group()
-        if self._eat(r"\left", "["):
-            return self._matrix("]")
-        if self._eat(r"\left", "|", "{"):
-            return "determinant", self._matrix("}", "|")
-        if self._eat(r"\left", "("):
-            entries = [self._sum()]
-            while self._eat(","):
-                entries.append(self._sum())
-            self._must(r"\right", ")")
-            return entries[0] if len(entries) == 1 else ("tuple", *entries)
-        return None
-
-    def _matrix(self, *closing: str) -> tuple:
-        self._must(r"\begin{matrix}")
-        rows = [[self._sum()]]
-        while not self._eat(r"\end{matrix}"):
-            if self._eat("&"):
-                rows[-1].append(self._sum())
-            else:
-                self._must(r"\\")
-                rows.append([self._sum()])
-        *braces, last = closing
-        self._must(*braces, r"\right", last)
-        return "array", *rows
-
-
-def _value(tree: tuple, values: Mapping[str, Number], rough: bool) -> Number:
-    kind, *parts = tree
-    if kind == "number":
-        return parts[0]
-    if kind == "name":
-        return abs(values[parts[0]]) if rough else values[parts[0]]
-    if kind == "array":
-        return np.array([[_value(entry, values, rough) for entry in row] for row in parts], dtype=object)
-    if kind == "power":
-        return _value(parts[0], values, rough) ** parts[1]
-    first, *others = (_value(part, values, rough) for part in parts)
-    if kind == "tuple":
-        return np.array([first, *others], dtype=object)
-    if kind == "minus":
-        return first if rough else -first
-    if kind == "quotient":
-        return first / others[0]
-    if kind == "root":
-        return mpmath.sqrt(first)
-    if kind == "determinant":
-        return _determinant(first, rough)
-    for other in others:
-        if kind == "sum":
-            first = first + other
-        else:
-            both = isinstance(first, np.ndarray) and isinstance(other, np.ndarray)
-            first = first @ other if both else first * other
-    return first
-
-
-def _determinant(matrix: np.ndarray, rough: bool) -> Number:
-    if len(matrix) == 1:
-        return matrix[0, 0]
-    minors = (np.delete(matrix[1:], column, axis=1) for column in range(len(matrix)))
-    terms = [entry * _determinant(minor, rough) for entry, minor in zip(matrix[0], minors, strict=True)]
-    return sum(term if rough or place % 2 == 0 else -term for place, term in enumerate(terms))
+        known = {
+            "names": [abs(values[name]) if rough else values[name] for name in self.names],
+            "numbers": self._numbers,
+            "frac": lambda above: lambda below: above / below,
+            "sqrt": mpmath.sqrt,
+            "matrix": lambda rows: np.array(rows, dtype=object),
+            # The product of the rows' sums bounds every term of a determinant.
+            "det": lambda rows: mpmath.fprod(map(sum, rows)) if rough else mpmath.det(mpmath.matrix(rows)),
+        }
+        found = eval(self._rough if rough else self._exact, known)
+        return np.array(found, dtype=object) if isinstance(found, tuple) else found
 
 
 def equations(display: str) -> list[str]:

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from ramanujan import Oscillator
 from ramanujan.derivation import ROUTES, newton
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.energy import eta, least_inertia, spin_of_lower_rollers, xi
 from ramanujan.derivation.hamilton import H_0, legendre_transform, reduce_to_one_degree
 from ramanujan.derivation.matrix import Lambda, modes
+from ramanujan.derivation.rayleigh import eta, least_inertia, spin_of_lower_rollers, xi
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
     COORDINATES,

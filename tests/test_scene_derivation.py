@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from ramanujan.derivation import ROUTES, energy
+from ramanujan.derivation import ROUTES, rayleigh
 from ramanujan.derivation.answers import QUESTIONS
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
@@ -96,7 +96,7 @@ def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
     choose(page, m=3.33)
     # Negative control: deriving does meet the trap.
     with pytest.raises(AssertionError):
-        energy.build()
+        rayleigh.build()
 
 
 def test_all_routes_meet_in_one_table(page):

@@ -15,7 +15,7 @@ from itertools import count
 import sympy as sp
 
 from ramanujan.derivation.elimination import UnitCondition, unit_condition
-from ramanujan.derivation.exact import DIGITS, decimal_of, rounded
+from ramanujan.derivation.exact import DIGITS, Number, decimal_of, rounded
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime
@@ -107,7 +107,7 @@ def with_decimal(value: sp.Expr, digits: int = 5) -> str:
         return exact
     if not value.is_Rational:
         return rf"{exact} \approx {float(value):.{digits}g}"
-    fraction = sp.QQ.from_sympy(value)
+    fraction = Number(value.p, value.q)
     needed = next(digits for digits in count(digits) if rounded(fraction, digits) != "1")
     # A long fraction is written as a decimal anyway.
     says_all = exact.endswith(r"\ldots") and needed <= DIGITS

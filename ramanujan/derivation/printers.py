@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.physics.vector.printing import VectorLatexPrinter
 from sympy.printing.latex import translate
 
-from ramanujan.derivation.exact import LONG, truncated
+from ramanujan.derivation.exact import LONG, Number, truncated
 from ramanujan.derivation.symbols import (
     COORDINATES,
     VELOCITIES,
@@ -56,15 +56,7 @@ class LatexPrinter(VectorLatexPrinter):
     def _print_Rational(self, expr: sp.Rational) -> str:
         if expr.q < LONG:
             return super()._print_Rational(expr)
-        return ("- " if expr.p < 0 else "") + truncated(abs(expr.p), expr.q)
-
-    def _print_Mul(self, expr: sp.Mul) -> str:
-        number, rest = expr.as_coeff_Mul()
-        if not number.is_Rational or number.q < LONG:
-            return super()._print_Mul(expr)
-        # A decimal stays outside the fraction that the other factors may form.
-        factor = self._print(rest)
-        return self._print(number) + r"\," + (rf"\left({factor}\right)" if rest.is_Add else factor)
+        return ("- " if expr.p < 0 else "") + truncated(Number(abs(expr.p), expr.q))
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
         if expr.is_number and len(expr.args) == 2 and expr.args[0].is_Rational and expr.args[0] < 0:

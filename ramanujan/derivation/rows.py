@@ -6,15 +6,15 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.exact import decimal_of
-from ramanujan.derivation.slots import Exact, evaluated, exact, fill, template, written
+from ramanujan.derivation.exact import decimal_of, to_latex
 from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
+from ramanujan.derivation.templates import Highlight, Values, template
 
 _UNITS = {
     **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
@@ -24,9 +24,6 @@ _UNITS = {
 
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
-
-Highlight = tuple[tuple[sp.Basic, str], ...]
-"""Symbols, or functions of time, and their colours."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +63,7 @@ class Row:
         return found
 
 
-def rows(step: Step, values: Mapping[sp.Symbol, sp.Expr] | None = None) -> list[Row]:
+def rows(step: Step, values: Values | None = None) -> list[Row]:
     """Return the equations of a step as rows, with the numbers of a machine if its values are given.
 
     Parameters
@@ -80,43 +77,37 @@ def rows(step: Step, values: Mapping[sp.Symbol, sp.Expr] | None = None) -> list[
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
     said = step.about(values) if values else step
-    numbers = exact(values) if values and said.case is None else None
-    return [row(equation, numbers) for equation in said.equations]
+    return [row(equation, values if said.case is None else None) for equation in said.equations]
 
 
-def row(equation: sp.Eq, numbers: Exact | None = None, highlight: Highlight = ()) -> Row:
+def row(equation: sp.Eq, values: Values | None = None, highlight: Highlight = ()) -> Row:
     """Return one equation as a row.
 
     Parameters
     ----------
     equation : in symbols
-    numbers : exact m, m′ and k, as `slots.exact` returns them; none for the symbols
+    values : exact m, m′ and k; none for the symbols
     highlight : symbols in a colour
     """
-    left, right = (side_terms(side, numbers, highlight) for side in equation.args)
-    value = _value(equation, numbers) if numbers else ""
-    return Row("".join(left), tuple(right), value)
+    left, right = (side_terms(side, values, highlight) for side in equation.args)
+    return Row("".join(left), tuple(right), _value(equation, values) if values else "")
 
 
-def side_terms(side: sp.Basic, numbers: Exact | None, highlight: Highlight = ()) -> list[str]:
+def side_terms(side: sp.Basic, values: Values | None = None, highlight: Highlight = ()) -> list[str]:
     """Return the terms of one side as LaTeX, each with its sign."""
-    made = template(side, highlight, numbers is not None)
-    return fill(made, [written(number) for number in evaluated(made, numbers)]) if made.numbers else list(made.plain)
+    return template(side, highlight, values is not None).filled(values)
 
 
-def _value(equation: sp.Eq, numbers: Exact) -> str:
+def _value(equation: sp.Eq, values: Values) -> str:
     """Return the decimal of a right side that is a number, and the unit of the quantity at the left.
 
     The mass ratio itself is what was set; its decimal would add nothing.
     """
     made = template(equation.rhs)
-    if not made.is_number or equation.lhs == epsilon:
+    if len(made.numbers) != 1 or equation.rhs != made.numbers[0] or equation.lhs == epsilon:
         return ""
-    (number,) = evaluated(made, numbers)
-    shown, unit = written(number), _UNITS.get(equation.lhs, "")
-    # A decimal with dots needs no second one, nor does an integer.
-    needs_none = shown.is_decimal or (shown.above.isdigit() and not shown.below)
-    return unit if needs_none else f" {decimal_of(number)}{unit}"
+    (number,), unit = made.evaluated(values), _UNITS.get(equation.lhs, "")
+    return unit if to_latex(number).says_all else f" {decimal_of(number)}{unit}"
 
 
 def extent(formula: str) -> int:

@@ -12,7 +12,6 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.substitution import put_in
 from ramanujan.translation import _
 
 
@@ -51,18 +50,6 @@ class Step:
         other_case = _("Your masses are not all equal, so this step stays in symbols.")
         return replace(self, reason=f"{self.reason} {other_case}")
 
-    def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
-        """Return the step for given exact values of m, m′ and k; every equation holds for that machine.
-
-        Parameters
-        ----------
-        values : symbol → integer, fraction or number with roots, such as `numbers.exact_values` returns
-        """
-        step = self.about(values)
-        if step.case is not None:
-            return step
-        return replace(step, equations=tuple(put_in(e, values) for e in step.equations))
-
     def _repr_markdown_(self) -> str:
         """Show the step in a notebook."""
         return "\n\n".join([f"**{self.heading}.** {self.reason}", *(f"$${latex(e)}$$" for e in self.equations)])
@@ -99,11 +86,6 @@ class Route:
                 return step
         known = ", ".join(step.key for step in self.steps)
         raise ValueError(_("key must be one of {known}, not {key}").format(known=known, key=repr(key)))
-
-    def with_numbers(self, values: Mapping[sp.Symbol, sp.Expr]) -> Route:
-        """Return the same route for given exact values of m, m′ and k, Ω² included."""
-        steps = tuple(step.with_numbers(values) for step in self.steps)
-        return replace(self, steps=steps, natural_frequency_squared=put_in(self.natural_frequency_squared, values))
 
     def _repr_markdown_(self) -> str:
         """Show the route in a notebook, one numbered section for each step."""

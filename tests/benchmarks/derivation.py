@@ -1,8 +1,8 @@
 """How long the derivations take: to build each route, to put numbers into all of its steps, and to judge an answer.
 
-Run as `python -m tests.benchmarks.derivation`. With slots a whole route should take a few milliseconds and the six
-steps of the first page about one; substitution is the general way to the same formulas. A page may spend 200 ms on an
-answer; the first answer to a question also derives its typical mistakes.
+Run as `python -m tests.benchmarks.derivation`. With numbers a whole route should take about a millisecond, and so
+should the six steps of the first page; the first machine with √1729 waits for each number once. A page may spend 200 ms
+on an answer; the first answer to a question also derives its typical mistakes.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ import sympy as sp
 
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.answers import QUESTIONS, judge, question
-from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
 
@@ -34,39 +33,28 @@ def milliseconds(action: Callable[[], object]) -> float:
     return 1e3 * (time.perf_counter() - start)
 
 
-def by_slots(steps: list[Step], values: dict[sp.Symbol, sp.Expr]) -> list[str]:
-    """Return what a page shows."""
-    return [row.latex for step in steps for row in rows(step, values)]
-
-
-def by_substitution(steps: list[Step], values: dict[sp.Symbol, sp.Expr]) -> list[str]:
-    """Return the same by substitution into SymPy's expressions."""
-    return [latex(equation) for step in steps for equation in step.with_numbers(values).equations]
-
-
-def times(steps: list[Step], way: Callable[..., object], machine: Callable[..., tuple], first: int) -> list[float]:
-    """Return the durations for nine machines that no way has met before, after one to warm up."""
+def times(steps: list[Step], machine: Callable[..., tuple]) -> list[float]:
+    """Return how long a page takes to show the steps of nine machines that it has not met before."""
     durations = []
-    for n in range(first, first + 10):
+    for n in range(10):
         mass, roller_mass = machine(n)
         values = {m: mass, m_prime: roller_mass, k: 50 * mass}
-        durations.append(milliseconds(lambda values=values: way(steps, values)))
+        durations.append(
+            milliseconds(lambda values=values: [row.latex for step in steps for row in rows(step, values)])
+        )
     return durations[1:]
 
 
 def main() -> None:
-    """Print build times, median and longest time of putting numbers in, by both ways; then the answers."""
-    print(f"{'':<24}{'build':>8}" + "".join(f"{kind:>34}" for kind in MACHINES))
-    print(f"{'':<24}{'[ms]':>8}" + f"{'slots [ms]':>18}{'substitution':>16}" * len(MACHINES))
+    """Print build times, median and longest time of putting numbers in; then the answers."""
+    print(f"{'':<24}{'build':>8}" + "".join(f"{kind:>18}" for kind in MACHINES) + "   [ms]")
     parts = {name: lambda name=name: list(ROUTES[name].steps) for name in ROUTES}
     parts["six steps of page 1"] = lambda: [ROUTES["euler_lagrange"][key] for key in FIRST_PAGE]
-    for place, (name, part) in enumerate(parts.items()):
-        build = milliseconds(part)
-        print(f"{name:<24}{build:>8.0f}", end="")
+    for name, part in parts.items():
+        print(f"{name:<24}{milliseconds(part):>8.0f}", end="")
         for machine in MACHINES.values():
-            for way, first in ((by_slots, 0), (by_substitution, 100 * (place + 1))):
-                found = times(part(), way, machine, first)
-                print(f"{median(found):>9.1f} …{max(found):>6.1f}", end="")
+            found = times(part(), machine)
+            print(f"{median(found):>10.1f} …{max(found):>6.1f}", end="")
         print()
     print(f"\n{'question':<30}{'asked [ms]':>12}{'first answer [ms]':>20}{'next [ms]':>12}")
     for name in QUESTIONS:

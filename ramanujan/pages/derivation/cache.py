@@ -21,9 +21,9 @@ from ramanujan.derivation.printers import colored, latex
 from ramanujan.derivation.remarks import conserved_momenta, remarks
 from ramanujan.derivation.rows import Row, extent, row, side_terms
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
-from ramanujan.derivation.slots import Exact, exact
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
+from ramanujan.derivation.templates import Values
 from ramanujan.shell.cache import route
 
 _LINE_WIDTH = 54
@@ -59,8 +59,9 @@ def titles() -> dict[str, str]:
 def step(name: str, number: int, masses: Masses, part: str | None, color: str | None) -> ShownStep:
     """Return a step of a route, counted from 0, with the terms of one part of the machine in its colour."""
     symbolic = route(name).steps[number]
-    said = symbolic.about(_values(masses)) if masses else symbolic
-    numbers = exact(_values(masses)) if masses and said.case is None else None
+    values = _values(masses)
+    said = symbolic.about(values) if values else symbolic
+    numbers = values if said.case is None else None
     shown = [_row(e, numbers, part, color) for e in said.equations]
     split = next((e for e in said.equations if part and terms(e)), None)
     by_body = _by_body(split, numbers, part, color) if split is not None else ""
@@ -88,7 +89,7 @@ def all_agree() -> bool:
 @st.cache_data(show_spinner=False, max_entries=256)
 def results(masses: tuple[float, float, float]) -> list[Result]:
     """Return where each route ends, for the present masses too."""
-    numbers = exact(_values(masses))
+    numbers = _values(masses)
     return [_result(route(name), numbers) for name in ROUTES]
 
 
@@ -105,7 +106,7 @@ class Spectrum:
 @st.cache_data(show_spinner=False, max_entries=256)
 def spectrum(masses: Masses) -> Spectrum:
     """Return the modes and the conserved momenta, in symbols or with the present masses."""
-    numbers, found = exact(_values(masses)) if masses else None, _modes()
+    numbers, found = _values(masses), _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
     shapes = (row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes))
@@ -161,7 +162,7 @@ def as_read(text: str) -> str | None:
 def document(name: str, masses: Masses, kind: str) -> str:
     """Return the route as a LaTeX, Markdown or notebook file, in symbols or with the present masses."""
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
-    return write(route(name), _values(masses) if masses else None)
+    return write(route(name), _values(masses))
 
 
 @st.cache_data(show_spinner=False)
@@ -178,8 +179,8 @@ def numbers_stated(masses: tuple[float, float, float]) -> str:
     return stated(_values(masses))
 
 
-def _values(masses: tuple[float, float, float]) -> dict[sp.Symbol, sp.Expr]:
-    return exact_values(*masses)
+def _values(masses: Masses) -> Values | None:
+    return exact_values(*masses) if masses else None
 
 
 @st.cache_resource(show_spinner=False)
@@ -187,7 +188,7 @@ def _modes() -> Modes:
     return modes(machine())
 
 
-def _result(way: Route, numbers: Exact) -> Result:
+def _result(way: Route, numbers: Values) -> Result:
     frequency = equation(Omega_squared, way.natural_frequency_squared)
     return Result(
         way.title,
@@ -198,7 +199,7 @@ def _result(way: Route, numbers: Exact) -> Result:
     )
 
 
-def _row(symbolic: sp.Eq, numbers: Exact | None, part: str | None, color: str | None) -> Row:
+def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str | None) -> Row:
     """Return an equation; one about the chosen part is in its colour, in any other only what names the part."""
     if not part:
         return row(symbolic, numbers)
@@ -235,7 +236,7 @@ def _block(rows: Iterable[str], gap: str) -> str:
     return r"\begin{aligned}" + rf" \\[{gap}] ".join(rows) + r"\end{aligned}"
 
 
-def _by_body(stated: sp.Eq, numbers: Exact | None, part: str, color: str) -> str:
+def _by_body(stated: sp.Eq, numbers: Values | None, part: str, color: str) -> str:
     """Return T or ℒ with a line for each part of the machine, the chosen one in its colour."""
     rows: list[str] = []
     for name, own in terms(stated).items():
