@@ -81,9 +81,9 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     per_angle = -oscillator.exact_frequency_squared * m * R
     per_angles = {name: share * per_angle for name, share in _shares(oscillator).items()} | {"spring": -2 * k * R}
     label = _("force {name}")
-    return {
-        name: in_range(label.format(name=name), scaled(coefficient, phi)) for name, coefficient in per_angles.items()
-    }
+    with np.errstate(over="ignore"):
+        forces = {name: scaled(*coefficient.as_integer_ratio(), phi) for name, coefficient in per_angles.items()}
+    return {name: in_range(label.format(name=name), force) for name, force in forces.items()}
 
 
 def normal_forces(
@@ -158,7 +158,7 @@ def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
     R = instance("oscillator", oscillator, Oscillator).exact[3]
     phi, phi_dot = Fraction(instance("initial", initial, InitialState).phi), Fraction(initial.phi_dot)
     squared = phi**2 + phi_dot**2 / oscillator.exact_frequency_squared
-    return nearest("travel_amplitude", R * square_root(squared))
+    return nearest("travel_amplitude", *(R * Fraction(*square_root(*squared.as_integer_ratio()))).as_integer_ratio())
 
 
 def required_friction(
@@ -199,7 +199,9 @@ def required_friction(
     amplitude = abs(Fraction(real("compression", compression))) / 2
     pull = oscillator.exact_frequency_squared * amplitude / Fraction(positive("g", g))
     label = _("friction at {name}")
-    return {name: nearest(label.format(name=name), demand * pull) for name, demand in demands.items()}
+    return {
+        name: nearest(label.format(name=name), *(demand * pull).as_integer_ratio()) for name, demand in demands.items()
+    }
 
 
 def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: float = math.inf) -> str:
@@ -269,7 +271,7 @@ def largest_compression(
         mu * loads[name] / (abs(share) * pull + (0 if name == "top_block" else shifted))
         for name, share in _shares(oscillator).items()
     )
-    largest = nearest(_("the largest compression"), exact)
+    largest = nearest(_("the largest compression"), *exact.as_integer_ratio())
     # If it were rounded up, a contact would slip or the slab would tip.
     return largest if Fraction(largest) <= exact else math.nextafter(largest, 0.0)
 
@@ -277,7 +279,7 @@ def largest_compression(
 def _shares(oscillator: Oscillator) -> dict[str, Fraction]:
     """Return each contact's force on its roller divided by m·Rφ̈, dimensionless."""
     m, m_prime = oscillator.exact[:2]
-    kappa, half = oscillator.exact_block_coupling, m_prime / m / 2
+    kappa, half = Fraction(*oscillator.coupling_ratio), m_prime / m / 2
     hoop, cylinder = Fraction(1), Fraction(1, 2)
     return {
         "hoop_slab": half * (1 + hoop - kappa),

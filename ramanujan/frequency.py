@@ -26,6 +26,15 @@ LIGHT_ROLLERS_LIMIT = 7 / 4
 Number = TypeVar("Number")
 
 
+def frequency_ratio(m: Number, m_prime: Number, k: Number) -> tuple[Number, Number]:
+    """Return numerator and denominator of Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic of the arguments.
+
+    >>> frequency_ratio(1, 1, 1)
+    (104, 99)
+    """
+    return 8 * k * (7 * m + 6 * m_prime), 32 * m * m + 49 * m * m_prime + 18 * m_prime * m_prime
+
+
 def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
     """Return Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic of the arguments.
 
@@ -44,7 +53,8 @@ def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
     >>> frequency_squared(Fraction(1), Fraction(1), Fraction(1))
     Fraction(104, 99)
     """
-    return 8 * k * (7 * m + 6 * m_prime) / (32 * m * m + 49 * m * m_prime + 18 * m_prime * m_prime)
+    numerator, denominator = frequency_ratio(m, m_prime, k)
+    return numerator / denominator
 
 
 def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] | np.floating:

@@ -15,21 +15,25 @@ fl(Ω)·t is wrong by about n·1e-15 rad, the reduced one by 1e-15 rad however l
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
-from fractions import Fraction
-from functools import lru_cache
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.numerals import number
-from ramanujan.oscillator import TWO_PI, Oscillator
-from ramanujan.rounding import in_range, nearest, product_error, scaled, square_root
+from ramanujan.oscillator import Oscillator
+from ramanujan.rounding import in_range, nearest, over_one_denominator, product_error, scaled
 from ramanujan.translation import _
 from ramanujan.validation import coordinates, finite_array, instance, real
 
 FARTHEST = 1e18
 """Periods up to which the phase is right to 1e-12 rad: Ω/2π is known to two doubles, 106 bits."""
+
+SHORT = 1e-9
+"""Periods below which sin Ωt and Ωt are the same double: they differ by (Ωt)²/6 of their size."""
+
+Values = float | NDArray[np.float64]
+"""A series, or one value of it."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +62,7 @@ class InitialState:
     Phi_dot: float = 0.0
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            object.__setattr__(self, field.name, real(field.name, getattr(self, field.name)))
+        vars(self).update({name: real(name, value) for name, value in vars(self).items()})
 
 
 def released(oscillator: Oscillator, compression: float) -> InitialState:
@@ -109,9 +112,11 @@ def pushed(oscillator: Oscillator, compression: float, glide: float = 0.0, spin:
     >>> pushed(Oscillator(radius=0.1), 0.08, glide=0.5, spin=2).X_dot
     -0.5
     """
-    radius = instance("oscillator", oscillator, Oscillator).exact[3]
-    angle = Fraction(real("compression", compression)) / (2 * radius)
-    return InitialState(phi=nearest("phi", angle), X_dot=-real("glide", glide), Phi_dot=real("spin", spin))
+    radius = instance("oscillator", oscillator, Oscillator).radius
+    deformation, radius, _unit = over_one_denominator(real("compression", compression), radius)
+    return InitialState(
+        phi=nearest("phi", deformation, 2 * radius), X_dot=-real("glide", glide), Phi_dot=real("spin", spin)
+    )
 
 
 def motion(
@@ -145,26 +150,34 @@ def motion(
     """
     instance("oscillator", oscillator, Oscillator)
     instance("initial", initial, InitialState)
-    times = finite_array("t", t)
-    cosine, C, S = _oscillation(oscillator, times)
-    omega_squared = oscillator.exact_frequency_squared
-    kappa, R = oscillator.exact_block_coupling, oscillator.exact[3]
-    start, rate = Fraction(initial.phi), Fraction(initial.phi_dot)
+    # A single time stays a Python float, whose arithmetic takes a tenth of the time of an array's.
+    times = real("t", t) if isinstance(t, float) else finite_array("t", t)
+    start, rate, unit = over_one_denominator(initial.phi, initial.phi_dot)
+    omega_squared, one = oscillator.frequency_ratio
+    kappa, whole = oscillator.coupling_ratio
+    R, length = oscillator.radius.as_integer_ratio()
 
-    def follows(name: str, shape: Fraction, position: float, velocity: float) -> tuple[NDArray, NDArray]:
-        """Return X or Φ and its rate: a drift, and `shape` times φ − φ₀ = φ̇₀ S − φ₀ C."""
-        moved, pushed_on = shape * start, shape * rate
-        swing = scaled(pushed_on, S) - scaled(moved, C)
-        slower = scaled(pushed_on, C) + scaled(moved * omega_squared, S)
-        drift = scaled(Fraction(velocity) - pushed_on, times)
-        return in_range(name, position + drift + swing), in_range(f"{name}_dot", velocity - slower)
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        cosine, C, S = _oscillation(oscillator, times)
 
-    with np.errstate(over="ignore", invalid="ignore"):
-        phi = in_range("phi", initial.phi * cosine + scaled(rate, S))
-        phi_dot = in_range("phi_dot", initial.phi_dot * cosine - scaled(start * omega_squared, S))
-        X, X_dot = follows("X", kappa * R, initial.X, initial.X_dot)
-        Phi, Phi_dot = follows("Phi", kappa * 2 / 3, initial.Phi, initial.Phi_dot)
-    return np.stack([X, phi, Phi]), np.stack([X_dot, phi_dot, Phi_dot])
+        def follows(shape: int, divisor: int, position: float, velocity: float) -> tuple[Values, Values]:
+            """Return X or Φ and its rate: a drift, and shape/divisor times φ − φ₀ = φ̇₀ S − φ₀ C."""
+            moved, pushed_on, divisor = shape * start, shape * rate, divisor * unit
+            own, own_unit = velocity.as_integer_ratio()
+            swing = scaled(pushed_on, divisor, S) - scaled(moved, divisor, C)
+            slower = scaled(pushed_on, divisor, C) + scaled(moved * omega_squared, divisor * one, S)
+            drift = scaled(own * divisor - pushed_on * own_unit, own_unit * divisor, times)
+            return position + drift + swing, velocity - slower
+
+        phi = initial.phi * cosine + initial.phi_dot * S
+        phi_dot = initial.phi_dot * cosine - scaled(start * omega_squared, unit * one, S)
+        X, X_dot = follows(kappa * R, whole * length, initial.X, initial.X_dot)
+        Phi, Phi_dot = follows(2 * kappa, 3 * whole, initial.Phi, initial.Phi_dot)
+        state = np.array([X, phi, Phi, X_dot, phi_dot, Phi_dot])
+    if not np.isfinite(state).all():
+        for name, values in zip(vars(initial), state, strict=True):
+            in_range(name, values)
+    return state[:3], state[3:]
 
 
 def relative_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -282,31 +295,20 @@ def _over_ground(oscillator: Oscillator, q: NDArray[np.float64], what: str) -> d
         }
 
 
-def _oscillation(
-    oscillator: Oscillator, times: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _oscillation(oscillator: Oscillator, times: Values) -> tuple[Values, Values, Values]:
     """Return cos Ωt, 1 − cos Ωt and (sin Ωt)/Ω from the phase reduced in turns (Dekker's exact product)."""
-    high, low, exponent = _frequency_in_turns(oscillator)
-    with np.errstate(over="ignore", under="ignore"):
-        scaled = np.ldexp(times, exponent)
-        if np.any(np.abs(scaled) > FARTHEST / high):
-            sentence = _("t must not exceed {most} periods: beyond that the phase is not known")
-            raise ValueError(sentence.format(most=number(FARTHEST)))
-        turns = high * scaled
-        whole = np.rint(turns)
-        fraction = (turns - whole) + (product_error(high, scaled, turns) + low * scaled)
-        angle = 2 * math.pi * fraction
-        # In the first half turn the sine may be too small for float64 although t is not.
-        first = times * np.sinc(2 * fraction)
-        sine_over_omega = np.where(whole == 0, first, np.sin(angle) / oscillator.natural_frequency)
-        return np.cos(angle), 2 * np.sin(angle / 2) ** 2, sine_over_omega
-
-
-@lru_cache(maxsize=256)
-def _frequency_in_turns(oscillator: Oscillator) -> tuple[float, float, int]:
-    """Return Ω/2π [1/s] as (high + low)·2^exponent, the sum of two doubles that are far from the ends of the range."""
-    frequency = square_root(oscillator.exact_frequency_squared) / TWO_PI
-    exponent = frequency.numerator.bit_length() - frequency.denominator.bit_length()
-    scaled = frequency / Fraction(2) ** exponent
-    high = float(scaled)
-    return high, float(scaled - Fraction(high)), exponent
+    omega, (high, low, exponent) = oscillator.natural_frequency, oscillator.frequency_in_turns
+    single = isinstance(times, float)
+    module, rint = (math, round) if single else (np, np.rint)
+    if (abs(times) if single else np.abs(times).max(initial=0.0)) > FARTHEST * (2 * math.pi / omega):
+        sentence = _("t must not exceed {most} periods: beyond that the phase is not known")
+        raise ValueError(sentence.format(most=number(FARTHEST)))
+    scaled_times = module.ldexp(times, exponent)
+    turns = high * scaled_times
+    error = product_error(high, scaled_times, turns) + low * scaled_times
+    angle = 2 * math.pi * ((turns - rint(turns)) + error)
+    sine_over_omega = module.sin(angle) / omega
+    # Where (sin Ωt)/Ω is t to the last digit, the sine itself may be too small for float64.
+    short = abs(turns) < SHORT
+    S = (times if short else sine_over_omega) if single else np.where(short, times, sine_over_omega)
+    return module.cos(angle), 2 * module.sin(angle / 2) ** 2, S

@@ -8,14 +8,14 @@ so it has one oscillating mode and two zero-frequency modes. Everything that osc
 
     Ω² = k / M_x,    M_x/m = 3ε/8 + 7/12 − 1/(12(7 + 6ε)),    ε = m′/m,
 
-where M_x is the mass that the spring feels. Every number is computed exactly from the four doubles and rounded once
-(`rounding`). So it is the nearest double, or an error names the value that leaves the range of float64.
+where M_x is the mass that the spring feels. Every number is computed exactly from the four doubles, in integers, and
+rounded once (`rounding`). So it is the nearest double, or an error names the value that leaves the range of float64.
 """
 
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
@@ -23,9 +23,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ramanujan.frequency import frequency_squared
+from ramanujan.frequency import frequency_ratio
 from ramanujan.numerals import quantity
-from ramanujan.rounding import nearest, normal, square_root
+from ramanujan.rounding import nearest, normal, over_one_denominator, square_root
 from ramanujan.translation import _
 from ramanujan.validation import positive
 
@@ -61,7 +61,7 @@ def drawn_spacing(radius: float) -> float:
     0.29
     """
     per_radius, gap = DRAWN_SPACING
-    return nearest("spacing", per_radius * Fraction(positive("radius", radius)) + gap)
+    return nearest("spacing", *(per_radius * Fraction(positive("radius", radius)) + gap).as_integer_ratio())
 
 
 @dataclass(frozen=True)
@@ -95,61 +95,88 @@ class Oscillator:
     radius: float = 0.1
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            object.__setattr__(self, field.name, positive(field.name, getattr(self, field.name)))
+        # A frozen dataclass lets nothing be assigned; the four fields are all that is in its dictionary yet.
+        vars(self).update({name: positive(name, value) for name, value in vars(self).items()})
 
     @cached_property
     def exact(self) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """(m, m′, k, R) as the fractions that these doubles are [kg, kg, N/m, m]."""
         return Fraction(self.m), Fraction(self.m_prime), Fraction(self.k), Fraction(self.radius)
 
-    @cached_property
+    @property
+    def frequency_ratio(self) -> tuple[int, int]:
+        """Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²], exactly: its numerator and denominator."""
+        m, m_prime, unit = over_one_denominator(self.m, self.m_prime)
+        k, own_unit = self.k.as_integer_ratio()
+        numerator, denominator = frequency_ratio(m, m_prime, k)
+        return numerator * unit, denominator * own_unit
+
+    @property
     def exact_frequency_squared(self) -> Fraction:
-        """Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²], as a fraction."""
-        m, m_prime, k, _R = self.exact
-        return frequency_squared(m, m_prime, k)
+        """Ω² [rad²/s²] as a fraction in lowest terms."""
+        return Fraction(*self.frequency_ratio)
 
     @cached_property
-    def exact_block_coupling(self) -> Fraction:
-        """κ = 6(m + m′)/(7m + 6m′), dimensionless, as a fraction."""
-        m, m_prime = self.exact[:2]
-        return 6 * (m + m_prime) / (7 * m + 6 * m_prime)
+    def exact_frequency(self) -> tuple[int, int]:
+        """Ω [rad/s] to 160 bits, or exactly if it is a double: its numerator and denominator."""
+        return square_root(*self.frequency_ratio)
+
+    @cached_property
+    def coupling_ratio(self) -> tuple[int, int]:
+        """κ = 6(m + m′)/(7m + 6m′), dimensionless, exactly: its numerator and denominator."""
+        m, m_prime, _unit = over_one_denominator(self.m, self.m_prime)
+        return 6 * (m + m_prime), 7 * m + 6 * m_prime
 
     @property
     def mass_ratio(self) -> float:
         """ε = m′/m, dimensionless."""
-        return self._rounded("mass_ratio", Fraction(self.m_prime) / Fraction(self.m))
+        m, m_prime, _unit = over_one_denominator(self.m, self.m_prime)
+        return self._rounded("mass_ratio", m_prime, m)
 
-    @cached_property
+    @property
     def effective_mass(self) -> float:
         """M_x = 3m′/8 + (m/2)(8m + 7m′)/(7m + 6m′) [kg], the mass that the spring feels; Ω² = k/M_x."""
-        return self._rounded("effective_mass", Fraction(self.k) / self.exact_frequency_squared)
+        m, m_prime, unit = over_one_denominator(self.m, self.m_prime)
+        numerator, denominator = frequency_ratio(m, m_prime, unit)
+        return self._rounded("effective_mass", denominator, numerator)
 
-    @cached_property
+    @property
     def natural_frequency_squared(self) -> float:
         """Ω² = k/M_x = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) [rad²/s²]."""
-        return self._rounded("natural_frequency_squared", self.exact_frequency_squared)
+        return self._rounded("natural_frequency_squared", *self.frequency_ratio)
 
     @cached_property
     def natural_frequency(self) -> float:
         """Ω [rad/s], the angular frequency of the one oscillating mode."""
-        return self._rounded("natural_frequency", square_root(self.exact_frequency_squared))
+        return self._rounded("natural_frequency", *self.exact_frequency)
 
     @cached_property
     def period(self) -> float:
         """T = 2π/Ω [s]."""
-        return self._rounded("period", TWO_PI / square_root(self.exact_frequency_squared))
+        numerator, denominator = self.exact_frequency
+        return self._rounded("period", TWO_PI.numerator * denominator, TWO_PI.denominator * numerator)
 
     @cached_property
+    def frequency_in_turns(self) -> tuple[float, float, int]:
+        """Ω/2π [1/s] as (high + low)·2^exponent, the sum of two doubles that are far from the ends of the range."""
+        numerator, denominator = self.exact_frequency
+        top, bottom = numerator * TWO_PI.denominator, denominator * TWO_PI.numerator
+        exponent = top.bit_length() - bottom.bit_length()
+        top, bottom = top << max(-exponent, 0), bottom << max(exponent, 0)
+        high = top / bottom
+        taken, unit = high.as_integer_ratio()
+        return high, (top * unit - taken * bottom) / (bottom * unit), exponent
+
+    @property
     def normalized_frequency_squared(self) -> float:
         """Ω²m/k, dimensionless; it depends on ε alone and is 1 at ε = UNIT_MASS_RATIO."""
-        m, _m_prime, k, _R = self.exact
-        return self._rounded("normalized_frequency_squared", self.exact_frequency_squared * m / k)
+        m, m_prime, _unit = over_one_denominator(self.m, self.m_prime)
+        return self._rounded("normalized_frequency_squared", *frequency_ratio(m, m_prime, m))
 
     @property
     def block_coupling(self) -> float:
         """κ = 6(1 + ε)/(7 + 6ε), dimensionless: in the oscillating mode the block moves by X = κRφ."""
-        return float(self.exact_block_coupling)
+        return self._rounded("block_coupling", *self.coupling_ratio)
 
     @property
     def mass_matrix(self) -> NDArray[np.float64]:
@@ -161,26 +188,26 @@ class Oscillator:
             [-2 * (m + m_prime) * R, (4 * m + m_prime * 7 / 2) * R * R, zero],
             [-m * R, zero, m * R * R * 3 / 2],
         ]
-        return np.array([[self._rounded("mass_matrix", entry) for entry in row] for row in rows])
+        return np.array([[self._rounded("mass_matrix", *entry.as_integer_ratio()) for entry in row] for row in rows])
 
     @property
     def stiffness_matrix(self) -> NDArray[np.float64]:
         """K, shape (3, 3): U = ½ qᵀKq; its one entry 4kR² [N·m] belongs to φ."""
         _m, _m_prime, k, R = self.exact
         stiffness = np.zeros((3, 3))
-        stiffness[1, 1] = self._rounded("stiffness_matrix", 4 * k * R * R)
+        stiffness[1, 1] = self._rounded("stiffness_matrix", *(4 * k * R * R).as_integer_ratio())
         return stiffness
 
     @property
     def mode_shape(self) -> NDArray[np.float64]:
         """The oscillating mode (κR, 1, λ), shape (3,), for q = (X, φ, Φ): metres, radians, radians; λ = 2κ/3."""
-        kappa, R = self.exact_block_coupling, self.exact[3]
-        return np.array([self._rounded("mode_shape", kappa * R), 1.0, float(2 * kappa / 3)])
+        (kappa, whole), (R, unit) = self.coupling_ratio, self.radius.as_integer_ratio()
+        return np.array([self._rounded("mode_shape", kappa * R, whole * unit), 1.0, 2 * kappa / (3 * whole)])
 
-    def _rounded(self, name: str, exact: Fraction) -> float:
-        """Return the nearest double, or raise ValueError that names the value and the machine."""
+    def _rounded(self, name: str, numerator: int, denominator: int) -> float:
+        """Return the double nearest to a quotient, or raise ValueError that names the value and the machine."""
         try:
-            return normal(name, exact)
+            return normal(name, numerator, denominator)
         except ValueError as error:
             raise ValueError(_("{problem} for {machine}").format(problem=error, machine=repr(self))) from None
 

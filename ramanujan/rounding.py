@@ -1,15 +1,15 @@
 """Exact arithmetic with one rounding at the end, so that every result that is an ordinary double is right.
 
-A double is a fraction. A scalar result is computed from the given doubles as a `Fraction`, which neither overflows nor
-underflows, and is rounded to the nearest double at the end. An array is multiplied by such a fraction (`scaled`), or
-by other arrays with mantissas and exponents apart (`product`), so that only the result itself can leave the range.
+A double is a quotient of two integers. A scalar result is computed from such integers, which neither overflow nor
+underflow, and Python rounds the one division at the end correctly. An array is multiplied by such a quotient
+(`scaled`), or by other arrays with mantissas and exponents apart (`product`), so that only the result itself can leave
+the range.
 """
 
 from __future__ import annotations
 
 import math
 import sys
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,72 +22,83 @@ _SPLITTER = 2.0**27 + 1
 _ROOT_BITS = 160
 """Bits of an irrational square root: enough for three doubles."""
 
+SMALLEST_NORMAL = sys.float_info.min
+"""The smallest double that has all 53 bits."""
+
 _TOO_LARGE = _("{name} is too large for float64")
 
 _ORDINARY_EXPONENT = 1000
 """An exponent of two that is far enough from both ends of float64, ±1022."""
 
 
-def nearest(name: str, exact: Fraction) -> float:
-    """Return the double nearest to a fraction; ValueError names a result that is too large for float64.
+def over_one_denominator(first: float, second: float) -> tuple[int, int, int]:
+    """Return two doubles as exact integers over one denominator: both numerators, and the denominator.
 
-    >>> nearest("quotient", Fraction(1, 3))
+    >>> over_one_denominator(0.75, 0.5)
+    (6, 4, 8)
+    """
+    (one, unit), (other, own_unit) = first.as_integer_ratio(), second.as_integer_ratio()
+    return one * own_unit, other * unit, unit * own_unit
+
+
+def nearest(name: str, numerator: int, denominator: int) -> float:
+    """Return the double nearest to a quotient; ValueError names a result that is too large for float64.
+
+    >>> nearest("quotient", 1, 3)
     0.3333333333333333
     """
     try:
         # Python divides integers of any length and rounds once, correctly.
-        return exact.numerator / exact.denominator
+        return numerator / denominator
     except OverflowError:
         raise ValueError(_TOO_LARGE.format(name=name)) from None
 
 
-def normal(name: str, exact: Fraction) -> float:
-    """Return the double nearest to a fraction; ValueError also names a subnormal result that would lose digits.
+def normal(name: str, numerator: int, denominator: int) -> float:
+    """Return the double nearest to a quotient; ValueError also names a subnormal result that would lose digits.
 
-    >>> normal("m", Fraction(5e-324))
+    >>> normal("m", *(5e-324).as_integer_ratio())
     5e-324
-    >>> normal("m", Fraction(5e-324) / 3)
+    >>> normal("m", 1, 3 * 2**1074)
     Traceback (most recent call last):
     ValueError: m is too small for float64
     """
-    value = nearest(name, exact)
-    if abs(value) < sys.float_info.min and value != exact:
-        raise ValueError(_("{name} is too small for float64").format(name=name))
+    value = nearest(name, numerator, denominator)
+    if abs(value) < SMALLEST_NORMAL:
+        top, bottom = value.as_integer_ratio()
+        if top * denominator != numerator * bottom:
+            raise ValueError(_("{name} is too small for float64").format(name=name))
     return value
 
 
-def square_root(exact: Fraction) -> Fraction:
-    """Return √x of a fraction x ≥ 0: exact if x is the square of a double, else to 160 bits.
+def square_root(numerator: int, denominator: int) -> tuple[int, int]:
+    """Return √(numerator/denominator) as a quotient of integers: exact if it is a double, else to 160 bits.
 
-    >>> square_root(Fraction(9, 4))
-    Fraction(3, 2)
+    >>> top, bottom = square_root(9, 4)
+    >>> top / bottom
+    1.5
     """
-    if not exact:
-        return exact
-    numerator, denominator = exact.as_integer_ratio()
     shift = _ROOT_BITS - (numerator.bit_length() - denominator.bit_length()) // 2
-    numerator, denominator = numerator << 2 * max(shift, 0), denominator << 2 * max(-shift, 0)
-    quotient, rest = divmod(numerator, denominator)
+    quotient, rest = divmod(numerator << 2 * max(shift, 0), denominator << 2 * max(-shift, 0))
     root = math.isqrt(quotient)
-    if rest == 0 and root * root == quotient:
-        return Fraction(root) / Fraction(2) ** shift
-    # The root lies between two neighbours; their middle is never a tie between doubles.
-    return Fraction(2 * root + 1) / Fraction(2) ** (shift + 1)
+    if rest or root * root != quotient:
+        # The root lies between two neighbours; their middle is never a tie between doubles.
+        root, shift = 2 * root + 1, shift + 1
+    return root << max(-shift, 0), 1 << max(shift, 0)
 
 
-def scaled(coefficient: Fraction, values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return an array times a fraction of any size, which may be infinite; two roundings.
+def scaled(numerator: int, denominator: int, values: float | NDArray[np.float64]) -> float | NDArray[np.float64]:
+    """Return a number or an array times a quotient of any size, which may be infinite; two roundings.
 
-    >>> scaled(Fraction(2**1060, 3), np.array([0.0, 2.0**-1060]))
+    >>> scaled(2**1060, 3, np.array([0.0, 2.0**-1060]))
     array([0.        , 0.33333333])
     """
-    numerator, denominator = coefficient.numerator, coefficient.denominator
     exponent = numerator.bit_length() - denominator.bit_length()
+    if abs(exponent) < _ORDINARY_EXPONENT:
+        return values * (numerator / denominator)
+    mantissa = (numerator << max(-exponent, 0)) / (denominator << max(exponent, 0))
+    own_mantissa, own_exponent = np.frexp(values)
     with np.errstate(over="ignore", under="ignore"):
-        if abs(exponent) < _ORDINARY_EXPONENT:
-            return values * (numerator / denominator)
-        mantissa = (numerator << max(-exponent, 0)) / (denominator << max(exponent, 0))
-        own_mantissa, own_exponent = np.frexp(values)
         return np.ldexp(mantissa * own_mantissa, own_exponent + exponent)
 
 

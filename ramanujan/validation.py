@@ -38,7 +38,7 @@ def real(name: str, value: object) -> float:
     Traceback (most recent call last):
     ValueError: compression must be a finite number, not True
     """
-    number = _float(value)
+    number = float(value) if isinstance(value, float) else _float(value)
     if not math.isfinite(number):
         raise ValueError(_("{name} must be a finite number, not {value}").format(name=name, value=shown(value)))
     return number
@@ -52,7 +52,7 @@ def positive(name: str, value: object, *, infinite: bool = False) -> float:
     >>> positive("spacing", math.inf, infinite=True)
     inf
     """
-    number = _float(value)
+    number = float(value) if isinstance(value, float) else _float(value)
     if not (0 < number < math.inf or (infinite and number == math.inf)):
         sentence = (
             _("{name} must be a positive number or infinity, not {value}")

@@ -41,7 +41,9 @@ ROOMS = (
 )
 STEPS = {method.step.__name__ for method in METHODS.values()}
 UNCHECKED = {
-    "frequency_squared": "works in whatever arithmetic its arguments bring with them",
+    **dict.fromkeys(
+        ("frequency_ratio", "frequency_squared"), "works in whatever arithmetic its arguments bring with them"
+    ),
     "main": "takes the words of a command line and answers them with one sentence and an exit status",
     **dict.fromkeys(("float_type", "method_named", "steps_within"), "is itself a check, like those of validation"),
     **dict.fromkeys(

@@ -1,7 +1,7 @@
 """Closed form, our integrators and SciPy's solvers at equal accuracy, in one run: python -m tests.benchmarks.solvers.
 
 Every solver gets the same task: the machine's state (φ, φ′/Ω) after so many periods, from rest at φ = 1, with a state
-error up to the tolerance. Each one is set as coarse as it may be for that. Three goals are then checked; the exit
+error up to the tolerance. Each one is set as coarse as it may be for that. Four goals are then checked; the exit
 status is 1 if one is missed. Run it on a machine that does nothing else.
 """
 
@@ -12,6 +12,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import partial
 from itertools import islice
 
@@ -22,6 +23,7 @@ from scipy.linalg import eigh
 
 from ramanujan import Oscillator, normalized_frequency_squared
 from ramanujan.accuracy import Timing, measure, results, work_precision
+from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.motion import InitialState, motion
 
@@ -32,6 +34,7 @@ Settings = Iterator[tuple[str, Callable[[], State]]]
 MOST_TIMES_OF_MULTIPLY_ADD = 5.0
 LEAST_TIMES_FASTER = 1000.0
 MOST_SECONDS_OF_DIAGRAM = 10.0
+LEAST_TIMES_FASTER_THAN_FRACTIONS = 5.0
 
 
 @dataclass(frozen=True)
@@ -118,6 +121,15 @@ def multiply_add_ratio(count: int, repeats: int = 5) -> tuple[float, float]:
     return float(frequency), float(multiply_add)
 
 
+def integers_and_fractions(oscillator: Oscillator) -> tuple[Timing, Timing]:
+    """Return the seconds for the nearest double to Ω²: by the machine's integers, and by Python's fractions."""
+    m, m_prime, k = oscillator.m, oscillator.m_prime, oscillator.k
+    assert float(frequency_squared(Fraction(m), Fraction(m_prime), Fraction(k))) == oscillator.natural_frequency_squared
+    return measure(lambda: oscillator.natural_frequency_squared), measure(
+        lambda: float(frequency_squared(Fraction(m), Fraction(m_prime), Fraction(k)))
+    )
+
+
 def main() -> int:
     """Measure, print, and return 0 if every goal is met."""
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.solvers", description=__doc__.split("\n\n")[0])
@@ -152,6 +164,18 @@ def main() -> int:
     seconds = _seconds(lambda: results(work_precision(oscillator)))
     met.append(seconds < MOST_SECONDS_OF_DIAGRAM)
     print(f"Work-precision diagram over 100 periods: {seconds:.2f} s. {_verdict(met)}")
+
+    machine, initial = Oscillator(1.37, 0.91, 13.7), InitialState(phi=0.4, X_dot=0.1, phi_dot=0.3)
+    integers, fractions = integers_and_fractions(machine)
+    times_faster = fractions.median / integers.median
+    met.append(times_faster >= LEAST_TIMES_FASTER_THAN_FRACTIONS)
+    print(f"Ω²: {1e6 * integers.median:.1f} µs, {times_faster:.0f} × faster than by fractions. {_verdict(met)}")
+    for words, call in (
+        ("A machine, validated", lambda: Oscillator(1.37, 0.91, 13.7)),
+        ("A state after 1e9 s", lambda: motion(machine, initial, 1e9)),
+        ("A state of a new machine", lambda: motion(Oscillator(1.37, 0.91, 13.7), initial, 1e9)),
+    ):
+        print(f"{words}: {1e6 * measure(call).median:.1f} µs")
     return 0 if all(met) else 1
 
 
