@@ -43,7 +43,7 @@ def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(vi
 def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
     page = ready(visit("1729"))
     labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
-    assert len(labels) == 6
+    assert len(labels) == 5
     assert all(label and any(map(str.isdigit, label)) for label in labels)
     eye = "document.querySelector('.st-key-cubes_12 .js-plotly-plot').layout.scene.camera.eye.x"
     before = page.evaluate(eye)

@@ -117,12 +117,28 @@ def test_a_target_and_its_norm(page: AppTest, p: int, q: int) -> None:
     # The quadratic on the page has this discriminant, and its root gives the target back.
     w = sp.Rational(p, q)
     epsilon = sp.Symbol("epsilon", positive=True)
-    quadratic = next(formula.value for formula in reversed(page.latex) if formula.value.strip("$\n ").endswith("= 0"))
+    before = [formula.value for formula in page.latex][: [formula.value for formula in page.latex].index(shown[0])]
+    quadratic = next(formula for formula in reversed(before) if formula.strip("$\n ").endswith("= 0"))
     text = quadratic.strip("$\n ").removesuffix("= 0").replace(r"\,", "*").replace(r"\varepsilon", "epsilon")
     polynomial = sp.Poly(sp.sympify(text.replace("^{2}", "**2"), {"epsilon": epsilon}), epsilon)
     assert polynomial.discriminant() == int(number)
     root = max(polynomial.nroots(30))
     assert float(normalized_frequency_squared(float(root))) == pytest.approx(float(w), rel=1e-12)
+
+
+def test_norms_multiply_as_the_page_says(page: AppTest) -> None:
+    names = {name: sp.Symbol(name) for name in "abcdxy"}
+    shown = {formula.value.strip("$\n ") for formula in page.latex}
+    for text in (cache.norm_multiplied_out(), cache.product_of_norms()):
+        assert text in shown
+        plain = re.sub(r"\\left|\\right|\\,|[{}]", "", text.replace(r"\sqrt{-3}", "I*sqrt(3)").replace("^", "**"))
+        plain = re.sub(r"(?<=[abcdxy\d)]) ?(?=[abcdxyI(](?!qrt))", "*", plain)
+        left, right = (sp.sympify(side, names) for side in plain.split("="))
+        assert sp.expand(left - right) == 0
+    # Each prime factor is the norm that stands beside it.
+    primes = re.findall(r"(\d+)=(\d+)\^2\+3\\cdot(\d+)\^2[,$]", words(page))
+    assert sp.prod(int(prime) for prime, _, _ in primes) == smallest_in_two_ways()
+    assert all(int(prime) == int(u) ** 2 + 3 * int(v) ** 2 for prime, u, v in primes)
 
 
 def test_a_target_out_of_reach_gets_one_sentence_and_the_last_good_one_stays(page: AppTest) -> None:

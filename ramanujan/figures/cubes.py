@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 import plotly.graph_objects as go
+from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 
 from ramanujan.figures import template
 
@@ -24,14 +25,14 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
     widest : common sum of the sides of several figures, so that a unit cube has the same size in all of them
     apart : whether the layers are pulled apart for counting
     turn : direction of view [degrees]
-    colors : ink, paper, primary
+    colors : ink, paper, primary; every further cube has a lighter tint of primary
     """
     gap = _UNIT // 2 if apart else 0
     figure = go.Figure(layout={"template": template(colors), "height": 380, "showlegend": False})
-    corners, triangles = [], []
+    corners, triangles, tints = [], [], []
     tallest = max(sides)
     start = 0
-    for side in sides:
+    for n, side in enumerate(sides):
         layers = side if apart else 1
         thickness = side // layers
         origin = np.array([start, (tallest - side) // 2 * _UNIT, 0])
@@ -45,6 +46,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
         for layer in range(layers):
             triangles.append(_BOX_TRIANGLES + 8 * len(corners))
             corners.append(origin + layer * rise + _box(_UNIT * np.array(shape)))
+            tints += [lighter(colors["primary"], n)] * len(_BOX_TRIANGLES)
         start += (side + 2) * _UNIT
     x, y, z = np.concatenate(corners).T.astype(np.float32)
     i, j, k = np.concatenate(triangles).T.astype(np.uint8)
@@ -55,7 +57,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
         i=i,
         j=j,
         k=k,
-        color=colors["primary"],
+        facecolor=tints,
         flatshading=True,
         lighting={"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0},
         lightposition={"x": 4000, "y": -9000, "z": 14000},
@@ -86,6 +88,11 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
         },
     )
     return figure
+
+
+def lighter(color: str, steps: int) -> str:
+    """Return a colour, so many steps on its way to white."""
+    return label_rgb(find_intermediate_color(hex_to_rgb(color), (255, 255, 255), 0.4 * steps))
 
 
 def _box(size: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ramanujan.figures.cubes import EYE
+from ramanujan.figures.cubes import EYE, lighter
 
 _TILT = np.arctan2(EYE[1], EYE[0])
 """How far the view looks down [rad]."""
@@ -30,11 +30,11 @@ def cubes_svg(sides: Sequence[int], *, widest: int, apart: bool, turn: float) ->
     view = 10 * np.array([right, -up])
     rise = view @ np.array([0, 0, 1.5])
     parts, corners, start = [], [], 0
-    for side in sides:
+    for n, side in enumerate(sides):
         layers = side if apart else 1
         origin, size = np.array([start, (max(sides) - side) // 2, 0]), np.array([side, side, side // layers])
-        layer = "".join(_face(*face, view) for face in _seen(origin, size, angle))
-        copies = (f'<use href="#c{side}" y="{rise[1] * n:.1f}"/>' for n in range(1, layers))
+        layer = "".join(_face(*face, view, n) for face in _seen(origin, size, angle))
+        copies = (f'<use href="#c{side}" y="{rise[1] * up:.1f}"/>' for up in range(1, layers))
         parts.append(f'<g id="c{side}">{layer}</g>{"".join(copies)}')
         top = rise * (layers - 1)
         corners += [view @ (origin + size * corner) + shift for corner in np.ndindex(2, 2, 2) for shift in (0, top)]
@@ -56,14 +56,14 @@ def _seen(origin: np.ndarray, size: np.ndarray, angle: float) -> list[tuple[str,
     return [("x", near_x, y, z), ("y", near_y, x, z), ("top", origin + z, x, y)]
 
 
-def _face(name: str, corner: np.ndarray, first: np.ndarray, second: np.ndarray, view: np.ndarray) -> str:
-    """Return a face with the edges of its unit cubes."""
+def _face(name: str, corner: np.ndarray, first: np.ndarray, second: np.ndarray, view: np.ndarray, tint: int) -> str:
+    """Return a face with the edges of its unit cubes, so many tints lighter than the first cube."""
     along, across = (int(edge.max()) for edge in (first, second))
     lines = [_line(corner + first * n / along, second, view) for n in range(along + 1)]
     lines += [_line(corner + second * n / across, first, view) for n in range(across + 1)]
     outline = " ".join(_point(view @ (corner + edge)) for edge in (0 * first, first, first + second, second))
     return (
-        f'<path d="M{outline}z" fill="{_SHADES[name]}"/>'
+        f'<path d="M{outline}z" fill="{lighter(_SHADES[name], tint)}"/>'
         f'<path d="{"".join(lines)}" stroke="#fff" stroke-width=".8" data-face="{name}"/>'
     )
 

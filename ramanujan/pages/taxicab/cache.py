@@ -79,7 +79,8 @@ def condition() -> Condition:
         expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
     same_terms = [(x, y) for x, y in paper.cubes if x**3 == b**2]
     return Condition(
-        tuple(map(latex, lines)),
+        # The quadratic ends one step and begins the next.
+        tuple(dict.fromkeys(map(latex, lines))),
         int(unit_frequency_condition().discriminant),
         number_theory.smallest_taxicab(),
         paper.cubes,
@@ -172,6 +173,39 @@ def norm_identity() -> str:
     a, y = sp.latex(a), sp.latex(y)
     lines = rf"&({b})^2 + 4\cdot {a}\,({minus_c}) \\ &\quad = ({x})^2 + 3\,({y})^2"
     return rf"\begin{{aligned}}{lines}\end{{aligned}}"
+
+
+@st.cache_resource(show_spinner=False)
+def norm_multiplied_out() -> str:
+    """Return, as LaTeX, (x + y√−3)(x − y√−3) = x² + 3y², multiplied out by SymPy."""
+    x, y, root = sp.symbols(r"x y \sqrt{-3}")
+    with sp.evaluate(False):
+        plus = sp.latex(x + y * root, order="none")
+    return rf"({plus})\,({plus.replace('+', '-')}) = {sp.latex(_times((x, y), (x, -y))[0])}"
+
+
+@st.cache_resource(show_spinner=False)
+def product_of_norms() -> str:
+    """Return, as LaTeX, the product of two norms as the norm of the product."""
+    a, b, c, d = sp.symbols("a b c d")
+    left = ((a, b), (c, d))
+    factors = "".join(rf"\left({sp.latex(x**2 + 3 * y**2)}\right)" for x, y in left)
+    x, y = (sp.latex(part) for part in _times(*left))
+    return rf"{factors} = \left({x}\right)^2 + 3\left({y}\right)^2"
+
+
+def _times(one: tuple[sp.Expr, sp.Expr], other: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
+    """Return x and y of the product of two numbers x + y√−3."""
+    root = sp.Symbol("r")
+    product = sp.expand((one[0] + one[1] * root) * (other[0] + other[1] * root))
+    rest = sp.Poly(sp.rem(product, root**2 + 3, root), root)
+    return rest.coeff_monomial(1), rest.coeff_monomial(root)
+
+
+def factored_cubes(number: int) -> str:
+    """Return, as LaTeX, each sum of two cubes of a number as the product (x + y)(x² − xy + y²)."""
+    sums = number_theory.sums_of_two_cubes(number)
+    return r",\ ".join(rf"{sums_of_cubes([(x, y)])} = {x + y}\cdot{x * x - x * y + y * y}" for x, y in sums)
 
 
 def as_norm(p: int, q: int) -> str:

@@ -79,8 +79,10 @@ def told(story: cache.Story) -> None:
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root}")
     st.latex(story.square)
-    st.markdown(f"{_about_cubes(story)} {_about_field(machine)}")
+    st.markdown(_about_cubes(story))
     with_your_masses(machine)
+    with st.expander(_("A number that no other unit for ε changes")):
+        st.markdown(_about_field(machine))
     with st.container(horizontal=True):
         st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
         st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import isqrt
-from typing import Any
 
 import streamlit as st
 
@@ -20,45 +19,38 @@ from ramanujan.translation import _, ngettext
 P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
 KEYS = (P, Q)
 _LAST = "last_target"
-FOLLOWERS = ("target_curve",)
+FOLLOWERS = ("unit_curve",)
 """Keys of the fragments that depend on the machine of the sidebar."""
 
 
-def another_frequency() -> None:
-    """Draw the paper's bodies with another target."""
-    st.header(_("Another frequency, another number"), anchor=False)
-    picture, words = st.columns([3, 2], gap="medium")
-    with words:
-        st.markdown(
-            _(
-                "Here the bodies are the paper’s again. Choose another value for the normalized frequency squared: "
-                "$\\Omega^2m/k=p/q$."
-            )
-        )
+def another_target() -> None:
+    """Ask for another target of the paper's machine, and say what it leads to."""
+    asked = address.held(P), address.held(Q)
+    with st.expander(_("Another frequency, another number: choose Ω²m/k = p/q"), expanded=asked != (1, 1)):
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)
             q = widgets.count(Q, _("q"), width=130)
-        story = _reachable(p, q)
+        story = _reached()
+        target = story.machine.target
+        if target != Fraction(p, q):
+            most = number_theory.normalized_frequency_squared_exact(*PAPER.values(), 0)
+            st.warning(
+                _(
+                    "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
+                    "{old_p}/{old_q} is shown."
+                ).format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator)
+            )
         told(story)
-    with picture:
-        _draw(story)
 
 
-def _reachable(p: int, q: int) -> cache.Story:
-    """Return the story of the target p/q, or where no machine reaches it, say so and return that of the last one."""
-    good = st.session_state.setdefault(_LAST, (1, 1))
+def _reached() -> cache.Story:
+    """Return the story of the target that is asked for; where no machine reaches it, that of the last one reached."""
     try:
-        story = cache.story(*PAPER.values(), p, q)
+        story = cache.story(*PAPER.values(), address.held(P), address.held(Q))
     except ValueError:
-        most = number_theory.normalized_frequency_squared_exact(*PAPER.values(), 0)
-        st.warning(
-            _(
-                "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
-                "{old_p}/{old_q} is shown."
-            ).format(most=most, p=p, q=q, old_p=good[0], old_q=good[1])
-        )
-        return cache.story(*PAPER.values(), *good)
-    st.session_state[_LAST] = (p, q)
+        return cache.story(*PAPER.values(), *st.session_state.get(_LAST, (1, 1)))
+    target = story.machine.target
+    st.session_state[_LAST] = (target.numerator, target.denominator)
     return story
 
 
@@ -79,39 +71,32 @@ def told(story: cache.Story) -> None:
     st.latex(cache.as_norm(target.numerator, target.denominator))
 
 
-@st.fragment(key="target_curve")
-def _draw(story: cache.Story) -> None:
-    """Draw the curve and where it reaches the target."""
-    target: Fraction = story.machine.target
-    crossing(
-        "target_curve",
-        (min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
-        _(
-            "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {ratio}."
-        ).format(target=target, ratio=number(story.ratio, 6)),
-        level=float(target),
-        level_label=_("Ω²m/k = {target}").format(target=target),
-        root=story.ratio,
-        root_label=_("ε = {ratio}").format(ratio=number(story.ratio, 6)),
-    )
-
-
-def crossing(key: str, between: tuple[float, float], alt: str, **marks: Any) -> None:
-    """Draw the paper's curve, a level that it crosses, and the present machine, unless the link hides them.
-
-    Parameters
-    ----------
-    key : of the figure
-    between : the least and the greatest ε
-    alt : the text alternative
-    marks : level and root with their labels, as in `level_crossing`
-    """
+@st.fragment(key="unit_curve")
+def the_curve() -> None:
+    """Draw the paper's curve, where it reaches the target, and the present machine, unless the link hides them."""
     if display_mode.hides("curve", "numbers"):
         return
-    machine = sidebar.oscillator()
+    story, machine = _reached(), sidebar.oscillator()
+    target: Fraction = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
-    figure = level_crossing(*cache.curve(*between), present=present, colors=theme.colors(), **marks)
-    drawings.plot(figure, key, alt)
+    level, ratio = _("Ω²m/k = {target}").format(target=target), number(story.ratio, 10)
+    figure = level_crossing(
+        *cache.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
+        level=float(target),
+        level_label=_("in step: {level}").format(level=level) if target == 1 else level,
+        root=story.ratio,
+        root_label=_("ε = {ratio}").format(ratio=ratio),
+        present=present,
+        colors=theme.colors(),
+    )
+    drawings.plot(
+        figure,
+        "unit_curve",
+        _(
+            "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {root}. "
+            "With your masses, ε = {ratio}, it is {value}."
+        ).format(target=target, root=ratio, ratio=number(present[0], 4), value=number(present[1], 7)),
+    )
 
 
 # ---- the open question
@@ -138,6 +123,7 @@ def what_has_a_reason(discriminant: int) -> None:
     x, y = number_theory.norm_form()
     ways = number_theory.represent_x2_plus_3y2(discriminant)
     primes = [prime for prime, _power in BodyChoice().factorization]
+    norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
     st.markdown(
         _(
             "**What has a reason.** For the target $p/q$, the discriminant of the paper’s machine is, up to a square "
@@ -147,10 +133,13 @@ def what_has_a_reason(discriminant: int) -> None:
     st.latex(cache.norm_identity())
     st.markdown(
         _(
-            "It always has the form $x^2+3y^2$: it is a *norm* of a number $x+y\\sqrt{{-3}}$. A hoop and a cylinder as "
-            "lower rollers are enough for this, whatever rolls on top."
+            "It always has the form $x^2+3y^2$. A hoop and a cylinder as lower rollers are enough for this, whatever "
+            "rolls on top. It is the *norm* of $x+y\\sqrt{{-3}}$: multiply by the same number with the other sign."
         ).format()
     )
+    st.latex(cache.norm_multiplied_out())
+    st.markdown(_("The norm of a product is the product of the norms, $N(\\alpha\\beta)=N(\\alpha)\\,N(\\beta)$:"))
+    st.latex(cache.product_of_norms())
     st.markdown(
         ngettext(
             "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There is {n} way to write it so: ${written}$.",
@@ -166,15 +155,21 @@ def what_has_a_reason(discriminant: int) -> None:
     )
     st.markdown(
         _(
-            "Its prime factors ${primes}$ all leave the remainder {remainder} when divided by 3. This is no accident: "
-            "a square-free number of this form has no other prime factors, except 3."
-        ).format(primes=", ".join(map(str, primes)), remainder=", ".join(str(rest) for rest in {p % 3 for p in primes}))
+            "Its prime factors are norms themselves: ${norms}$. Multiply these three, each with either sign of "
+            "$\\sqrt{{-3}}$, and you get the {n} ways. The primes all leave the remainder {remainder} when divided by "
+            "3. This is no accident: a square-free number of this form has no other prime factors, except 3."
+        ).format(
+            norms=",\\ ".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items()),
+            n=len(ways),
+            remainder=", ".join(str(rest) for rest in {p % 3 for p in primes}),
+        )
     )
     st.markdown(
         _(
             "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, "
-            "too. So numbers of this form should be sums of two cubes more often than others. A count confirms it:"
-        )
+            "too. Here ${factored}$. So numbers of this form should be sums of two cubes more often than others. A "
+            "count confirms it:"
+        ).format(factored=cache.factored_cubes(discriminant))
     )
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan import UNIT_MASS_RATIO, number_theory
+from ramanujan import number_theory
 from ramanujan.figures.cubes_on_paper import cubes_svg
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
@@ -31,16 +31,14 @@ def show() -> None:
         ).format(number=facts.number)
     )
     exactly_in_step(facts)
-    digits_and_fractions()
     two_stacks()
     other_bodies.other_bodies()
-    other_targets.another_frequency()
     other_targets.open_question(facts)
-    sidebar.follow("unit_curve", *other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
+    sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
 
 
 def exactly_in_step(facts: cache.Condition) -> None:
-    """The unit condition on the curve and as algebra."""
+    """The unit condition on the curve and as algebra; folded: other targets on the same curve, the ratio's digits."""
     st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
     picture, algebra = st.columns([3, 2], gap="medium")
     with algebra:
@@ -54,29 +52,10 @@ def exactly_in_step(facts: cache.Condition) -> None:
         for line in facts.equations:
             st.latex(line)
     with picture:
-        the_crossing()
-
-
-@st.fragment(key="unit_curve")
-def the_crossing() -> None:
-    """Draw the curve, with the present machine on it."""
-    machine = sidebar.oscillator()
-    other_targets.crossing(
-        "unit_curve",
-        (0.01, 30.0),
-        _(
-            "Ω²m/k of the paper’s machine falls as ε grows, so it is 1 at one ratio only, ε = {root}. With your "
-            "masses, ε = {ratio}, it is {value}."
-        ).format(
-            root=f"{UNIT_MASS_RATIO:.9f}",
-            ratio=number(machine.mass_ratio, 4),
-            value=number(machine.normalized_frequency_squared, 7),
-        ),
-        level=1.0,
-        level_label=_("Ω² = k/m"),
-        root=UNIT_MASS_RATIO,
-        root_label=_("<b>in step</b><br>ε = {ratio}…").format(ratio=f"{UNIT_MASS_RATIO:.9f}"),
-    )
+        other_targets.the_curve()
+    other_targets.another_target()
+    with st.expander(_("The exact ratio in up to a thousand digits, and as fractions for the workshop")):
+        digits_and_fractions()
 
 
 @st.fragment
@@ -156,7 +135,7 @@ def two_stacks() -> None:
 
 
 def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
-    """Draw two cubes of unit cubes, and what they add up to."""
+    """Draw two cubes of unit cubes, each in a tint of its own, and below them what they add up to."""
     larger, smaller = sides
     volumes = f"{smaller**3} + {larger**3}"
     drawings.plot(
@@ -170,7 +149,8 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
     with st.container(key=f"on_paper_{larger}"):
         # The figure above prints empty; a screen reader has heard of it.
         drawings.draw(cubes_svg(sides, **drawn), alt="", style="display:block;margin:auto;width:7cm")
-    st.markdown(f"{volumes} = **{number}**", text_alignment="center")
+    written = cache.sums_of_cubes([(smaller, larger)])
+    st.markdown(f"${written} = {volumes} = {number}$", text_alignment="center")
 
 
 if __name__ == "__main__":
