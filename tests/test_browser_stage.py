@@ -22,10 +22,11 @@ from tests.reference import numpy_function
 
 @pytest.fixture
 def visit(visit):
-    """As everywhere, and wait until the stage has drawn."""
+    """As everywhere, with the stage alone unless the whole page is asked for, and wait until the stage has drawn."""
 
-    def open_page(*arguments, **options):
-        page = visit(*arguments, **options)
+    def open_page(address="", *, whole=False, **options):
+        alone = "" if whole else ("&" if "?" in address else "?") + "hide=curve,steps"
+        page = visit(address + alone, **options)
         page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)")
         page.wait_for_timeout(100)
         return page
@@ -304,7 +305,7 @@ def test_the_scene_is_described_in_words(visit):
 
 
 def test_a_click_on_the_curve_takes_its_ratio(visit):
-    page = visit(height=1200)
+    page = visit(whole=True, height=1200)
     entry = page.locator(".st-key-m_prime_exact input")
     panel = page.locator(".st-key-curve .nsewdrag")
     panel.wait_for(state="attached")
@@ -329,7 +330,7 @@ def test_a_click_on_the_curve_takes_its_ratio(visit):
 
 
 def test_the_ring_lies_on_the_present_machine_and_follows_a_drag_without_the_server(visit):
-    page = visit(height=1200)
+    page = visit(whole=True, height=1200)
     ring = page.locator(".st-key-curve .present-machine")
     points = page.locator(".st-key-curve .scatterlayer .trace")
 
@@ -358,7 +359,7 @@ def test_the_ring_lies_on_the_present_machine_and_follows_a_drag_without_the_ser
 
 
 def test_no_page_is_wider_than_its_screen(visit):
-    page = visit("?m_prime=1.234567890123&k=33.3")
+    page = visit("?m_prime=1.234567890123&k=33.3", whole=True)
     for theme, (width, height) in product(("light", "dark"), [(1280, 720), (1920, 1080), (390, 844)]):
         page.emulate_media(color_scheme=theme, reduced_motion="reduce")
         page.set_viewport_size({"width": width, "height": height})
@@ -370,7 +371,7 @@ def test_no_page_is_wider_than_its_screen(visit):
 
 
 def test_labels_of_the_curve_never_overlap(visit):
-    page = visit(height=1400)
+    page = visit(whole=True, height=1400)
     for width in (1280, 390):
         page.set_viewport_size({"width": width, "height": 1400})
         page.wait_for_timeout(800)
@@ -439,7 +440,7 @@ def test_two_hundred_changes_leave_nothing_behind(visit):
 
 
 def test_a_change_sends_at_most_twenty_kilobytes(visit):
-    page = visit()
+    page = visit(whole=True)
     page.get_by_text("Unit frequency (1729)").click()
     settle(page)
     start = len(page.frames_received)
