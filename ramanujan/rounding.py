@@ -79,11 +79,7 @@ def square_root(numerator: int, denominator: int) -> tuple[int, int]:
     1.5
     """
     shift = _ROOT_BITS - (numerator.bit_length() - denominator.bit_length()) // 2
-    quotient, rest = divmod(numerator << 2 * max(shift, 0), denominator << 2 * max(-shift, 0))
-    root = math.isqrt(quotient)
-    if rest or root * root != quotient:
-        # The root lies between two neighbours; their middle is never a tie between doubles.
-        root, shift = 2 * root + 1, shift + 1
+    root = math.isqrt((numerator << 2 * max(shift, 0)) // (denominator << 2 * max(-shift, 0)))
     return root << max(-shift, 0), 1 << max(shift, 0)
 
 
