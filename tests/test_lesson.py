@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson
+from ramanujan import UNIT_MASS_RATIO, Oscillator, drawn_spacing, largest_compression, lesson
 from ramanujan.lesson import Setting, bodies, clocks, computing, modes
 
 M, K, R = 1.0, 10.0, 0.1
 
 
 def matrices(m=M, m_prime=1.0, k=K, radius=R, top=0.5):
-    """M and K of the Lagrangian, with a top body of shape factor `top`; settled in physics.md."""
+    """M and K of the Lagrangian, with a top body of shape factor `top`."""
     mass = [
         [3 * m + 2 * m_prime, -2 * (m + m_prime) * radius, -m * radius],
         [-2 * (m + m_prime) * radius, (4 * m + 3.5 * m_prime) * radius**2, 0],
@@ -336,6 +336,36 @@ def test_a_verdict_says_how_far_away_the_goal_is():
     assert "0.5" in sentence("half-energy", part=0.12) or "%" in sentence("half-energy", part=0.12)
     # Half way: 54 % of the way against 50 %.
     assert "7.7\u202f% longer" in sentence("half-way")
+
+
+def test_a_figure_near_its_goal_shows_on_which_side_it_is():
+    period = 2 * math.pi / math.sqrt(eigenvalues()[-1])
+    stiff = Oscillator(k=100.0)
+    largest = largest_compression(stiff, 0.15, spacing=drawn_spacing(stiff.radius))
+    just_missed = {
+        "half-way": (setting(15.0), 1.0, "%"),
+        "half-energy": (setting(part=math.acos(math.sqrt(0.50501)) / (2 * math.pi)), 0.5, "%"),
+        "period": (setting(seconds=10 * period * 1.01001), 1.0, "%"),
+        "two-seconds": (setting(k=K * (period / 2.00201) ** 2), 0.002, "s"),
+        "no-slip": (setting(k=100.0, compression=largest - 0.00100001), 0.1, "cm"),
+    }
+    for name, (setup, goal, unit) in just_missed.items():
+        verdict = lesson.task(name).judge(setup)
+        shown = [float(text) for text in re.findall(rf"([\d.]+)\u202f{unit}", verdict.sentence)]
+        assert not verdict.done, name
+        assert goal < shown[-1] < 1.1 * goal, verdict.sentence
+
+
+def test_a_share_that_nothing_can_show_is_none():
+    sentence = lesson.task("half-energy").judge(setting(part=1 / 4)).sentence
+    assert sentence.startswith("At that moment the spring holds none of the energy.")
+
+
+def test_the_stop_on_contacts_says_how_much_of_the_slab_the_hoop_carries():
+    # Moments about the cylinder's axis: the slab's centre is L/2 − Rφ₀ away from it, the hoop L.
+    share = 0.5 - 0.04 / (2.4 * R + 0.05)
+    explanation = lesson.stop("contact").explanation()
+    assert f"{100 * share:.0f}\u202f% of the slab’s weight" in explanation
 
 
 def test_no_method_is_cheaper_than_the_cheapest():

@@ -17,12 +17,12 @@ from hypothesis import strategies as strategy
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import Timing, cheapest, error_history, extremes, results
+from ramanujan.accuracy import Timing, cheapest, error_history, extremes, phase_errors, results
 from ramanujan.accuracy.work_precision import WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.motion import motion, released
-from ramanujan.numerals import duration, number
+from ramanujan.numerals import duration, number, power_of_ten
 from ramanujan.pages.speed import cache, costs, downsampling, verdicts
 from ramanujan.shell import theme
 from tests.test_scene_motion import numbers
@@ -293,3 +293,15 @@ def fresh():
     yield
     cache.errors.clear()
     cache.forget_seconds()
+
+
+def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
+    """For this machine it does at 3·10⁶ periods: looked for here between the decades, in float32 itself."""
+    machine = Oscillator(k=10.0)
+    omega, periods = machine.natural_frequency, 10.0 ** np.linspace(0, 9, 2001)
+    times = machine.period * periods
+    single = (np.float32(omega) * times.astype(np.float32)).astype(float)
+    lost = periods[np.argmax(np.abs(np.angle(np.exp(1j * (single - omega * times)))) > 1)]
+    before, after = math.floor(math.log10(lost)), math.ceil(math.log10(lost))
+    sentence = verdicts.how_phases_grow(results(phase_errors(machine)))
+    assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence

@@ -22,6 +22,8 @@ TOLERANCE, PERIODS = 1e-3, 10
 """Of the integrators' race: the largest error of the state over the amplitude, and the length of the run."""
 FEWEST_STEPS, MOST_STEPS = 4, 1000
 HALF = 0.005
+NOTHING = 1e-6
+"""A smaller share of the energy can be neither measured nor drawn: it is called none."""
 STOPWATCH = 0.01
 TOO_FAST = 0.7
 """Seconds: a shorter period is shown in slow motion, so that a stopwatch beside the stage measures nothing."""
@@ -35,7 +37,10 @@ def half_energy(setting: Setting) -> Verdict:
     state = motion(machine, released(machine, setting.compression), setting.part * machine.period)
     stored = energies(machine, *state)
     share = float(stored["spring"]) / sum(map(float, stored.values()))
-    words = {"share": percent(share, 3), "off": percent(abs(share - 0.5))}
+    words = {
+        "share": percent(share, 3) if share > NOTHING else _("none"),
+        "off": told_from(100 * abs(share - 0.5), 100 * HALF, unit="%"),
+    }
     if abs(share - 0.5) <= HALF:
         return Verdict(True, _("At that moment the spring holds {share} of the energy.").format(**words))
     sentence = (
@@ -56,7 +61,8 @@ def measured_period(setting: Setting) -> Verdict:
             False, _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
         )
     off = setting.seconds / setting.periods / period - 1
-    words = {"measured": number(setting.seconds / setting.periods, 4), "off": percent(abs(off))}
+    off_by = told_from(100 * abs(off), 100 * STOPWATCH, unit="%")
+    words = {"measured": number(setting.seconds / setting.periods, 4), "off": off_by}
     if abs(off) <= STOPWATCH:
         return Verdict(True, _("You measured {measured} s for one period. Your error is {off}.").format(**words))
     sentence = (

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ramanujan.contact import drawn_spacing, first_to_slip, required_friction
+from ramanujan.contact import drawn_spacing, first_to_slip, normal_forces, required_friction
 from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
-from ramanujan.numerals import number
+from ramanujan.motion import motion, released
+from ramanujan.numerals import number, percent
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
@@ -45,14 +46,21 @@ def _contact() -> str:
 
 
 def _why_contact() -> str:
-    needed = required_friction(EQUAL, COMPRESSION, spacing=drawn_spacing(EQUAL.radius))
+    spacing = drawn_spacing(EQUAL.radius)
+    needed = required_friction(EQUAL, COMPRESSION, spacing=spacing)
+    at_release = normal_forces(EQUAL, motion(EQUAL, released(EQUAL, COMPRESSION), 0.0)[0], spacing=spacing)
+    on_hoop, on_cylinder = float(at_release["hoop_slab"]), float(at_release["cylinder_slab"])
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     return _(
         "To roll without slipping, {first} needs μ = {most}. The next is {second} with μ = {next}. The hoop has "
-        "the largest moment of inertia, so it needs the largest force to spin it up. Only about half of the slab’s "
-        "weight presses on it."
+        "the largest moment of inertia, so it needs the largest force to spin it up. At release, only {share} of the "
+        "slab’s weight presses on it."
     ).format(
-        first=_CONTACTS[first], most=number(needed[first], 3), second=_CONTACTS[second], next=number(needed[second], 3)
+        first=_CONTACTS[first],
+        most=number(needed[first], 3),
+        second=_CONTACTS[second],
+        next=number(needed[second], 3),
+        share=percent(on_hoop / (on_hoop + on_cylinder)),
     )
 
 

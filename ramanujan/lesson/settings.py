@@ -72,7 +72,11 @@ def half_way(setting: Setting) -> Verdict:
     travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
     share = travel["slab"] / (travel["slab"] + travel["block"])
     off = abs(share - 0.5) / 0.5
-    words = {"slab": percent(share, 4), "block": percent(1 - share, 4), "off": percent(off)}
+    words = {
+        "slab": percent(share, 4),
+        "block": percent(1 - share, 4),
+        "off": told_from(100 * off, 100 * HALF_WAY, unit="%"),
+    }
     if off <= HALF_WAY:
         return Verdict(
             True,
@@ -106,7 +110,10 @@ def parting(setting: Setting) -> Verdict:
         if periods > PARTING
         else _("The hands are one full turn apart after {periods} periods of the plain mass, {off} too early.")
     )
-    return Verdict(False, sentence.format(periods=number(periods, 3), off=number(abs(periods - PARTING), 2)))
+    return Verdict(
+        False,
+        sentence.format(periods=number(periods, 3), off=told_from(abs(periods - PARTING), PARTING * PARTING_TOLERANCE)),
+    )
 
 
 def two_seconds(setting: Setting) -> Verdict:
@@ -119,7 +126,8 @@ def two_seconds(setting: Setting) -> Verdict:
         if period > PERIOD
         else _("The period is {period}, too short by {off}.")
     )
-    return Verdict(False, sentence.format(period=quantity(period, "s", 4), off=quantity(abs(period - PERIOD), "s", 2)))
+    off = told_from(abs(period - PERIOD), PERIOD * PERIOD_TOLERANCE, unit="s")
+    return Verdict(False, sentence.format(period=told_from(period, PERIOD, 4, "s"), off=off))
 
 
 def no_slip(setting: Setting) -> Verdict:
@@ -127,7 +135,7 @@ def no_slip(setting: Setting) -> Verdict:
     machine, spacing = setting.machine, drawn_spacing(setting.machine.radius)
     largest = largest_compression(machine, FRICTION, spacing=spacing)
     room = largest - setting.compression
-    off = quantity(abs(_CM * room), "cm", 2)
+    off = told_from(abs(_CM * room), _CM * CLOSE, unit="cm")
     if room < 0:
         contact = _CONTACTS[first_to_slip(machine, setting.compression, spacing)]
         return Verdict(False, contact + " " + _("x₀ is too large by {off}.").format(off=off))

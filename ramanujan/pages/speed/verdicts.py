@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 
 import numpy as np
 import streamlit as st
@@ -225,15 +226,14 @@ def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
 
 def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
     """Say when each way to compute the phase has lost it, and how small the reduced one's error stays."""
-    single = next((e.periods for e in errors if e.float32 > 1), None)
-    said = []
-    if single:
-        said.append(
-            _(
-                "In float32 the error of the plain product Ω·t exceeds 1 rad after {periods} periods. From there on "
-                "the phase is meaningless and the curve is flat."
-            ).format(periods=number(single))
-        )
+    said = [
+        _(
+            "In float32 the error of the plain product Ω·t reaches 1 rad between {before} and {after} periods. From "
+            "there on the phase is meaningless and the curve is flat."
+        ).format(before=number(before.periods), after=number(after.periods))
+        for before, after in pairwise(errors)
+        if before.float32 <= 1 < after.float32
+    ][:1]
     said.append(
         _(
             "In float64 the error is {error} rad after {periods} periods. If Ω/2π is stored in two floating-point "
