@@ -3,6 +3,7 @@
     number(0.0332)            0.033             fixed(-0.5, 2)             −0.50
     number(12345.0, 3)        12 300            quantity(2.54, "m/s", 3)   2.54 m/s
     number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
+    filled("It takes {t:3 s}.", t=0.61)         It takes 0.610 s.
 
 `page/sentences.js` follows the same rules in the browser. LaTeX has its own digits, in `derivation.exact`.
 """
@@ -10,6 +11,7 @@
 from __future__ import annotations
 
 import math
+import string
 from decimal import Decimal
 from numbers import Integral
 
@@ -67,21 +69,20 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
     return _grouped(text.rstrip("0").rstrip(".") if strip and "." in text else text)
 
 
-def told_from(value: float, other: float, digits: int = 2, unit: str = "") -> str:
+def told_from(value: float, other: float, digits: int = 2) -> str:
     """Return a number with so many significant digits, or as many more as show on which side of another one it is.
 
     Parameters
     ----------
     value, other : two numbers
     digits : significant digits
-    unit : the unit of both
 
-    >>> told_from(0.00103, 0.001), told_from(0.25, 0.001), told_from(1.004, 1, unit="%")
-    ('0.00103', '0.25', '1.004\\u202f%')
+    >>> told_from(0.00103, 0.001), told_from(0.25, 0.001)
+    ('0.00103', '0.25')
     """
     while digits < _DIGITS_OF_A_FLOAT and float(f"{value:.{digits - 1}e}") == float(f"{other:.{digits - 1}e}"):
         digits += 1
-    return quantity(value, unit, digits)
+    return number(value, digits)
 
 
 def fixed(value: float, places: int) -> str:
@@ -128,6 +129,31 @@ def percent(share: float, digits: int = 2) -> str:
     '25\\u202f%'
     """
     return quantity(100 * share, "%", digits)
+
+
+def filled(template: str, **values: object) -> str:
+    """Return a sentence whose slots say how their numbers are written: significant digits, then a unit or %.
+
+    Parameters
+    ----------
+    template : as for `str.format`; a slot without digits takes a text, or a number that is a text already
+    values : by the names of the slots; a share is multiplied by 100 where its slot says %
+
+    >>> filled("{n} periods take {t:3 s}, {share:2 %} more than {least:1}.", n=7, t=0.61, share=0.25, least=4.0)
+    '7 periods take 0.610\\u202fs, 25\\u202f% more than 4.'
+    """
+    return _SENTENCES.vformat(template, (), values)
+
+
+class _Sentences(string.Formatter):
+    def format_field(self, value: object, format_spec: str) -> str:
+        digits, _space, unit = format_spec.partition(" ")
+        if not digits:
+            return str(value)
+        return percent(value, int(digits)) if unit == "%" else quantity(value, unit, int(digits))
+
+
+_SENTENCES = _Sentences()
 
 
 def power_of_ten(exponent: int) -> str:

@@ -59,6 +59,7 @@ DEFAULTS = {
     "class": "",
     "lecturer": "",
     "voter": "",
+    "stops": None,
     "task": "in-step",
     "task_x0": 8.0,
     "task_glide": 0.0,
@@ -169,7 +170,11 @@ MEANT = {
     "lesson": {
         "part": ("tasks", "tasks"),
         "stop": ("radius", "radius"),
-        "chosen": ("radius.same~block.rest", {"radius": "same", "block": "rest"}),
+        "stops": ("short", "short"),
+        "chosen": (
+            "radius.same~block.rest.predicted",
+            {"radius": ("same", "answered"), "block": ("rest", "predicted")},
+        ),
         "task": ("top-at-rest", "top-at-rest"),
         "task_x0": ("0.5", 0.5),
         "task_glide": ("-7.5", -7.5),

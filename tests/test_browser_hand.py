@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from ramanujan import Oscillator
-from tests.browser import STAGE, inside, module, next_frame, settle
+from tests.browser import ROOT, STAGE, inside, next_frame, settle
 from tests.slow_network import delayed
 
 SLAB = ".st-key-stage .moving .body.slab"
@@ -384,9 +384,10 @@ def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(visit):
 
 def test_the_listed_transitions_are_all_there_are(visit):
     """The table of thumb.js: from every state every event, and nothing but what is listed happens."""
+    script = (ROOT / "ramanujan" / "browser" / "stage" / "thumb.js").read_text(encoding="utf-8")
     table = visit().evaluate(
-        f"""async () => {{
-          const {{ Hand, TRANSITIONS }} = await {module("stage/thumb")};
+        f"""() => {{
+          {script}
           const events = ["grab", "leave", "take", "drop", "settle"];
           return Object.keys(TRANSITIONS).map((state) => [state, Object.fromEntries(events.map((event) => {{
             const hand = Object.create(Hand.prototype);

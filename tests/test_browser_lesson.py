@@ -60,7 +60,11 @@ def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs
     assert "normalized" not in page.evaluate(BUS)
     next_frame(page)
     assert page.evaluate(PLACE) == place
-    predict(page, "Behind, but by less than one full turn.")
+    predict(page, "Behind by less than one full turn.")
+    # It still stands: whoever doubts may choose again.
+    next_frame(page)
+    assert page.evaluate(PLACE) == place
+    predict(page, "Run the machine")
     # Negative control: all of it is there now.
     page.wait_for_function(f"{PLACE} !== '{place}'")
     after = page.evaluate(SAID)
@@ -72,7 +76,8 @@ def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs
 
 def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
     page = visit("lesson")
-    predict(page, "Exactly where the other hand is.")
+    for label in ("Exactly where the other hand is.", "Run the machine", "Show the answer"):
+        predict(page, label)
     page.keyboard.press("ArrowRight")
     settle(page)
     assert heading(page) == f"2. {lesson.STOPS[1].heading}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 import re
 from dataclasses import replace
 from fractions import Fraction
@@ -13,14 +14,14 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from ramanujan import UNIT_MASS_RATIO, Oscillator, drawn_spacing, largest_compression, lesson
+from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson
 from ramanujan.lesson import Setting, bodies, clocks, computing, modes
 
 M, K, R = 1.0, 10.0, 0.1
 
 
 def matrices(m=M, m_prime=1.0, k=K, radius=R, top=0.5):
-    """M and K of the Lagrangian, with a top body of shape factor `top`."""
+    """M and K of the Lagrangian, with a top body of shape factor `top`; settled in physics.md."""
     mass = [
         [3 * m + 2 * m_prime, -2 * (m + m_prime) * radius, -m * radius],
         [-2 * (m + m_prime) * radius, (4 * m + 3.5 * m_prime) * radius**2, 0],
@@ -253,8 +254,90 @@ def test_what_is_not_there_has_no_id():
             ask("nowhere")
 
 
-def test_every_stop_has_its_note():
-    assert [note.stop for note in lesson.NOTES] == [stop.id for stop in lesson.STOPS]
+def test_every_wrong_option_has_a_reply_that_ends_in_a_question():
+    for stop in lesson.STOPS:
+        right = stop.answer()
+        replies = {option.id: stop.reply(option.id) for option in stop.options if option.id != right}
+        assert all(reply.endswith("?") for reply in replies.values())
+        assert len(set(replies.values())) == len(replies)
+        # It leads on; it does not say which option is right.
+        assert not any(stop.option(right).label.rstrip(".") in reply for reply in replies.values())
+
+
+def test_the_replies_are_computed_for_this_machine():
+    def told(stop, option):
+        return lesson.stop(stop).reply(option).replace("\u202f", " ")
+
+    assert f"{10 * (1 - 5**-0.5):.1f} turns behind" in told("two-clocks", "far_behind")
+    assert f"{100 / 121:.2f} kg" in told("two-clocks", "far_ahead")
+    # The equation, with the candidate put in.
+    with mpmath.workdps(30):
+        for option in lesson.stop("exactly").options[:2]:
+            x = value(option.label)
+            assert f"{float(18 * x**2 + x - 24):.3g}" in told("exactly", option.id)
+    # The top cylinder slips first below this ratio; contacts settled in physics.md, with the slab's tilt.
+    light = float(re.search(r"ε were less than (\d+\.\d+)", told("contact", "top_block"))[1])
+    tilt = 0.08 / 0.29
+    for ratio, first in ((light - 0.02, "top"), (light + 0.02, "hoop")):
+        needed = {"hoop": 16 * ratio * (3 * ratio + 4) / (1 - tilt), "top": 16 * (1 + ratio)}
+        assert max(needed, key=needed.get) == first
+    assert "0.0132" in told("contact", "top_block")
+    moved = history()[0](history()[1])[0]
+    assert f"{100 * abs(moved):.2f} cm" in told("rollers", "all")
+    load = 0.5 * (1 - tilt)
+    assert f"{100 * load:.0f}\u202f%" in lesson.stop("contact").explanation()
+
+
+def test_the_program_of_the_last_stop_is_the_formula_of_the_question():
+    formula = re.search(r"console.log\((.*)\);", computing.program())[1]
+    for m, m_prime, k in ((1.0, 2.0, 3.0), (4.0, 0.5, 7.0), (1.0, 1e200, 1.0)):
+        with np.errstate(all="ignore"):
+            values = {"m": np.float64(m), "M": np.float64(m_prime), "k": np.float64(k)}
+            assert eval(formula, {}, values) == paper_formula(m, m_prime, k)
+
+
+MODERATE = re.compile(r"\b(same|stays?|exactly|neither|both|about|half|none of)\b", re.IGNORECASE)
+REASON = re.compile(r"[:;]|\b(because|since|so that|without|drives|carries)\b")
+WRITTEN = re.compile(r"\d|\b(one|two|three|half|tenth|first|second|zero)\b")
+STRATEGIES = {
+    "the longest": lambda options: extreme(options, max),
+    "the shortest": lambda options: extreme(options, min),
+    "with a reason": lambda options: matching(options, REASON, True),
+    "without a reason": lambda options: matching(options, REASON, False),
+    "with a number": lambda options: matching(options, WRITTEN, True),
+    "without a number": lambda options: matching(options, WRITTEN, False),
+    "the first": lambda options: options[:1],
+    "the last": lambda options: options[-1:],
+    "the most moderate": lambda options: matching(options, MODERATE, True),
+    "in the middle": lambda options: options[(len(options) - 1) // 2 : len(options) // 2 + 1],
+}
+
+
+def extreme(options, choose):
+    length = choose(len(option.label) for option in options)
+    return [option for option in options if len(option.label) == length]
+
+
+def matching(options, pattern, wanted):
+    return [option for option in options if bool(pattern.search(option.label)) == wanted] or options
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_who_knows_no_physics_guesses(strategy):
+    """A student who goes by the looks of the options, choosing by lot among equals, scores as by chance."""
+
+    def right(options, stop):
+        chosen = STRATEGIES[strategy](options)
+        return sum(option.id == stop.answer() for option in chosen) / len(chosen)
+
+    chance = sum(1 / len(stop.options) for stop in lesson.STOPS)
+    assert sum(right(list(stop.options), stop) for stop in lesson.STOPS) <= chance + 2
+    # On paper the options are drawn.
+    draw = random.Random(1)
+    scores = [
+        sum(right(draw.sample(stop.options, len(stop.options)), stop) for stop in lesson.STOPS) for _ in range(200)
+    ]
+    assert sum(scores) / len(scores) <= chance + 2
 
 
 # Tasks
@@ -336,36 +419,6 @@ def test_a_verdict_says_how_far_away_the_goal_is():
     assert "0.5" in sentence("half-energy", part=0.12) or "%" in sentence("half-energy", part=0.12)
     # Half way: 54 % of the way against 50 %.
     assert "7.7\u202f% longer" in sentence("half-way")
-
-
-def test_a_figure_near_its_goal_shows_on_which_side_it_is():
-    period = 2 * math.pi / math.sqrt(eigenvalues()[-1])
-    stiff = Oscillator(k=100.0)
-    largest = largest_compression(stiff, 0.15, spacing=drawn_spacing(stiff.radius))
-    just_missed = {
-        "half-way": (setting(15.0), 1.0, "%"),
-        "half-energy": (setting(part=math.acos(math.sqrt(0.50501)) / (2 * math.pi)), 0.5, "%"),
-        "period": (setting(seconds=10 * period * 1.01001), 1.0, "%"),
-        "two-seconds": (setting(k=K * (period / 2.00201) ** 2), 0.002, "s"),
-        "no-slip": (setting(k=100.0, compression=largest - 0.00100001), 0.1, "cm"),
-    }
-    for name, (setup, goal, unit) in just_missed.items():
-        verdict = lesson.task(name).judge(setup)
-        shown = [float(text) for text in re.findall(rf"([\d.]+)\u202f{unit}", verdict.sentence)]
-        assert not verdict.done, name
-        assert goal < shown[-1] < 1.1 * goal, verdict.sentence
-
-
-def test_a_share_that_nothing_can_show_is_none():
-    sentence = lesson.task("half-energy").judge(setting(part=1 / 4)).sentence
-    assert sentence.startswith("At that moment the spring holds none of the energy.")
-
-
-def test_the_stop_on_contacts_says_how_much_of_the_slab_the_hoop_carries():
-    # Moments about the cylinder's axis: the slab's centre is L/2 − Rφ₀ away from it, the hoop L.
-    share = 0.5 - 0.04 / (2.4 * R + 0.05)
-    explanation = lesson.stop("contact").explanation()
-    assert f"{100 * share:.0f}\u202f% of the slab’s weight" in explanation
 
 
 def test_no_method_is_cheaper_than_the_cheapest():

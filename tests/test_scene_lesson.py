@@ -73,6 +73,10 @@ def choose(app, stop, option):
     return sound(app.button(key=f"option_{stop}_{option}").click().run())
 
 
+def go_on(app, stop):
+    return sound(app.button(key=f"on_{stop}").click().run())
+
+
 def other_than(stop) -> str:
     return next(option.id for option in stop.options if option.id != stop.answer())
 
@@ -99,43 +103,57 @@ def sentences(text: str) -> set[str]:
 
 
 @pytest.mark.parametrize("name", IDS)
-def test_nothing_of_the_answer_is_on_the_page_before_the_prediction(opened, name):
+def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_answer_before_it_is_asked_for(
+    opened, name
+):
     stop = lesson.stop(name)
+    wrong = other_than(stop)
+    reply, right = stop.reply(wrong), stop.option(stop.answer()).label
     app = opened(stop=name)
     page = sent(app)
-    giveaways = sentences(stop.explanation()) | {stop.link_label, "Right", "right.", "prediction was"}
-    giveaways |= set() if name in ("1729", "other-body") else frequencies(stop)
-    assert [text for text in giveaways if text in page] == []
+    told = sentences(stop.explanation()) | {stop.link_label, "Right answer", "prediction was"}
+    giveaways = told | sentences(reply) | (set() if stop.exhibit or name == "other-body" else frequencies(stop))
     if name in ("by-hand", "exactly"):
-        assert f"{UNIT_MASS_RATIO:.3g}" not in page
+        giveaways.add(f"{UNIT_MASS_RATIO:.3g}")
+    assert [text for text in giveaways if text in page] == []
     # All options look alike: each is named once, as a button.
     for option in stop.options:
         assert page.count(json.dumps(option.label, ensure_ascii=False)) == 1
         assert page.count(f'-option_{name}_{option.id}"') == 1
     assert stop.question in [text.value for text in app.markdown]
-    (machine,) = fed(app)
-    assert set(stop.hides) <= set(machine["hide"])
-    assert not {"samples", "slipping", "unity"} & set(machine)
-    # Negative control: after the choice all of it is there.
-    app = choose(app, name, other_than(stop))
+    assert not [pills for pills in app.get("button_group") if "preset" in pills.proto.id]
+
+    # The reader has chosen, and may think again.
+    choose(app, name, wrong)
     page = sent(app)
-    assert all(sentence in page for sentence in sentences(stop.explanation()))
-    assert stop.link_label in page
-    assert "Right answer:" in page
+    assert [text for text in giveaways if text in page] == []
+    for machine in fed(app):
+        assert set(stop.hides) <= set(machine["hide"])
+        assert not {"samples", "slipping", "unity"} & set(machine)
+
+    # The machine runs: whoever was wrong gets a word, not the answer.
+    page = sent(go_on(app, name))
+    assert reply in page
+    assert right not in reply
+    assert [text for text in told - {"prediction was"} if text in page] == []
+    assert len(fed(app)) == (0 if stop.exhibit else len(stop.runs))
     assert not any(set(stop.hides) & set(machine["hide"]) - {"energy", "arrows", "forces"} for machine in fed(app))
-
-
-@pytest.mark.parametrize("name", IDS)
-def test_after_the_prediction_the_page_says_whether_it_was_right(opened, name):
-    stop = lesson.stop(name)
-    app = opened(stop=name)
-    choose(app, name, stop.answer())
-    assert any("Your prediction was right." in text.value for text in app.markdown)
     sound(app.button(key=f"again_{name}").click().run())
-    choose(app, name, other_than(stop))
-    shown = "\n".join(text.value for text in app.markdown)
-    assert "Your prediction:" in shown
-    assert shown.index(stop.option(other_than(stop)).label) < shown.index(stop.option(stop.answer()).label)
+    assert [text for text in giveaways if text in sent(app)] == []
+
+    # Negative control: in the end all of it is there.
+    go_on(go_on(choose(app, name, wrong), name), name)
+    page = sent(app)
+    assert all(
+        sentence in page for sentence in sentences(stop.explanation()) | {reply, stop.link_label, "Right answer:"}
+    )
+    assert app.pills(key="preset").options
+
+    shown = "\n".join(
+        text.value for text in go_on(opened(stop=name, chosen=f"{name}.{stop.answer()}.predicted"), name).markdown
+    )
+    assert "Your prediction was right." in shown
+    assert stop.explanation() in shown
 
 
 def test_the_observed_machines_are_those_of_the_stop(opened):
@@ -147,6 +165,9 @@ def test_the_observed_machines_are_those_of_the_stop(opened):
     app = opened(stop="other-body", chosen="other-body.same")
     assert fed(app)[0]["parameters"]["beta_top"] == 0.4
     assert fed(app)[0]["unity"].endswith("√48")
+    swings, glides, rolls = fed(opened(stop="zero-modes", chosen="zero-modes.one"))
+    assert "initial" not in swings
+    assert [key for each in (glides, rolls) for key, value in each["initial"].items() if value] == ["X_dot", "Phi_dot"]
 
 
 def test_the_sliders_hold_the_machine_of_the_stop_and_can_be_moved(opened):
@@ -156,7 +177,7 @@ def test_the_sliders_hold_the_machine_of_the_stop_and_can_be_moved(opened):
     assert fed(app)[0]["parameters"]["m_prime"] == 4.0
     assert any("You have changed the machine." in text.value for text in app.markdown)
     # The prediction is about the machine of the stop.
-    choose(app, "heavy-rollers", "plain")
+    go_on(choose(app, "heavy-rollers", "plain"), "heavy-rollers")
     assert app.slider(key="m_prime").value == 5.0
     sound(app.slider(key="m_prime").set_value(3.0).run())
     assert fed(app)[0]["parameters"]["m_prime"] == 3.0
@@ -165,26 +186,12 @@ def test_the_sliders_hold_the_machine_of_the_stop_and_can_be_moved(opened):
 def test_a_machine_is_shown_exactly_in_step_only_after_the_prediction(opened):
     app = opened(stop="exactly")
     assert app.slider(key="m_prime").value == 1.0
-    choose(app, "exactly", "plus")
+    go_on(choose(app, "exactly", "plus"), "exactly")
     assert app.slider(key="m_prime").value == UNIT_MASS_RATIO
 
 
-@pytest.mark.parametrize("name", IDS)
-def test_no_preset_tells_the_answer_before_the_prediction(opened, name):
-    stop = lesson.stop(name)
-    app = opened(stop=name)
-    asked = name in ("by-hand", "exactly")
-    for preset in app.pills(key="preset").options:
-        sound(app.pills(key="preset").set_value(preset).run())
-        if asked:
-            assert f"{UNIT_MASS_RATIO:.3g}" not in sent(app)
-    assert ("Unit frequency (1729)" in app.pills(key="preset").options) == (not asked)
-    choose(app, name, other_than(stop))
-    assert "Unit frequency (1729)" in app.pills(key="preset").options
-
-
 def test_a_link_hides_parts_of_every_stage(opened):
-    stops = [{"stop": stop.id, "chosen": f"{stop.id}.{stop.answer()}"} for stop in lesson.STOPS]
+    stops = [{"stop": stop.id, "chosen": f"{stop.id}.{stop.answer()}"} for stop in lesson.STOPS if not stop.exhibit]
     tasks = [{"part": "tasks", "task": task.id} for task in lesson.TASKS if task.stage]
     for address in [*stops, *tasks]:
         stages = fed(opened(**address, hide="plain,arrows"))
@@ -206,6 +213,25 @@ def test_hints_come_one_by_one(opened):
     sound(app.button(key="hint_two-clocks").click().run())
     assert shown() == [True, True]
     assert "hint_two-clocks" not in [button.key for button in app.button]
+
+
+def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(opened):
+    short = [stop for stop in lesson.STOPS if stop.short]
+    assert len(short) == 6
+    assert sum(stop.minutes for stop in short) <= 20
+    first, second, *others = short
+    made = f"{first.id}.{first.answer()}~{second.id}.{other_than(second)}~{others[0].id}.{others[0].answer()}.predicted"
+    app = opened(stops="short", stop="end", chosen=made)
+    shown = "\n".join(text.value for text in app.markdown)
+    assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
+    said = [stop.option(stop.answer()).label in shown for stop in short]
+    assert said == [True, True, False, False, False, False]
+    assert shown.count("not answered yet") == 4
+    assert len(app.get("page_link")) == 4
+    sound(app.button(key="to_tasks").click().run())
+    assert app.title[0].value == lesson.TASKS[0].heading
+    # A link to a stop that is not among the six opens it all the same.
+    assert opened(part="stops", stops="short", stop="contact").title[0].value == f"4. {lesson.stop('contact').heading}"
 
 
 def test_the_present_stop_is_the_only_one_on_the_page(opened):
@@ -235,6 +261,7 @@ def test_progress_is_in_the_address_and_survives_another_page(opened):
         ("stop", "nowhere"),
         ("chosen", "block.up"),
         ("chosen", "block"),
+        ("chosen", "block.rest.done"),
         ("chosen", "<script>"),
         ("task", "all"),
         ("task_steps", "3"),
@@ -278,7 +305,7 @@ def done(app) -> bool:
 def test_tasks_are_done_with_the_controls_of_the_page(opened):
     app = opened(part="tasks", task="in-step")
     assert not done(app)
-    assert done(app.pills(key="preset").set_value("Unit frequency (1729)").run())
+    assert done(app.slider(key="m_prime").set_value(1.1275).run())
 
     app = opened(part="tasks", task="top-at-rest", task_x0="0.0", task_glide="-10.0")
     assert not done(app)

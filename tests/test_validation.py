@@ -21,7 +21,7 @@ import sympy as sp
 
 import ramanujan
 from ramanujan import METHODS, InitialState, Oscillator, motion
-from ramanujan.accuracy import Piece, work_precision
+from ramanujan.accuracy import Piece, results, work_precision
 from ramanujan.number_theory import BodyChoice
 from ramanujan.record import record
 from ramanujan.validation import coordinates, floats, integer, positive, rational, real, sequence, shown
@@ -47,7 +47,7 @@ UNCHECKED = {
     "main": "takes the words of a command line and answers them with one sentence and an exit status",
     **dict.fromkeys(("float_type", "method_named", "steps_within"), "is itself a check, like those of validation"),
     **dict.fromkeys(
-        ("blocks", "evaluations_of", "powers_of_ten", "ulp_errors"),
+        ("blocks", "errors", "exact", "seconds_per_step", "powers_of_ten", "ulp_errors"),
         "is inside an experiment, which checks once before its first piece",
     ),
     **dict.fromkeys(STEPS, "is the inner loop; `trajectory` checks once for all steps"),
@@ -115,7 +115,7 @@ KINDS = {
     "name": "method by dtype",
     "names": "methods dtypes forms",
     "body": "beta_a beta_b beta_c left right top",
-    "object": "oscillator initial motion acceleration pieces experiment call curve curves after columns comments",
+    "object": "oscillator initial motion acceleration pieces experiment call curves columns comments",
     "list": "arguments",
 }
 KIND = {name: kind for kind, names in KINDS.items() for name in names.split()}
@@ -133,10 +133,13 @@ SPECIAL = {
 PERMITTED = {
     "spacing": (math.inf,),
     "forms": (None,),
-    "after": (None,),
     # An acceleration may be any function, and any text may be a comment.
     "comments": (["nope"], "machine"),
 }
+
+
+def curves():
+    return results(work_precision(Oscillator(), 2, [8], ["rk4"], ["float64"]))
 
 
 GOOD = {
@@ -149,9 +152,7 @@ GOOD = {
     "experiment": abs,
     "arguments": [1],
     "call": int,
-    "curves": [work_precision("rk4", periods=2, steps_per_period=[8])],
-    "curve": work_precision("rk4", periods=2, steps_per_period=[8]),
-    "after": None,
+    "curves": curves(),
     "columns": {"t [s]": [0.0, 1.0]},
     "comments": ["none"],
     "q": [0.0, 0.1, 0.0],

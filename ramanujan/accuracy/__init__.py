@@ -21,8 +21,7 @@ from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
 from ramanujan.accuracy.history import error_history
 from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.progress import Piece, Timing, measure, results
-from ramanujan.accuracy.runs import seconds_per_step
-from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
+from ramanujan.accuracy.work_precision import cheapest, work_precision
 
 __all__ = [
     "FORMS",
@@ -40,7 +39,5 @@ __all__ = [
     "measure",
     "phase_errors",
     "results",
-    "seconds_per_step",
-    "timed",
     "work_precision",
 ]

@@ -7,7 +7,7 @@ import csv
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from typing import NoReturn
 
 import numpy as np
@@ -24,18 +24,15 @@ from ramanujan.accuracy import (
     extremes,
     phase_errors,
     results,
-    timed,
     work_precision,
 )
 from ramanujan.accuracy.choices import ARRAY, STATES, Arithmetic, Comparison
 from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch
-from ramanujan.accuracy.runs import LONGEST_RUN, steps_within
-from ramanujan.accuracy.work_precision import DTYPES, SHOWN_STEPS, STEPS_PER_PERIOD, WorkPrecision
+from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _, ngettext
-from ramanujan.validation import integer
 
 Cell = str | float | int
 
@@ -96,33 +93,33 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    # Bad settings are refused before the long work, not after it.
+    # A bad tolerance is refused before the long work, not after it.
     cheapest([], options.tolerance)
-    shown = [steps_within(n, integer("periods", options.periods, 1, LONGEST_RUN // 3)) for n in options.steps]
-    searched = [*shown, *(n for n in STEPS_PER_PERIOD if n < max(shown))]
-    pairs = [(method, dtype) for dtype in _dtypes(options) for method in METHODS]
-    curves = [timed(work_precision(method, dtype, options.periods, searched)) for method, dtype in pairs]
-    columns = (_("method"), "dtype", _("steps per period"), _("largest error"), _("evaluations"), _("seconds"))
+    curves = results(work_precision(oscillator, options.periods, options.steps, dtypes=_dtypes(options)))
+    method, steps, state_error = _("method"), _("steps per period"), _("state error")
+    evaluations, seconds = _("evaluations"), _("seconds")
+    errors = (state_error, _("phase error [rad]"), _("energy error at the end"), _("largest energy error"))
+    costs = (evaluations, seconds, _("lower quartile [s]"), _("upper quartile [s]"))
+    rows = [row for curve in curves for row in _curve_rows(curve)]
     n = options.periods
-    title = ngettext("Error and cost over {n} period", "Error and cost over {n} periods", n).format(n=n)
-    quartiles = (_("lower quartile [s]"), _("upper quartile [s]"))
-    yield Table(title, columns + quartiles, [row for curve in curves for row in _curve_rows(curve, shown)])
+    title = ngettext("Error and cost after {n} period", "Error and cost after {n} periods", n).format(n=n)
+    yield Table(title, (method, "dtype", steps, *errors, *costs), rows)
     titles = {
         "evaluations": _("Run of each method with the fewest evaluations for errors of at most {tolerance}"),
         "seconds": _("Fastest run of each method for errors of at most {tolerance}"),
     }
     for by, title in titles.items():
-        choices = (astuple(choice) for choice in cheapest(curves, options.tolerance, by))
-        rows = [(METHODS[method].title, *costs) for method, *costs in choices]
+        choices = cheapest(curves, options.tolerance, by)
+        columns = (method, "dtype", steps, state_error, evaluations, seconds)
+        fields = ("dtype", "steps_per_period", "state_error", "evaluations", "seconds")
+        rows = [(METHODS[c.method].title, *(getattr(c, field) for field in fields)) for c in choices]
         yield Table(title.format(tolerance=_short(options.tolerance)), columns, rows)
 
 
-def _curve_rows(curve: WorkPrecision, shown: Sequence[int]) -> Iterable[tuple[Cell, ...]]:
-    at = np.isin(curve.steps_per_period, shown)
-    spread = (curve.seconds * each / curve.step.median for each in (curve.step.median, curve.step.low, curve.step.high))
-    arrays = (curve.steps_per_period, curve.error, curve.evaluations, *spread)
-    rows = zip(*(array[at] for array in arrays), strict=True)
-    return ((METHODS[curve.method].title, curve.dtype, *row) for row in rows)
+def _curve_rows(curve: WorkPrecision) -> Iterable[tuple[Cell, ...]]:
+    arrays = (curve.steps_per_period, curve.state_error, curve.phase_error, curve.energy_error)
+    arrays += (curve.largest_energy_error, curve.evaluations, curve.seconds, curve.seconds_low, curve.seconds_high)
+    return ((METHODS[curve.method].title, curve.dtype, *row) for row in zip(*arrays, strict=True))
 
 
 def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
@@ -236,16 +233,11 @@ def _parser() -> argparse.ArgumentParser:
         "--steps",
         type=int,
         nargs="+",
-        default=list(SHOWN_STEPS),
+        default=list(STEPS_PER_PERIOD),
         metavar="N",
-        help=_("steps per period in the table, at least 3"),
+        help=_("steps per period, at least 3"),
     )
-    add(
-        "--tolerance",
-        type=float,
-        default=1e-3,
-        help=_("largest error of the cheapest integration, relative to the amplitude"),
-    )
+    add("--tolerance", type=float, default=1e-3, help=_("largest state and phase error of the cheapest integration"))
     add("--dtype", choices=["both", *DTYPES], default="both", help=_("precision of integrations and formulas"))
     add("--m", type=float, default=1.0, help=_("mass m of block, slab and top cylinder [kg]"))
     add("--m-prime", type=float, default=1.0, help=_("mass m′ of hoop and lower cylinder [kg]"))

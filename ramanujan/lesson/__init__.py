@@ -4,7 +4,7 @@
     clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson
     task        what a task is: what a student has set, and the verdict on it
     settings, answers                         the tasks
-    notes       the lecturer's notes
+    notes       what the lecturer's notes begin with
     classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_file)
 
 >>> from ramanujan import lesson
@@ -15,23 +15,25 @@
 from __future__ import annotations
 
 from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, settings
-from ramanujan.lesson.notes import NOTES, SOURCES, Note
+from ramanujan.lesson.notes import SOURCES
 from ramanujan.lesson.stop import Option, Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.translation import _
 
-STOPS: tuple[Stop, ...] = (*clocks.STOPS, *bodies.STOPS, *modes.STOPS, *ratio.STOPS, *computing.STOPS)
+CHAPTERS = (clocks.STOPS, bodies.STOPS, modes.STOPS, ratio.STOPS, computing.STOPS)
+"""The stops by subject; a worksheet takes one of a chapter at most, because they would answer each other."""
+
+STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter)
 """The stops in their order: two clocks, who is faster, what can move, where the energy is, the ratio, computers."""
 
 TASKS: tuple[Task, ...] = (*settings.TASKS, *answers.TASKS)
 """The tasks, the easier ones first."""
 
 __all__ = [
-    "NOTES",
+    "CHAPTERS",
     "SOURCES",
     "STOPS",
     "TASKS",
-    "Note",
     "Option",
     "Run",
     "Setting",

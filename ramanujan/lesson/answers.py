@@ -8,22 +8,20 @@ from itertools import count
 
 import numpy as np
 
-from ramanujan.answers import judge as judge_formula
+from ramanujan.derivation.answers import judge as judge_formula
 from ramanujan.energy import energies
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.lesson.stop import FREQUENCY
-from ramanujan.lesson.task import Setting, Task, Verdict
+from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
 from ramanujan.motion import motion, released
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
-from ramanujan.numerals import number, percent, told_from
+from ramanujan.numerals import filled, number, told_from
 from ramanujan.translation import _
 
 TOLERANCE, PERIODS = 1e-3, 10
 """Of the integrators' race: the largest error of the state over the amplitude, and the length of the run."""
 FEWEST_STEPS, MOST_STEPS = 4, 1000
 HALF = 0.005
-NOTHING = 1e-6
-"""A smaller share of the energy can be neither measured nor drawn: it is called none."""
 STOPWATCH = 0.01
 TOO_FAST = 0.7
 """Seconds: a shorter period is shown in slow motion, so that a stopwatch beside the stage measures nothing."""
@@ -32,51 +30,39 @@ TOO_FAST = 0.7
 def half_energy(setting: Setting) -> Verdict:
     """Judge the spring's share of the energy after a part of a period."""
     if setting.part is None or not 0 <= setting.part <= 1:
-        return Verdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."))
+        return missed(_("Type a number between 0 and 1, such as 0.3 or 1/3."))
     machine = setting.machine
     state = motion(machine, released(machine, setting.compression), setting.part * machine.period)
     stored = energies(machine, *state)
     share = float(stored["spring"]) / sum(map(float, stored.values()))
-    words = {
-        "share": percent(share, 3) if share > NOTHING else _("none"),
-        "off": told_from(100 * abs(share - 0.5), 100 * HALF, unit="%"),
-    }
-    if abs(share - 0.5) <= HALF:
-        return Verdict(True, _("At that moment the spring holds {share} of the energy.").format(**words))
-    sentence = (
-        _("At that moment the spring holds {share} of the energy. That is {off} of the total too much.")
-        if share > 0.5
-        else _("At that moment the spring holds {share} of the energy. That is {off} of the total too little.")
+    sentences = (
+        _("At that moment the spring holds {share:3 %} of the energy."),
+        _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too much."),
+        _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too little."),
     )
-    return Verdict(False, sentence.format(**words))
+    return near(share - 0.5, HALF, sentences, "%", share=share)
 
 
 def measured_period(setting: Setting) -> Verdict:
     """Judge a period that was measured with a stopwatch."""
     period = setting.machine.period
     if period < TOO_FAST:
-        return Verdict(False, _("This machine is so fast that it is shown in slow motion. Make the spring softer."))
+        return missed(_("This machine is so fast that it is shown in slow motion. Make the spring softer."))
     if setting.seconds is None or setting.seconds <= 0:
-        return Verdict(
-            False, _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
-        )
-    off = setting.seconds / setting.periods / period - 1
-    off_by = told_from(100 * abs(off), 100 * STOPWATCH, unit="%")
-    words = {"measured": number(setting.seconds / setting.periods, 4), "off": off_by}
-    if abs(off) <= STOPWATCH:
-        return Verdict(True, _("You measured {measured} s for one period. Your error is {off}.").format(**words))
-    sentence = (
-        _("You measured {measured} s for one period. That is {off} too long.")
-        if off > 0
-        else _("You measured {measured} s for one period. That is {off} too short.")
+        return missed(_("Start the stopwatch at a turning point, and stop it after as many periods as you like."))
+    measured = setting.seconds / setting.periods
+    sentences = (
+        _("You measured {measured:4 s} for one period. Your error is {off}."),
+        _("You measured {measured:4 s} for one period. That is {off} too long."),
+        _("You measured {measured:4 s} for one period. That is {off} too short."),
     )
-    return Verdict(False, sentence.format(**words))
+    return near(measured / period - 1, STOPWATCH, sentences, "%", measured=measured)
 
 
 def exact_ratio(setting: Setting) -> Verdict:
     """Judge a formula for the mass ratio, by the judge of the page Derivation."""
     if not setting.formula.strip():
-        return Verdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."))
+        return missed(_("Type a formula, such as (sqrt(5) − 1)/2."))
     verdict = judge_formula("unit_mass_ratio", setting.formula)
     return Verdict(verdict.kind in ("right", "unsimplified"), verdict.message)
 
@@ -115,22 +101,17 @@ def fewest_evaluations() -> int:
 def cheapest(setting: Setting) -> Verdict:
     """Judge a method and its steps: first the error, then the cost."""
     error, cost = state_error(setting.method, setting.steps), evaluations(setting.method, setting.steps)
-    words = {"error": told_from(error, TOLERANCE) if math.isfinite(error) else "∞", "goal": number(TOLERANCE, 1)}
-    words["cost"] = cost
+    written = told_from(error, TOLERANCE) if math.isfinite(error) else "∞"
     if error > TOLERANCE:
-        return Verdict(False, _("The error is {error} of the amplitude. It must be at most {goal}.").format(**words))
-    if cost > fewest_evaluations():
-        words["times"] = number(cost / fewest_evaluations(), 2)
-        return Verdict(
-            False,
-            _(
-                "The error is {error}, small enough. But {cost} evaluations are {times} times as many as the "
-                "cheapest way needs."
-            ).format(**words),
+        return missed(
+            _("The error is {error} of the amplitude. It must be at most {goal:1}."), error=written, goal=TOLERANCE
         )
-    return Verdict(
-        True, _("The error is {error}, and no method does it with fewer than {cost} evaluations.").format(**words)
+    sentences = (
+        _("The error is {error}, and no method does it with fewer than {cost} evaluations."),
+        _("The error is {error}, small enough. But {cost} evaluations are {times:2} times as many as necessary."),
     )
+    fewest = fewest_evaluations()
+    return near(cost - fewest, 0, sentences, error=written, cost=cost, times=cost / fewest)
 
 
 def two_cubes(setting: Setting) -> Verdict:
@@ -138,19 +119,15 @@ def two_cubes(setting: Setting) -> Verdict:
     choice = BodyChoice(*setting.bodies)
     value = choice.discriminant
     if value == BodyChoice().discriminant:
-        return Verdict(
-            False, _("This is the paper’s machine with its {number}. Can you find another one?").format(number=value)
-        )
+        return missed(_("This is the paper’s machine with its {number}. Can you find another one?"), number=value)
     if choice.cubes:
-        x, y = choice.cubes[0]
-        return Verdict(True, _("The number of this machine is {number} = {x}³ + {y}³.").format(number=value, x=x, y=y))
+        return Verdict(
+            True,
+            filled(_("The number of this machine is {n} = {pair[0]}³ + {pair[1]}³."), n=value, pair=choice.cubes[0]),
+        )
     off = next(d for d in count(1) if sums_of_two_cubes(value + d) or (value > d and sums_of_two_cubes(value - d)))
-    return Verdict(
-        False,
-        _("The number of this machine is {number}. The nearest sum of two positive cubes is {off} away.").format(
-            number=value, off=off
-        ),
-    )
+    sentence = _("The number of this machine is {number}. The nearest sum of two positive cubes is {off} away.")
+    return missed(sentence, number=value, off=off)
 
 
 TASKS = (
@@ -161,8 +138,8 @@ TASKS = (
         (
             _("At release the spring holds all of the energy. A quarter of a period later it holds none."),
             _(
-                "The spring’s energy is proportional to the square of its compression, and the compression follows "
-                "a cosine."
+                "The spring’s energy is proportional to the square of its compression, and the compression follows a "
+                "cosine."
             ),
             _("Where is cos² equal to ½?"),
         ),
@@ -180,7 +157,7 @@ TASKS = (
             _("Say “zero” when you start the stopwatch, then count. Stop it at “ten”."),
         ),
         measured_period,
-        fields=("stopwatch",),
+        fields=("seconds", "periods"),
         hides=FREQUENCY,
     ),
     Task(
@@ -200,8 +177,8 @@ TASKS = (
         "cheapest",
         _("The cheapest integrator"),
         _(
-            "An integrator has to compute {periods} periods with an error of at most {tolerance} of the amplitude. "
-            "Can you do it with as few evaluations of the acceleration as possible?"
+            "An integrator has to compute {periods} periods with an error of at most {tolerance} of the amplitude. Can "
+            "you do it with as few evaluations of the acceleration as possible?"
         ).format(periods=PERIODS, tolerance=number(TOLERANCE, 1)),
         (
             _("A method of higher order costs more per step but needs fewer steps."),
@@ -219,8 +196,8 @@ TASKS = (
         "two-cubes",
         _("Another sum of two cubes"),
         _(
-            "Every choice of bodies has its own number under the root. Can you find a machine other than the "
-            "paper’s whose number is a sum of two positive cubes?"
+            "Every choice of bodies has its own number under the root. Can you find a machine other than the paper’s "
+            "whose number is a sum of two positive cubes?"
         ),
         (
             _("Of all {machines} choices, {cubes} have this property, the paper’s included.").format(

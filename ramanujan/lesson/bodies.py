@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Stop, by_sign, options
 from ramanujan.motion import (
     ground_positions,
     ground_velocities,
@@ -14,15 +14,10 @@ from ramanujan.motion import (
     relative_velocities,
     released,
 )
-from ramanujan.numerals import percent, quantity
-from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
-EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
-COMPRESSION = 0.08
 _CM = 100.0
-
-_BODIES = {"slab": _("slab"), "block": _("block"), "hoop": _("hoop"), "top": _("top cylinder")}
+_BODIES = ("slab", "block", "hoop", "top")
 
 
 def at(part: float) -> tuple[np.ndarray, np.ndarray]:
@@ -30,62 +25,47 @@ def at(part: float) -> tuple[np.ndarray, np.ndarray]:
     return motion(EQUAL, released(EQUAL, COMPRESSION), part * EQUAL.period)
 
 
-def _velocities() -> tuple[float, float]:
+def _velocities() -> dict[str, float]:
     """Return the velocities of slab (relative to the block) and block (to the ground) while the slab moves right."""
     rates = at(3 / 4)[1]
-    return float(relative_velocities(EQUAL, rates)["slab"]), float(ground_velocities(EQUAL, rates)["block"])
+    return {
+        "slab": _CM * float(relative_velocities(EQUAL, rates)["slab"]),
+        "block": -_CM * float(ground_velocities(EQUAL, rates)["block"]),
+        # What slab and lower rollers would carry if the block were at rest; the rollers are half as fast.
+        "momentum": (EQUAL.m + EQUAL.m_prime) * float(relative_velocities(EQUAL, rates)["slab"]),
+    }
 
 
 def _block() -> str:
-    slab, block = _velocities()
-    return "rest" if abs(block) < 1e-3 * abs(slab) else "same" if block * slab > 0 else "opposite"
+    moves = _velocities()
+    share = moves["block"] / moves["slab"]
+    return by_sign(share if abs(share) > 1e-3 else 0, "same", "rest", "opposite")
 
 
-def _why_block() -> str:
-    slab, block = _velocities()
-    return _(
-        "The floor has no friction, so nothing outside pushes the machine to either side. Its momentum stays zero. "
-        "The slab moves right at {slab} relative to the block, so the block moves left at {block}. The centre of "
-        "mass stays where it is."
-    ).format(slab=quantity(_CM * slab, "cm/s", 3), block=quantity(-_CM * block, "cm/s", 3))
-
-
-def _paths() -> tuple[float, float]:
-    """Return how far a lower roller's centre travels in half a period [m], relative to the block and to the ground."""
+def _paths() -> dict[str, float]:
+    """Return how far a lower roller's centre travels in half a period, relative to the block and to the ground [cm]."""
     ends = at(0.0)[0], at(0.5)[0]
-    return tuple(
-        abs(float(places(EQUAL, ends[0])["hoop"] - places(EQUAL, ends[1])["hoop"]))
+    block, ground = (
+        _CM * abs(float(places(EQUAL, ends[0])["hoop"] - places(EQUAL, ends[1])["hoop"]))
         for places in (relative_positions, ground_positions)
     )
+    return {"over_block": block, "over_ground": ground, "block": block - ground, "half": block / 2}
 
 
 def _rollers() -> str:
-    over_block, over_ground = _paths()
-    share = over_ground / over_block
+    paths = _paths()
+    share = paths["over_ground"] / paths["over_block"]
     return "more" if share > 1.1 else "all" if share > 0.9 else "half" if share > 0.25 else "tenth"
-
-
-def _why_rollers() -> str:
-    over_block, over_ground = _paths()
-    return _(
-        "A centre moves {over_block} to the left relative to the block. Meanwhile the block moves {block} to the "
-        "right. Relative to the ground, only {over_ground} is left. The lower rollers spin almost on the spot."
-    ).format(
-        over_block=quantity(_CM * over_block, "cm", 3),
-        block=quantity(_CM * (over_block - over_ground), "cm", 3),
-        over_ground=quantity(_CM * over_ground, "cm", 3),
-    )
 
 
 def _stored(part: float) -> dict[str, float]:
     """Return the share of the energy in each body, and in the spring, after this part of a period."""
     terms = {name: float(value) for name, value in energies(EQUAL, *at(part)).items()}
     total = sum(terms.values())
-    shares: dict[str, float] = {}
-    for name, value in terms.items():
-        body = name.partition("_")[0]
-        shares[body] = shares.get(body, 0.0) + value / total
-    return shares
+    return {
+        body: sum(value for name, value in terms.items() if name.partition("_")[0] == body) / total
+        for body in (*_BODIES, "spring")
+    }
 
 
 def _turning() -> str:
@@ -93,25 +73,8 @@ def _turning() -> str:
     return "spring" if spring > 0.99 else "half" if spring > 0.4 else "bodies"
 
 
-def _why_turning() -> str:
-    return _(
-        "Half a period after the release the spring holds {spring} of the energy. Released from rest, all bodies "
-        "follow the same cosine. They all stop at the same instants, so none of them has kinetic energy then."
-    ).format(spring=percent(_stored(0.5)["spring"], 3))
-
-
 def _middle() -> str:
-    shares = _stored(0.25)
-    return max(_BODIES, key=shares.__getitem__)
-
-
-def _why_middle() -> str:
-    shares = _stored(0.25)
-    return _(
-        "In the middle the slab holds {slab} of the energy and the hoop {hoop}. The block holds {block}, the top "
-        "cylinder {top}. The slab is the fastest body. The hoop hardly travels, but it spins and has the largest "
-        "moment of inertia for its mass."
-    ).format(**{body: percent(shares[body]) for body in _BODIES})
+    return max(_BODIES, key=_stored(0.25).__getitem__)
 
 
 STOPS = (
@@ -123,15 +86,29 @@ STOPS = (
             "right relative to the block. Which way does the block move relative to the ground?"
         ),
         options=options(
-            same=_("To the right: the slab carries it along."),
-            rest=_("It stays at rest: the rollers decouple it from the slab."),
-            opposite=_("To the left."),
+            opposite=_("It moves to the left."), rest=_("It stays where it is."), same=_("It moves to the right.")
         ),
+        replies={
+            "rest": _(
+                "Then slab and lower rollers alone would carry a momentum of {momentum:2 kg·m/s} to the right. Which "
+                "body can carry as much to the left?"
+            ),
+            "same": _(
+                "Then every body would carry momentum to the right. At the release there was none. Which force from "
+                "outside could have changed that?"
+            ),
+        },
         answer=_block,
-        explanation=_why_block,
+        why=_(
+            "The floor has no friction, so nothing outside pushes the machine to either side. Its momentum stays zero. "
+            "The slab moves right at {slab:3 cm/s} relative to the block, so the block moves left at {block:3 cm/s}. "
+            "The centre of mass stays where it is."
+        ),
+        numbers=_velocities,
         hints=(_("Which horizontal forces act on the machine as a whole?"),),
+        purpose=_("It is conservation of momentum without any calculation."),
+        expect=_("Some let the slab carry the block along, as friction would on a rough floor."),
         minutes=3,
-        runs=(Run(EQUAL),),
         layers=("arrows",),
         page="motion",
         link={"figure": "momentum"},
@@ -141,26 +118,50 @@ STOPS = (
         id="rollers",
         heading=_("How far do the lower rollers travel?"),
         question=_(
-            "All bodies have the same mass. In half a period the slab moves {slab} relative to the block. The centres "
-            "of the lower rollers move half as far, {centre}. How far do these centres move relative to the ground?"
-        ).format(slab=quantity(2 * _CM * COMPRESSION, "cm", 2), centre=quantity(_CM * COMPRESSION, "cm", 1)),
-        options=options(
-            all=_("Just as far."),
-            tenth=_("Less than a tenth of it."),
-            half=_("About half of it."),
-            more=_("Farther, because the block moves, too."),
+            "All bodies have the same mass. In half a period the slab moves {whole:2 cm} relative to the block. The "
+            "centres of the lower rollers move half as far, {centre:1 cm}. How far do these centres move relative to "
+            "the ground?"
         ),
+        given={"whole": 2 * _CM * COMPRESSION, "centre": _CM * COMPRESSION},
+        options=options(
+            all=_("As far as on the block."),
+            tenth=_("Less than a tenth of that."),
+            half=_("About half of that way."),
+            more=_("Farther than on the block."),
+        ),
+        replies={
+            "all": _(
+                "Then the block would stay at rest. It moves {block:3 cm} the other way. What is left of the path?"
+            ),
+            "half": _(
+                "Then the block would move about {half:1 cm} the other way, but it moves {block:3 cm}. Whose momentum "
+                "does it have to balance?"
+            ),
+            "more": _(
+                "Then block and rollers would move to the same side. While the centres move left on the block, which "
+                "way does the block move?"
+            ),
+        },
         answer=_rollers,
-        explanation=_why_rollers,
+        why=_(
+            "A centre moves {over_block:3 cm} to the left relative to the block. Meanwhile the block moves {block:3 "
+            "cm} to the right. Relative to the ground, only {over_ground:3 cm} is left. The lower rollers spin almost "
+            "on the spot."
+        ),
+        numbers=_paths,
         hints=(
             _(
                 "Add two velocities: that of a centre relative to the block, and that of the block relative to the "
                 "ground."
             ),
         ),
-        minutes=2,
-        runs=(Run(EQUAL),),
+        purpose=_("It is practice with relative velocities, with a surprising result."),
+        expect=_(
+            "Few expect that the two velocities nearly cancel. Let the class watch the centre of the hoop against the "
+            "ruler."
+        ),
         layers=("traces",),
+        short=True,
         page="motion",
         link={"figure": "displacements"},
         link_label=_("Compare the displacements on the page Motion"),
@@ -169,19 +170,37 @@ STOPS = (
         id="turning-point",
         heading=_("The energy at the turning point"),
         question=_(
-            "Half a period after the release the slab reaches its other turning point. It stands still relative to "
-            "the block for an instant. Where is the energy then?"
+            "Half a period after the release the slab reaches its other turning point. It stands still relative to the "
+            "block for an instant. Where is the energy then?"
         ),
         options=options(
             spring=_("All of it is in the spring."),
-            half=_("About half is in the spring, the other half in the moving block and top cylinder."),
-            bodies=_("Most of it is in the spinning rollers."),
+            half=_("About half of it is in the spring."),
+            bodies=_("Most of it is in the bodies."),
         ),
+        replies={
+            "half": _(
+                "Then some body would still move. The lower rollers do not turn, and the machine has no momentum. "
+                "Which body could it be?"
+            ),
+            "bodies": _(
+                "At this instant the spring is stretched by {stretch:1 cm}, as much as it was compressed at the "
+                "release. How much energy does that take?"
+            ),
+        },
         answer=_turning,
-        explanation=_why_turning,
+        why=_(
+            "Half a period after the release the spring holds {spring:3 %} of the energy. Released from rest, all "
+            "bodies follow the same cosine. They all stop at the same instants, so none of them has kinetic energy "
+            "then."
+        ),
+        numbers=lambda: {
+            "spring": _stored(0.5)["spring"],
+            "stretch": _CM * abs(float(relative_positions(EQUAL, at(0.5)[0])["slab"])),
+        },
         hints=(_("If the slab rests relative to the block, how fast do the lower rollers turn?"),),
-        minutes=2,
-        runs=(Run(EQUAL),),
+        purpose=_("It shows that released from rest, only one mode is excited, so all bodies stop together."),
+        expect=_("Some expect that the free top cylinder still moves."),
         layers=("energy",),
         page="motion",
         link={"figure": "energy"},
@@ -191,22 +210,41 @@ STOPS = (
         id="middle",
         heading=_("The energy in the middle"),
         question=_(
-            "A quarter of a period after the release the spring is relaxed, and all energy is kinetic. Each body "
-            "has a mass of {mass}. Which of these bodies has the most energy?"
-        ).format(mass=quantity(EQUAL.m, "kg", 1)),
-        options=options(
-            hoop=_("The hoop: it spins, and all of its mass is at the rim."),
-            block=_("The block: it carries all the others."),
-            slab=_("The slab."),
-            top=_("The top cylinder: it rolls without being driven by the spring."),
+            "A quarter of a period after the release the spring is relaxed, and all energy is kinetic. Each body has a "
+            "mass of {machine.m:1 kg}. Which of these bodies has the most energy?"
         ),
+        options=options(hoop=_("The hoop."), block=_("The block."), slab=_("The slab."), top=_("The top cylinder.")),
+        replies={
+            "hoop": _(
+                "It spins with all of its mass at the rim, and that makes {hoop:2 %} of the energy. But it hardly "
+                "travels. Which body is the fastest relative to the ground?"
+            ),
+            "block": _(
+                "It holds {block:2 %} of the energy and moves at {block_speed:2 cm/s}. How fast is the slab, which "
+                "moves the other way?"
+            ),
+            "top": _(
+                "It holds {top:2 %} of the energy. The block drives it by friction alone, so it is slower than the "
+                "block. Which body does the spring push directly?"
+            ),
+        },
         answer=_middle,
-        explanation=_why_middle,
+        why=_(
+            "In the middle the slab holds {slab:2 %} of the energy and the hoop {hoop:2 %}. The block holds {block:2 "
+            "%}, the top cylinder {top:2 %}. The slab is the fastest body. The hoop hardly travels, but it spins and "
+            "has the largest moment of inertia for its mass."
+        ),
+        numbers=lambda: {
+            **_stored(0.25),
+            "block_speed": _CM * abs(float(ground_velocities(EQUAL, at(0.25)[1])["block"])),
+        },
         hints=(
             _("Kinetic energy grows with the square of the speed. Which body is the fastest relative to the ground?"),
         ),
+        purpose=_("It makes students compare kinetic energy of translation and of rotation."),
+        expect=_("The hoop is a popular answer, and it comes second. The machine may run while the class thinks."),
+        short=True,
         minutes=3,
-        runs=(Run(EQUAL),),
         hides=(*FREQUENCY, "energy", "arrows"),
         layers=("energy",),
         page="motion",

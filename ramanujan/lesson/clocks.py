@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import Run, Stop, options
+from ramanujan.lesson.stop import EQUAL, Run, Stop, by_sign, options
 from ramanujan.motion import motion, released
-from ramanujan.numerals import number, percent, quantity
+from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
-EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 LIGHT = Oscillator(m=1.0, m_prime=0.1, k=10.0)
 HEAVY = Oscillator(m=1.0, m_prime=5.0, k=10.0)
 STIFF = Oscillator(m=1.0, m_prime=1.0, k=40.0)
@@ -19,6 +18,7 @@ LARGE = Oscillator(m=1.0, m_prime=1.0, k=10.0, radius=0.2)
 
 _PERIODS = 10
 """Periods of the plain mass after which the hands are compared."""
+_RADIUS = _("R = {radius:2 cm}")
 
 
 def lead(machine: Oscillator) -> float:
@@ -28,8 +28,7 @@ def lead(machine: Oscillator) -> float:
 
 def spin_share(machine: Oscillator) -> float:
     """Return the share of the kinetic energy that is rotation of the lower rollers; it is the same at all times."""
-    start = released(machine, 0.08)
-    stored = energies(machine, *motion(machine, start, machine.period / 4))
+    stored = energies(machine, *motion(machine, released(machine, 0.08), machine.period / 4))
     kinetic = sum(float(value) for name, value in stored.items() if name != "spring")
     return float(stored["hoop_rotation"] + stored["cylinder_rotation"]) / kinetic
 
@@ -38,104 +37,14 @@ def _total(machine: Oscillator) -> float:
     return 3 * machine.m + 2 * machine.m_prime
 
 
-def _kilograms(mass: float) -> str:
-    return quantity(mass, "kg", 1)
-
-
-def _radius(machine: Oscillator) -> str:
-    return _("R = {radius}").format(radius=quantity(100 * machine.radius, "cm", 2))
-
-
 def _first_lead() -> str:
     turns = lead(EQUAL)
-    if turns == 0:
-        return "together"
-    if turns < 0:
-        return "far_behind" if turns < -1 else "behind"
-    return "ahead" if turns < 1 else "far_ahead"
-
-
-def _why_ahead() -> str:
-    return _(
-        "After ten periods of the plain mass the machine’s hand is {turns} of a full turn ahead. All bodies "
-        "together have a mass of {total}, but the spring feels only {felt}. Block and slab move in opposite "
-        "directions. The centres of the lower rollers hardly move at all."
-    ).format(
-        turns=number(lead(EQUAL), 2),
-        total=_kilograms(_total(EQUAL)),
-        felt=quantity(EQUAL.effective_mass, "kg", 3),
-    )
-
-
-def _light() -> str:
-    before, after = EQUAL.exact_frequency_squared, LIGHT.exact_frequency_squared
-    return "rises" if after > before else "falls" if after < before else "same"
-
-
-def _why_light() -> str:
-    return _(
-        "Ω²m/k rises from {before} to {after}. The lower rollers hardly travel, but they spin. With equal masses "
-        "their spin holds {spin} of the kinetic energy. With light rollers it holds only {light_spin}, so the "
-        "spring has less to set in motion."
-    ).format(
-        before=number(EQUAL.normalized_frequency_squared, 4),
-        after=number(LIGHT.normalized_frequency_squared, 4),
-        spin=percent(spin_share(EQUAL)),
-        light_spin=percent(spin_share(LIGHT)),
-    )
-
-
-def _heavy() -> str:
-    turns = lead(HEAVY)
-    return "machine" if turns > 0 else "plain" if turns < 0 else "neither"
-
-
-def _why_heavy() -> str:
-    return _(
-        "Ω²m/k is now {value}. After ten periods of the plain mass the machine’s hand is {turns} full turns "
-        "behind. At ε = {equal} the machine was faster, at ε = {heavy} it is slower. Somewhere between these "
-        "ratios the two are in step."
-    ).format(
-        value=number(HEAVY.normalized_frequency_squared, 3),
-        turns=number(-lead(HEAVY), 3),
-        equal=number(EQUAL.mass_ratio, 1),
-        heavy=number(HEAVY.mass_ratio, 1),
-    )
+    return ("far_" if abs(turns) > 1 else "") + by_sign(turns, "behind", "together", "ahead")
 
 
 def _stiffer() -> str:
     soft, stiff = (m.exact_frequency_squared / m.exact[2] for m in (EQUAL, STIFF))
-    return "more" if stiff > soft else "less" if stiff < soft else "same"
-
-
-def _why_stiffness() -> str:
-    return _(
-        "The machine’s period falls from {soft} to {stiff}, and that of the plain mass by the same factor. Ω² and "
-        "k/m both contain k exactly once, so k drops out of their quotient. It is {value} for every spring. Who is "
-        "faster is decided by the masses alone."
-    ).format(
-        soft=quantity(EQUAL.period, "s", 3),
-        stiff=quantity(STIFF.period, "s", 3),
-        value=number(STIFF.normalized_frequency_squared, 4),
-    )
-
-
-def _larger() -> str:
-    before, after = EQUAL.exact_frequency_squared, LARGE.exact_frequency_squared
-    return "longer" if after < before else "shorter" if after > before else "same"
-
-
-def _why_radius() -> str:
-    return _(
-        "The period is {before} with R = {small} and {after} with R = {large}. A roller of twice the radius has "
-        "four times the moment of inertia. But it turns half as fast when it rolls the same distance. Its energy "
-        "of rotation is the same, and so is the frequency."
-    ).format(
-        before=quantity(EQUAL.period, "s", 3),
-        after=quantity(LARGE.period, "s", 3),
-        small=quantity(100 * EQUAL.radius, "cm", 2),
-        large=quantity(100 * LARGE.radius, "cm", 2),
-    )
+    return by_sign(stiff - soft, "less", "same", "more")
 
 
 STOPS = (
@@ -143,95 +52,163 @@ STOPS = (
         id="two-clocks",
         heading=_("Two clocks"),
         question=_(
-            "The machine has five bodies of {mass} each and one spring. A plain mass of {mass} moves on an equal "
-            "spring. Both are released at the same moment. Each has a clock hand that makes one full turn per "
-            "period. Where is the machine’s hand after ten periods of the plain mass?"
-        ).format(mass=_kilograms(EQUAL.m)),
-        options=options(
-            far_behind=_("More than one full turn behind: the machine has five times the mass."),
-            behind=_("Behind, but by less than one full turn."),
-            together=_("Exactly where the other hand is."),
-            ahead=_("Ahead, but by less than one full turn."),
+            "The machine has five bodies of {machine.m:1 kg} each and one spring. A plain mass of {machine.m:1 kg} "
+            "moves on an equal spring. Both are released at the same moment. Each has a clock hand that makes one full "
+            "turn per period. Where is the machine’s hand after ten periods of the plain mass?"
         ),
+        options=options(
+            far_behind=_("Behind by more than one full turn."),
+            behind=_("Behind by less than one full turn."),
+            together=_("Exactly where the other hand is."),
+            ahead=_("Ahead by less than one full turn."),
+            far_ahead=_("Ahead by more than one full turn."),
+        ),
+        replies={
+            "far_behind": _(
+                "If the spring had to move all {total:1 kg} as one body, the hand would be {slow:2} turns behind. "
+                "Which bodies move in opposite directions?"
+            ),
+            "behind": _(
+                "Then the spring would feel more than {machine.m:1 kg}, but it feels {shown.effective_mass:3 kg}. How "
+                "fast would two bodies of {machine.m:1 kg} oscillate with the spring between them?"
+            ),
+            "together": _(
+                "Then Ω²m/k would be 1. It is {shown.normalized_frequency_squared:4}, and the small difference adds up "
+                "from period to period. After how many periods is it a full turn?"
+            ),
+            "far_ahead": _(
+                "Then the spring would feel less than {least:2 kg}, but it feels {shown.effective_mass:3 kg}. Which "
+                "bodies must it set in motion besides the slab?"
+            ),
+        },
         answer=_first_lead,
-        explanation=_why_ahead,
+        why=_(
+            "After ten periods of the plain mass the machine’s hand is {turns:2} of a full turn ahead. All bodies "
+            "together have a mass of {total:1 kg}, but the spring feels only {shown.effective_mass:3 kg}. Block and "
+            "slab move in opposite directions. The centres of the lower rollers hardly move at all."
+        ),
+        given={"total": _total(EQUAL), "ratio": _total(EQUAL) / EQUAL.m},
+        numbers=lambda: {
+            "turns": lead(EQUAL),
+            "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _total(EQUAL))),
+            "least": EQUAL.m * (_PERIODS / (_PERIODS + 1)) ** 2,
+        },
         hints=(
             _(
-                "Suppose the spring had to move all five bodies as one. The period would then be √{ratio} times as "
+                "Suppose the spring had to move all five bodies as one. The period would then be √{ratio:1} times as "
                 "long."
-            ).format(ratio=number(_total(EQUAL) / EQUAL.m, 1)),
+            ),
             _("Which bodies does the spring push apart? Which bodies can stay almost where they are?"),
         ),
+        purpose=_("It sets the question of the lesson: how much mass does the spring feel?"),
+        expect=_(
+            "Many add up all masses and expect a far slower machine. The answer “exactly together” appeals to those "
+            "who know the title."
+        ),
+        short=True,
         minutes=4,
-        runs=(Run(EQUAL),),
         dials=True,
-        page="oscillator",
         link_label=_("See the two clocks on the page Oscillator"),
     ),
     Stop(
         id="light-rollers",
         heading=_("Light rollers"),
         question=_(
-            "Hoop and lower cylinder are replaced by light ones of {rollers} each. All other bodies keep their "
-            "{others}. How does the machine’s frequency change?"
-        ).format(rollers=_kilograms(LIGHT.m_prime), others=_kilograms(LIGHT.m)),
-        options=options(
-            same=_("It stays the same: the centres of the lower rollers hardly move."),
-            rises=_("It rises."),
-            falls=_("It falls: light rollers let the slab move farther."),
+            "Hoop and lower cylinder are replaced by light ones of {machine.m_prime:1 kg} each. All other bodies keep "
+            "their {machine.m:1 kg}. How does the machine’s frequency change?"
         ),
-        answer=_light,
-        explanation=_why_light,
+        options=options(same=_("It stays the same."), rises=_("It rises."), falls=_("It falls.")),
+        replies={
+            "same": _(
+                "The centres of the rollers hardly move, but the rollers spin. Equal rollers take {spin:2 %} of the "
+                "kinetic energy for that. How much can light ones take?"
+            ),
+            "falls": _(
+                "Then the spring would feel more mass with lighter rollers. It feels {shown.effective_mass:3 kg} "
+                "instead of {equal.effective_mass:3 kg}. Which body takes up less energy now?"
+            ),
+        },
+        answer=lambda: by_sign(LIGHT.exact_frequency_squared - EQUAL.exact_frequency_squared, "falls", "same", "rises"),
+        why=_(
+            "Ω²m/k rises from {equal.normalized_frequency_squared:4} to {shown.normalized_frequency_squared:4}. The "
+            "lower rollers hardly travel, but they spin. With equal masses their spin holds {spin:2 %} of the kinetic "
+            "energy. With light rollers it holds only {light_spin:2 %}, so the spring has less to set in motion."
+        ),
+        numbers=lambda: {"spin": spin_share(EQUAL), "light_spin": spin_share(LIGHT)},
         hints=(_("What does a roller do besides moving from place to place?"),),
-        minutes=2,
+        purpose=_("It separates travelling from spinning."),
+        expect=_("Those who noticed that the lower rollers hardly move often answer that their mass cannot matter."),
         runs=(Run(LIGHT),),
         dials=True,
-        page="oscillator",
         link_label=_("Change the rollers on the page Oscillator"),
     ),
     Stop(
         id="heavy-rollers",
         heading=_("Heavy rollers"),
         question=_(
-            "Hoop and lower cylinder are replaced by heavy ones of {rollers} each. All other bodies keep their "
-            "{others}. Whose hand is ahead after ten periods of the plain mass?"
-        ).format(rollers=_kilograms(HEAVY.m_prime), others=_kilograms(HEAVY.m)),
+            "Hoop and lower cylinder are replaced by heavy ones of {machine.m_prime:1 kg} each. All other bodies keep "
+            "their {machine.m:1 kg}. Whose hand is ahead after ten periods of the plain mass?"
+        ),
         options=options(
             plain=_("The hand of the plain mass."),
             machine=_("The hand of the machine."),
-            neither=_("Neither: the mass of the lower rollers makes no difference."),
+            neither=_("Neither of the two hands."),
         ),
-        answer=_heavy,
-        explanation=_why_heavy,
+        replies={
+            "machine": _(
+                "Then the spring would feel less than {machine.m:1 kg}, but with these rollers it feels "
+                "{shown.effective_mass:3 kg}. Which energy grows with the mass of the rollers?"
+            ),
+            "neither": _(
+                "Then the spring would feel exactly {machine.m:1 kg}. With these rollers it feels "
+                "{shown.effective_mass:3 kg}. What do the rollers do besides travelling?"
+            ),
+        },
+        answer=lambda: by_sign(lead(HEAVY), "plain", "neither", "machine"),
+        why=_(
+            "Ω²m/k is now {shown.normalized_frequency_squared:3}. After ten periods of the plain mass the machine’s "
+            "hand is {turns:3} full turns behind. At ε = {equal.mass_ratio:1} the machine was faster, at ε = "
+            "{shown.mass_ratio:1} it is slower. Somewhere between these ratios the two are in step."
+        ),
+        numbers=lambda: {"turns": -lead(HEAVY)},
         hints=(_("With light rollers the machine became faster. What does that tell you about heavy ones?"),),
-        minutes=2,
+        purpose=_("It shows that the order of the two clocks changes, so there must be a ratio at which they agree."),
+        expect=_("Most get it right after the previous stop. Ask for the argument with the intermediate value."),
         runs=(Run(HEAVY),),
         dials=True,
-        page="oscillator",
         link_label=_("Change the rollers on the page Oscillator"),
     ),
     Stop(
         id="stiffness",
         heading=_("A stiffer spring"),
         question=_(
-            "All masses are equal, and the machine is a little faster than the plain mass. Both springs are replaced "
-            "by springs that are four times as stiff. How much does the machine gain in one period then?"
+            "All masses are equal. In each period the hands of the machine and of the plain mass part by a small part "
+            "of a turn. Both springs are replaced by springs that are four times as stiff. How large is this part then?"
         ),
-        options=options(
-            more=_("More than before: the spring now dominates the masses."),
-            less=_("Less than before: there is less time to gain in."),
-            same=_("The same part of a turn as before."),
-        ),
+        options=options(more=_("Larger than before."), less=_("Smaller than before."), same=_("The same as before.")),
+        replies={
+            "more": _(
+                "The machine’s period falls from {equal.period:3 s} to {shown.period:3 s}. By which factor does the "
+                "period of the plain mass fall?"
+            ),
+            "less": _(
+                "A period is shorter now, {shown.period:3 s} instead of {equal.period:3 s}. But both hands turn "
+                "faster, too. By which factor does each of them turn faster?"
+            ),
+        },
         answer=_stiffer,
-        explanation=_why_stiffness,
+        why=_(
+            "The machine’s period falls from {equal.period:3 s} to {shown.period:3 s}, and that of the plain mass by "
+            "the same factor. Ω² and k/m both contain k exactly once, so k drops out of their quotient. It is "
+            "{shown.normalized_frequency_squared:4} for every spring. Who is faster is decided by the masses alone."
+        ),
         hints=(
             _("The period of a plain mass is proportional to √(m/k). Which power of k is in the machine’s period?"),
         ),
-        minutes=2,
-        runs=(Run(EQUAL),),
+        purpose=_("It is dimensional analysis: k can enter a period only as 1/√k."),
+        expect=_("“Larger” is common: a stiff spring is thought to favour the complicated machine."),
         then=STIFF,
         dials=True,
-        page="oscillator",
         link_label=_("Drag k on the page Oscillator"),
     ),
     Stop(
@@ -241,20 +218,29 @@ STOPS = (
             "All three rollers get twice the radius but keep their masses. Their moments of inertia are then four "
             "times as large. How does the period of the machine change?"
         ),
-        options=options(
-            longer=_("It becomes longer: more inertia has to turn."),
-            same=_("It stays the same."),
-            shorter=_("It becomes shorter: larger rollers turn less."),
+        options=options(longer=_("It becomes longer."), same=_("It stays the same."), shorter=_("It becomes shorter.")),
+        replies={
+            "longer": _(
+                "The moment of inertia is four times as large. But over the same distance a roller turns half as far. "
+                "What does that do to the energy ½Iω²?"
+            ),
+            "shorter": _(
+                "At the same speed a larger roller turns half as fast. But its moment of inertia is four times as "
+                "large. What does that do to the energy ½Iω²?"
+            ),
+        },
+        answer=lambda: by_sign(
+            EQUAL.exact_frequency_squared - LARGE.exact_frequency_squared, "shorter", "same", "longer"
         ),
-        answer=_larger,
-        explanation=_why_radius,
+        why=_(
+            "The period is {runs[0].machine.period:3 s} with {runs[0].label} and {runs[1].machine.period:3 s} with "
+            "{runs[1].label}. A roller of twice the radius has four times the moment of inertia. But it turns half as "
+            "fast when it rolls the same distance. Its energy of rotation is the same, and so is the frequency."
+        ),
         hints=(_("Through which angle does a roller of twice the radius turn when it rolls the same distance?"),),
-        minutes=2,
-        runs=(
-            Run(EQUAL, label=_radius(EQUAL)),
-            Run(LARGE, label=_radius(LARGE)),
-        ),
-        page="oscillator",
+        purpose=_("It shows that rolling couples spin to travel, so that R drops out."),
+        expect=_("“Longer” is common, because the moment of inertia is four times as large."),
+        runs=tuple(Run(each, label=filled(_RADIUS, radius=100 * each.radius)) for each in (EQUAL, LARGE)),
         link_label=_("Drag R on the page Oscillator, under “More”"),
     ),
 )

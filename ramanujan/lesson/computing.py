@@ -3,27 +3,28 @@
 from __future__ import annotations
 
 import math
-from functools import cache
+import re
+from functools import cache, partial
 from itertools import islice
 
 import numpy as np
 
 from ramanujan.accuracy import FORMS
 from ramanujan.integrators import METHODS, trajectory
-from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
+from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop, options
 from ramanujan.motion import released
-from ramanujan.numerals import number, percent
+from ramanujan.numerals import power_of_ten
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
-EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.04
 PERIODS = 20
 STEPS = {"explicit_euler": 1000, "velocity_verlet": 10}
 """The two methods that are compared, and their steps per period."""
 HUGE = 1e200
 """ε, with m = k = 1."""
-_RATIO = "10" + str(round(math.log10(HUGE))).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
+_RATIO = power_of_ten(round(math.log10(HUGE)))
+_LARGEST = float(np.finfo(float).max)
 
 _SHOWN = 50
 """Samples per period that the stage needs of a run with many steps."""
@@ -70,20 +71,13 @@ def _steps() -> str:
     return "euler" if worst == "explicit_euler" else "verlet"
 
 
-def _why_steps() -> str:
-    return _(
-        "After {periods} periods explicit Euler has multiplied the energy by {grown}, although it takes {many} "
-        "steps per period. Velocity Verlet takes {few}, and its energy is off by {off}. Explicit Euler adds energy "
-        "in every step. Velocity Verlet preserves areas in the phase plane, so its energy error stays bounded. It "
-        "is not exact either: its phase error has grown to {turns} of a full turn."
-    ).format(
-        periods=PERIODS,
-        grown=number(energy_factor("explicit_euler"), 2),
-        many=STEPS["explicit_euler"],
-        few=STEPS["velocity_verlet"],
-        off=percent(abs(energy_factor("velocity_verlet") - 1), 1),
-        turns=number(abs(phase_error("velocity_verlet")), 2),
-    )
+def _errors() -> dict[str, object]:
+    return {
+        "grown": energy_factor("explicit_euler"),
+        "kept": energy_factor("velocity_verlet"),
+        "off": abs(energy_factor("velocity_verlet") - 1),
+        "turns": abs(phase_error("velocity_verlet")),
+    }
 
 
 def returned() -> float:
@@ -92,25 +86,24 @@ def returned() -> float:
         return float(FORMS["paper"].evaluate(np.float64(1.0), np.float64(HUGE), np.float64(1.0)))
 
 
+def _truth() -> float:
+    return Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared
+
+
 def _huge() -> str:
-    value, truth = returned(), Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared
+    value = returned()
     if math.isnan(value) or math.isinf(value):
         return "message"
     if value == 0:
         return "zero"
-    return "right" if math.isclose(value, truth, rel_tol=1e-9) else "wrong"
+    return "right" if math.isclose(value, _truth(), rel_tol=1e-9) else "wrong"
 
 
-def _why_huge() -> str:
-    return _(
-        "The formula squares m + m′. At ε = {ratio} this square is larger than every double-precision number, so "
-        "it becomes infinity. Division by infinity gives zero, and JavaScript says nothing about it. The right value "
-        "is {truth}. It is small, but it is an ordinary number for a computer. A formula that first divides m by m′ "
-        "finds it without trouble."
-    ).format(
-        ratio=_RATIO,
-        truth=number(Oscillator(m=1.0, m_prime=HUGE, k=1.0).natural_frequency_squared, 3),
-    )
+def program() -> str:
+    """Return the program of the last stop, in JavaScript."""
+    formula = FORMS["paper"].formula.replace("m′", "M").replace("²", "**2").replace("−", "-")
+    formula = re.sub(r"(\d)([mMk(])", r"\1*\2", formula)
+    return f"const m = 1, k = 1, M = {HUGE:g};  // M is m′\nconsole.log({formula});"
 
 
 STOPS = (
@@ -121,29 +114,36 @@ STOPS = (
             "Two programs compute the motion in small time steps. The first uses explicit Euler with {many} steps per "
             "period. The second uses velocity Verlet with {few}. In which run is the error of the energy larger after "
             "{periods} periods?"
-        ).format(many=STEPS["explicit_euler"], few=STEPS["velocity_verlet"], periods=PERIODS),
-        options=options(
-            verlet=_("In the second one: ten steps per period are far too few."),
-            euler=_("In the first one."),
-            both=_("It is about the same in both."),
         ),
+        given={"many": STEPS["explicit_euler"], "few": STEPS["velocity_verlet"], "periods": PERIODS},
+        options=options(
+            euler=_("In the first run."), verlet=_("In the second run."), both=_("It is the same in both.")
+        ),
+        replies={
+            "verlet": _(
+                "Its energy is off by {off:1 %}, and in the first run the energy is {grown:2} times as large as at the "
+                "release. Which method makes the same error in every step?"
+            ),
+            "both": _(
+                "At the end the first run has {grown:2} times the energy of the release, the second {kept:3} times. In "
+                "which of them do the errors of the steps cancel?"
+            ),
+        },
         answer=_steps,
-        explanation=_why_steps,
+        why=_(
+            "After {periods} periods explicit Euler has multiplied the energy by {grown:2}, although it takes {many} "
+            "steps per period. Velocity Verlet takes {few}, and its energy is off by {off:1 %}. Explicit Euler adds "
+            "energy in every step. Velocity Verlet preserves areas in the phase plane, so its energy error stays "
+            "bounded. It is not exact either: its phase error has grown to {turns:2} of a full turn."
+        ),
+        numbers=_errors,
         hints=(_("Does a method that is slightly wrong in every step err in the same direction each time?"),),
+        purpose=_("It shows that the structure of a method can matter more than its step size [4]."),
+        expect=_("Nearly everyone trusts the thousand steps. Ask where the additional energy comes from."),
+        short=True,
         minutes=3,
-        runs=(
-            Run(
-                EQUAL,
-                COMPRESSION,
-                METHODS["explicit_euler"].title,
-                samples=lambda: samples("explicit_euler"),
-            ),
-            Run(
-                EQUAL,
-                COMPRESSION,
-                METHODS["velocity_verlet"].title,
-                samples=lambda: samples("velocity_verlet"),
-            ),
+        runs=tuple(
+            Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(samples, method)) for method in STEPS
         ),
         page="speed",
         link={"method": "explicit_euler"},
@@ -151,27 +151,42 @@ STOPS = (
     ),
     Stop(
         id="huge-ratio",
-        heading=_("A mass ratio of {ratio}").format(ratio=_RATIO),
+        heading=_("A mass ratio of {ratio}"),
         question=_(
             "A program in JavaScript evaluates the paper’s formula, Ω² = {formula}, in double precision. Someone "
             "enters m = 1, k = 1 and m′ = {ratio}. What does the program return?"
-        ).format(formula=FORMS["paper"].formula, ratio=_RATIO),
+        ),
+        given={"formula": FORMS["paper"].formula, "ratio": _RATIO, "largest": _LARGEST},
         options=options(
-            right=_("The right value, a very small number."),
-            zero=_("Zero."),
-            message=_("Infinity, or an error message."),
-            wrong=_("A number that looks right but is wrong."),
+            message=_("Infinity or an error."), right=_("The right value."), zero=_("Zero."), wrong=_("Another number.")
         ),
-        answer=_huge,
-        explanation=_why_huge,
-        hints=(
-            _("The largest double-precision number is about {largest}. What is the square of {ratio}?").format(
-                largest=number(float(np.finfo(float).max), 2), ratio=_RATIO
+        replies={
+            "message": _("The square of {ratio} becomes infinity, and the program divides by it. What does that give?"),
+            "right": _(
+                "The right value is {truth:3}. But on the way the program squares {ratio}. Is there a double-precision "
+                "number that large?"
             ),
+            "wrong": _(
+                "That happens with other inputs. Here the program divides by the square of {ratio}, which is larger "
+                "than {largest:2}. What does it divide by?"
+            ),
+        },
+        answer=_huge,
+        why=_(
+            "The formula squares m + m′. At ε = {ratio} this square is larger than every double-precision number, so "
+            "it becomes infinity. Division by infinity gives zero, and JavaScript says nothing about it. The right "
+            "value is {truth:3}. It is small, but it is an ordinary number for a computer. A formula that first "
+            "divides m by m′ finds it without trouble."
         ),
-        minutes=2,
-        runs=(Run(EQUAL),),
+        numbers=lambda: {"truth": _truth()},
+        hints=(_("The largest double-precision number is about {largest:2}. What is the square of {ratio}?"),),
+        purpose=_("It shows that a correct formula can fail without a warning."),
+        expect=_(
+            "“An error” is common, and some languages give one: Python’s power raises an OverflowError, NumPy warns. "
+            "JavaScript, C and Fortran return zero. Let the class name other programs in which this could happen."
+        ),
         hides=FREQUENCY,
+        exhibit=f"```js\n{program()}\n```",
         size="small",
         page="speed",
         link_label=_("See where each formula fails on the page Speed and accuracy"),

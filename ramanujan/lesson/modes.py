@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ramanujan.contact import drawn_spacing, first_to_slip, normal_forces, required_friction
-from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
-from ramanujan.motion import motion, released
-from ramanujan.numerals import number, percent
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Run, Stop, options
+from ramanujan.motion import InitialState, released
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
-
-EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
-COMPRESSION = 0.08
 
 _CONTACTS = {
     "hoop_slab": _("the hoop on the slab"),
@@ -21,6 +19,8 @@ _CONTACTS = {
     "cylinder_block": _("the lower cylinder on the block"),
     "top_block": _("the top cylinder on the block"),
 }
+_SPEED = COMPRESSION / 2 / EQUAL.period
+"""Of gliding and rolling [m/s], slow enough to watch."""
 
 
 def zero_modes(machine: Oscillator) -> int:
@@ -29,39 +29,27 @@ def zero_modes(machine: Oscillator) -> int:
     return stiffness.shape[0] - int(np.linalg.matrix_rank(stiffness))
 
 
-def _modes() -> str:
-    return ("none", "one", "two", "three")[zero_modes(EQUAL)]
+def _spacing() -> float:
+    return drawn_spacing(EQUAL.radius)
 
 
-def _why_modes() -> str:
-    return _(
-        "The machine has three coordinates, X, φ and Φ, and one spring. The spring resists only φ. In the first "
-        "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes {count} "
-        "zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
-    ).format(count=zero_modes(EQUAL))
+def _first(ratio: float) -> str:
+    return first_to_slip(replace(EQUAL, m_prime=ratio * EQUAL.m), COMPRESSION, _spacing())
 
 
-def _contact() -> str:
-    return first_to_slip(EQUAL, COMPRESSION, drawn_spacing(EQUAL.radius))
-
-
-def _why_contact() -> str:
-    spacing = drawn_spacing(EQUAL.radius)
-    needed = required_friction(EQUAL, COMPRESSION, spacing=spacing)
-    at_release = normal_forces(EQUAL, motion(EQUAL, released(EQUAL, COMPRESSION), 0.0)[0], spacing=spacing)
-    on_hoop, on_cylinder = float(at_release["hoop_slab"]), float(at_release["cylinder_slab"])
+def _friction() -> dict[str, object]:
+    """Return μ at each contact, which two need most, the slab's weight on the hoop, ε below which the top slips."""
+    needed = required_friction(EQUAL, COMPRESSION, spacing=_spacing())
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
-    return _(
-        "To roll without slipping, {first} needs μ = {most}. The next is {second} with μ = {next}. The hoop has "
-        "the largest moment of inertia, so it needs the largest force to spin it up. At release, only {share} of the "
-        "slab’s weight presses on it."
-    ).format(
-        first=_CONTACTS[first],
-        most=number(needed[first], 3),
-        second=_CONTACTS[second],
-        next=number(needed[second], 3),
-        share=percent(on_hoop / (on_hoop + on_cylinder)),
-    )
+    loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_spacing())
+    return needed | {
+        "first": _CONTACTS[first],
+        "second": _CONTACTS[second],
+        "most": needed[first],
+        "next": needed[second],
+        "load": float(loads["hoop_slab"] / (loads["hoop_slab"] + loads["cylinder_slab"])),
+        "light": next(ratio for ratio in np.arange(0.01, 5.0, 0.01) if _first(ratio) != "top_block"),
+    }
 
 
 STOPS = (
@@ -72,17 +60,28 @@ STOPS = (
             "You may push the machine in any way. In how many independent ways can it keep moving for ever without "
             "oscillating?"
         ),
-        options=options(
-            none=_("In none: the spring makes everything oscillate."),
-            one=_("In one."),
-            two=_("In two."),
-            three=_("In three, one for each coordinate."),
+        options=options(none=_("In no way."), one=_("In one way."), two=_("In two ways."), three=_("In three ways.")),
+        replies={
+            "none": _("Push the whole machine, and no spring is deformed. What could stop it on this floor?"),
+            "one": _("The whole machine can glide. Which body can turn while all the others are at rest?"),
+            "three": _("There are three coordinates, but the spring resists only {stiff} of them. Which one is it?"),
+        },
+        answer=lambda: ("none", "one", "two", "three")[zero_modes(EQUAL)],
+        why=_(
+            "The machine has three coordinates, X, φ and Φ, and one spring. The spring resists only φ. In the first "
+            "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes {count} "
+            "zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
-        answer=_modes,
-        explanation=_why_modes,
+        numbers=lambda: {"count": zero_modes(EQUAL), "stiff": 3 - zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
+        purpose=_("It prepares the spectrum: one oscillating mode and two zero modes."),
+        expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),
         minutes=3,
-        runs=(Run(EQUAL),),
+        runs=(
+            Run(label=_("The machine oscillates")),
+            Run(label=_("The whole machine glides"), initial=InitialState(X_dot=_SPEED)),
+            Run(label=_("The top cylinder rolls freely"), initial=InitialState(Phi_dot=_SPEED / EQUAL.radius)),
+        ),
         page="derivation",
         link_label=_("See the three modes on the page Derivation"),
     ),
@@ -95,16 +94,39 @@ STOPS = (
             "first slip happen?"
         ),
         options=options(
-            top_block=_("Between top cylinder and block: only friction drives that cylinder."),
+            top_block=_("Between top cylinder and block."),
             hoop_slab=_("Between hoop and slab."),
             cylinder_block=_("Between lower cylinder and block."),
-            cylinder_slab=_("Between lower cylinder and slab: a cylinder is harder to turn than a hoop."),
+            cylinder_slab=_("Between lower cylinder and slab."),
         ),
-        answer=_contact,
-        explanation=_why_contact,
+        replies={
+            "top_block": _(
+                "This contact needs only μ = {top_block:3}. It would slip first if ε were less than {light:2}. Why "
+                "does another contact need more here?"
+            ),
+            "cylinder_block": _(
+                "This contact needs only μ = {cylinder_block:3}. The weight of the roller presses on the block, too. "
+                "Where is a roller pressed less?"
+            ),
+            "cylinder_slab": _(
+                "This contact needs μ = {cylinder_slab:3}, but another one needs {most:3}. Which lower roller is "
+                "harder to spin up?"
+            ),
+        },
+        answer=lambda: first_to_slip(EQUAL, COMPRESSION, _spacing()),
+        why=_(
+            "To roll without slipping, {first} needs μ = {most:3}. The next is {second} with μ = {next:3}. The hoop "
+            "has the largest moment of inertia, so it needs the largest force to spin it up. At the release only "
+            "{load:2 %} of the slab’s weight presses on it."
+        ),
+        numbers=_friction,
         hints=(_("Friction has to spin each roller up. Which lower roller resists that more?"),),
+        purpose=_("It asks what friction is for: it makes the rollers turn."),
+        expect=_(
+            "Many choose the top cylinder, because nothing else drives it. For very light lower rollers they are right."
+        ),
         minutes=3,
-        runs=(Run(EQUAL, slipping=True),),
+        runs=(Run(slipping=True),),
         hides=(*FREQUENCY, "forces", "motion"),
         layers=("forces",),
         page="motion",

@@ -8,14 +8,14 @@ import sympy as sp
 
 from ramanujan import number_theory
 from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.printers import latex
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
-from ramanujan.lesson.stop import FREQUENCY, Run, Stop, options
+from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop, options
 from ramanujan.number_theory import BodyChoice
-from ramanujan.numerals import number
+from ramanujan.numerals import filled, number
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
-EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 IN_STEP = Oscillator(m=1.0, m_prime=UNIT_MASS_RATIO, k=10.0)
 
 BRACKETS = {
@@ -27,15 +27,16 @@ BRACKETS = {
 """Option → the two mass ratios between which the machine may be in step."""
 
 _ROOT = sp.sqrt(1729)
-CANDIDATES = {
-    "plus": (_ROOT + 1) / 36,
-    "without": _ROOT / 36,
-    "minus": (_ROOT - 1) / 36,
-    "double": (_ROOT - 1) / 18,
-}
+CANDIDATES = {"plus": (_ROOT + 1) / 36, "without": _ROOT / 36, "minus": (_ROOT - 1) / 36, "double": (_ROOT - 1) / 18}
 """Option → a mass ratio that may be the exact one; all of them hold 1729, so that no label gives the answer away."""
 
 OTHER_TOP = "sphere"
+
+A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
+"""Of the condition aε² + bε + c = 0."""
+_QUADRATIC = f"{A}ε² + {'' if B == 1 else B}ε − {-C} = 0"
+_NUMBER = int(unit_frequency_condition().discriminant)
+_SUMS = number_theory.sums_of_two_cubes(_NUMBER)
 
 
 def normalized(ratio: Fraction) -> Fraction:
@@ -47,88 +48,47 @@ def _plainly(ratio: Fraction) -> str:
     return number(float(ratio), 4, strip=True)
 
 
+def _between(name: str) -> dict[str, object]:
+    low, high = BRACKETS[name]
+    return {
+        "low": _plainly(low),
+        "high": _plainly(high),
+        "fast": float(normalized(low)),
+        "slow": float(normalized(high)),
+        "middle": _plainly((low + high) / 2),
+        "value": float(normalized((low + high) / 2)),
+    }
+
+
+def _outside(name: str) -> str:
+    """Return what to say to whoever chose a bracket that the ratio in step is not in."""
+    at = _between(name)
+    return filled(
+        _("At ε = {low} Ω²m/k is {fast:4}, at ε = {high} it is {slow:4}: too fast at both. Which way must ε go?")
+        if at["slow"] >= 1
+        else _("At ε = {low} Ω²m/k is {fast:4}, at ε = {high} it is {slow:4}: too slow at both. Which way must ε go?"),
+        **at,
+    )
+
+
 def _by_hand() -> str:
     return next(name for name, (low, high) in BRACKETS.items() if normalized(low) > 1 > normalized(high))
 
 
-def _why_by_hand() -> str:
-    low, high = BRACKETS[_by_hand()]
-    return _(
-        "At ε = {low} the machine is faster, with Ω²m/k = {fast}. At ε = {high} it is slower, with Ω²m/k = {slow}. "
-        "The frequency falls steadily as the rollers become heavier, so the two are in step exactly once. Halve "
-        "the interval, and you come closer with every step. The next ratio to try is {middle}, where Ω²m/k = "
-        "{value}."
-    ).format(
-        low=_plainly(low),
-        high=_plainly(high),
-        fast=number(float(normalized(low)), 4),
-        slow=number(float(normalized(high)), 4),
-        middle=_plainly((low + high) / 2),
-        value=number(float(normalized((low + high) / 2)), 4),
-    )
+def _remainders() -> dict[str, object]:
+    """Return what is left of aε² + bε + c for each candidate, and the right one."""
+    left = {name: float(sp.expand(A * x**2 + B * x + C)) for name, x in CANDIDATES.items()}
+    return left | {"value": float(unit_frequency_condition().root)}
 
 
 def _exactly() -> str:
-    (a, b, c), epsilon = unit_frequency_condition().quadratic.all_coeffs(), sp.Symbol("epsilon")
-    return next(
-        name
-        for name, value in CANDIDATES.items()
-        if sp.simplify((a * epsilon**2 + b * epsilon + c).subs(epsilon, value)) == 0
-    )
-
-
-def _quadratic() -> str:
-    """Return the condition as text, such as 18ε² + ε − 24 = 0."""
-    a, b, c = map(int, unit_frequency_condition().quadratic.all_coeffs())
-    middle = "ε" if b == 1 else f"{b}ε"
-    return f"{a}ε² + {middle} − {-c} = 0"
-
-
-def _why_exactly() -> str:
-    condition = unit_frequency_condition()
-    a, b, c = map(int, condition.quadratic.all_coeffs())
-    return _(
-        "Ω² = k/m leads to {quadratic}. With a = {a}, b = {b} and c = −{c}, the positive root is (√{root} − "
-        "{b})/{twice}, about {value}. A mass ratio cannot be negative, so the other root does not count."
-    ).format(
-        quadratic=_quadratic(),
-        a=a,
-        b=b,
-        c=-c,
-        root=int(condition.discriminant),
-        twice=2 * a,
-        value=number(float(condition.root), 7),
-    )
+    return next(name for name, x in CANDIDATES.items() if sp.expand(A * x**2 + B * x + C) == 0)
 
 
 def _spelled() -> str:
     """Return which of the two sums of cubes has b² and −4ac as its terms."""
-    a, b, c = map(int, unit_frequency_condition().quadratic.all_coeffs())
-    cubes = _sums()
-    spelled = [pair for pair in cubes if sorted(x**3 for x in pair) == sorted((b * b, -4 * a * c))]
-    return {0: "neither", 2: "both"}.get(len(spelled), "first" if spelled == cubes[:1] else "second")
-
-
-def _why_spelled() -> str:
-    condition = unit_frequency_condition()
-    a, b, c = map(int, condition.quadratic.all_coeffs())
-    (x, y), second = _sums()
-    p, q = number_theory.norm_form()
-    return _(
-        "Under the root is b² − 4ac = {b}² + 4·{a}·{c}. Here {b}² = {x}³ and 4·{a}·{c} = {y}³. The other sum, "
-        "{second}, does not appear in the coefficients. There is a reason for {number} = {p}² + 3·{q}²: this form "
-        "follows from the moments of inertia. No reason is known why it is also the smallest sum of two positive "
-        "cubes in two ways."
-    ).format(a=a, b=b, c=-c, x=x, y=y, second=_cubes(second), number=int(condition.discriminant), p=p, q=q)
-
-
-def _sums() -> list[tuple[int, int]]:
-    """Return the two ways to write the number under the root as a sum of two positive cubes."""
-    return number_theory.sums_of_two_cubes(int(unit_frequency_condition().discriminant))
-
-
-def _cubes(pair: tuple[int, int]) -> str:
-    return f"{pair[0]}³ + {pair[1]}³"
+    spelled = [pair for pair in _SUMS if sorted(x**3 for x in pair) == sorted((B * B, -4 * A * C))]
+    return {0: "neither", 2: "both"}.get(len(spelled), "first" if spelled == _SUMS[:1] else "second")
 
 
 def _other() -> BodyChoice:
@@ -139,23 +99,19 @@ def _other_body() -> str:
     paper, other = BodyChoice().discriminant, _other().discriminant
     if other == paper:
         return "same"
-    return "whole" if sp.sqrt(other).is_integer else "another"
+    return "square" if sp.sqrt(other).is_integer else "another"
 
 
-def _why_other_body() -> str:
-    a, b, c = _other().quadratic
-    ratio = float(number_theory.positive_root_digits(a, b, c, 10))
-    cubes = sum(bool(machine.cubes) for machine in number_theory.machines())
-    return _(
-        "With a solid sphere on top the number under the root is {number}. The machine is then in step at ε = "
-        "{ratio}. The top body is not idle: friction makes it turn, and its moment of inertia counts. Of all "
-        "{machines} choices of bodies, only {cubes} lead to a sum of two positive cubes."
-    ).format(
-        number=_other().discriminant,
-        ratio=number(ratio, 4),
-        machines=len(number_theory.machines()),
-        cubes=cubes,
-    )
+def _others() -> dict[str, object]:
+    other, all_machines = _other(), number_theory.machines()
+    return {
+        "number": other.discriminant,
+        "below": int(sp.sqrt(other.discriminant)),
+        "above": int(sp.sqrt(other.discriminant)) + 1,
+        "ratio": float(number_theory.positive_root_digits(*other.quadratic, 10)),
+        "machines": len(all_machines),
+        "cubes": sum(bool(machine.cubes) for machine in all_machines),
+    }
 
 
 STOPS = (
@@ -163,49 +119,57 @@ STOPS = (
         id="by-hand",
         heading=_("In step, by hand"),
         question=_(
-            "With equal masses the machine is a little faster than the plain mass. With rollers five times as "
-            "heavy it is slower. Between which two mass ratios ε = m′/m is it in step?"
+            "The machine is in step with the plain mass where Ω² = k/m. That is so at one mass ratio ε = m′/m alone. "
+            "Between which two ratios is it?"
         ),
-        options=options(
-            **{
-                name: _("Between {low} and {high}").format(low=_plainly(low), high=_plainly(high))
-                for name, (low, high) in BRACKETS.items()
-            }
-        ),
+        options=options(**{name: filled(_("Between {low} and {high}"), **_between(name)) for name in BRACKETS}),
+        replies={name: _outside(name) for name in BRACKETS if name != _by_hand()},
+        given={"periods": round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))},
         answer=_by_hand,
-        explanation=_why_by_hand,
+        why=_(
+            "At ε = {low} the machine is faster, with Ω²m/k = {fast:4}. At ε = {high} it is slower, with Ω²m/k = "
+            "{slow:4}. The frequency falls steadily as the rollers become heavier, so the two are in step exactly "
+            "once. Halve the interval, and you come closer with every step. The next ratio to try is {middle}, where "
+            "Ω²m/k = {value:4}."
+        ),
+        numbers=lambda: _between(_by_hand()),
         hints=(
-            _(
-                "At equal masses it takes {periods} periods of the plain mass until the hands are one full turn apart."
-            ).format(periods=round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))),
+            _("At equal masses it takes {periods} periods of the plain mass until the hands are one full turn apart."),
             _("How much heavier must the rollers be to slow the machine down by so little?"),
         ),
+        purpose=_("It is bisection: how one finds a number without a formula."),
+        expect=_("Let a student call out values while you drag the slider on the page Oscillator."),
+        short=True,
         minutes=3,
-        runs=(Run(EQUAL),),
-        presets=("unit",),
         dials=True,
-        page="oscillator",
         link_label=_("Find it with the slider on the page Oscillator"),
     ),
     Stop(
         id="exactly",
         heading=_("In step, exactly"),
         question=_(
-            "Set Ω² equal to k/m. This gives a quadratic equation for the mass ratio: {quadratic}. Which mass "
-            "ratio is it exactly?"
-        ).format(quadratic=_quadratic()),
-        options=options(
-            plus="ε = (√1729 + 1)/36",
-            without="ε = √1729/36",
-            minus="ε = (√1729 − 1)/36",
-            double="ε = (√1729 − 1)/18",
+            "Set Ω² equal to k/m. This gives a quadratic equation for the mass ratio: {quadratic}. Which mass ratio is "
+            "it exactly?"
         ),
+        options=options(
+            plus="ε = (√1729 + 1)/36", without="ε = √1729/36", minus="ε = (√1729 − 1)/36", double="ε = (√1729 − 1)/18"
+        ),
+        replies={
+            "plus": _("In the equation this ratio leaves {plus:3} instead of 0. What is −b here?"),
+            "without": _("In the equation this ratio leaves {without:3} instead of 0. Where is −b?"),
+            "double": _("In the equation this ratio leaves {double:3} instead of 0. By what is the root divided?"),
+        },
+        given={"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C, "root": _NUMBER, "twice": 2 * A},
         answer=_exactly,
-        explanation=_why_exactly,
+        why=_(
+            "Ω² = k/m leads to {quadratic}. With a = {a}, b = {b} and c = −{c}, the positive root is (√{root} − "
+            "{b})/{twice}, about {value:7}. A mass ratio cannot be negative, so the other root does not count."
+        ),
+        numbers=_remainders,
         hints=(_("The roots of aε² + bε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),),
+        purpose=_("It turns the search into a quadratic equation."),
+        expect=_("The sign of b is the usual slip. Let students put their answer into the equation."),
         minutes=3,
-        runs=(Run(EQUAL),),
-        presets=("unit",),
         then=IN_STEP,
         dials=True,
         size="small",
@@ -218,24 +182,47 @@ STOPS = (
         question=_(
             "The machine is in step where {quadratic}. The number under the root is {number} = {first} = {second}. "
             "Which of these two sums can you read off the coefficients as b² plus −4ac?"
-        ).format(
-            quadratic=_quadratic(),
-            number=int(unit_frequency_condition().discriminant),
-            first=_cubes(_sums()[0]),
-            second=_cubes(_sums()[1]),
         ),
         options=options(
             second=_("The second one."),
-            both=_("Both."),
-            neither=_("Neither: the cubes have nothing to do with the coefficients."),
+            both=_("Both of them."),
+            neither=_("Neither of them."),
             first=_("The first one."),
         ),
+        replies={
+            "second": _("Its terms are {terms[0]} and {terms[1]}, but b² is {square}. How large is −4ac?"),
+            "both": _("b² is {square} and −4ac is {product}. Which two cubes are these, and which are left over?"),
+            "neither": _("b² is {square} and −4ac is {product}. Is one of these numbers a cube?"),
+        },
         answer=_spelled,
-        explanation=_why_spelled,
+        why=_(
+            "Under the root is b² − 4ac = {b}² + 4·{a}·{c}. Here {b}² = {pairs[0][0]}³ and 4·{a}·{c} = {pairs[0][1]}³. "
+            "The other sum, {second}, does not appear in the coefficients. There is a reason for {number} = {norm[0]}² "
+            "+ 3·{norm[1]}²: this form follows from the moments of inertia. No reason is known why it is also the "
+            "smallest sum of two positive cubes in two ways."
+        ),
+        given={
+            "quadratic": _QUADRATIC,
+            "number": _NUMBER,
+            "first": "{}³ + {}³".format(*_SUMS[0]),
+            "second": "{}³ + {}³".format(*_SUMS[1]),
+            "pairs": _SUMS,
+            "terms": [x**3 for x in _SUMS[1]],
+            "norm": number_theory.norm_form(),
+            "b": B,
+            "a": A,
+            "c": -C,
+            "square": B * B,
+            "product": -4 * A * C,
+        },
         hints=(_("Work out b² and −4ac separately."),),
+        purpose=_("It separates what follows from the coefficients from what is a coincidence."),
+        expect=_("Many expect a deep reason for both sums. Say clearly that none is known."),
+        short=True,
         minutes=3,
         runs=(Run(IN_STEP),),
         hides=FREQUENCY,
+        exhibit=f"$${latex(unit_frequency_condition().quadratic.as_expr())}=0$$",
         size="small",
         page="taxicab",
         link_label=_("Count the cubes on the page 1729"),
@@ -244,17 +231,33 @@ STOPS = (
         id="other-body",
         heading=_("Another body, another number?"),
         question=_(
-            "The top cylinder is replaced by a solid sphere of the same mass and radius. The spring does not touch "
-            "it, and it rolls freely. Which number is now under the root of the exact mass ratio?"
+            "The top cylinder is replaced by a solid sphere of the same mass and radius. The spring does not touch it, "
+            "and it rolls freely. Which number is now under the root of the exact mass ratio?"
         ),
         options=options(
-            same=_("Again 1729: the top body does not matter."),
-            another=_("Another number, and the ratio still contains a root."),
-            whole=_("A square number, so that the ratio is a fraction."),
+            same=_("The same number, 1729."),
+            another=_("Another number, not a square."),
+            square=_("Another number, a square."),
         ),
+        replies={
+            "same": _(
+                "Then the top body would not matter. But the block moves below it, and friction turns it. Which "
+                "property of the body counts when it has to turn?"
+            ),
+            "square": _(
+                "The number is {number}. It lies between {below}² and {above}². What does that make of the ratio?"
+            ),
+        },
         answer=_other_body,
-        explanation=_why_other_body,
+        why=_(
+            "With a solid sphere on top the number under the root is {number}. The machine is then in step at ε = "
+            "{ratio:4}. The top body is not idle: friction makes it turn, and its moment of inertia counts. Of all "
+            "{machines} choices of bodies, only {cubes} lead to a sum of two positive cubes."
+        ),
+        numbers=_others,
         hints=(_("What turns the top body when the block moves under it?"),),
+        purpose=_("It shows how fragile the number is: one other body, and it is gone."),
+        expect=_("Many believe that a body that rolls freely cannot matter."),
         minutes=3,
         runs=(Run(IN_STEP, bodies=("hoop", "cylinder", OTHER_TOP)),),
         dials=True,

@@ -10,16 +10,18 @@ import numpy as np
 from ramanujan.contact import drawn_spacing, first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY
-from ramanujan.lesson.task import Setting, Task, Verdict
+from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
 from ramanujan.motion import ground_positions, ground_velocities, motion, pushed, released
-from ramanujan.numerals import number, percent, quantity, told_from
+from ramanujan.numerals import filled, number
 from ramanujan.translation import _
 
 IN_STEP = 1e-3
 NINE_EIGHTHS = 9 / 8
 EXACTLY = 1e-9
+_FRACTION = Fraction(float(mass_ratio_for(NINE_EIGHTHS))).limit_denominator(1000)
 HALF_WAY = 0.01
 PARTING, PARTING_TOLERANCE = 10, 0.01
+_PARTED = {"fast": (1 + 1 / PARTING) ** 2, "slow": (1 - 1 / PARTING) ** 2}
 PERIOD, PERIOD_TOLERANCE = 2.0, 1e-3
 FRICTION, CLOSE = 0.15, 1e-3
 MOVING, RESTING = 0.01, 1e-6
@@ -27,27 +29,20 @@ MOVING, RESTING = 0.01, 1e-6
 _CM = 100.0
 _JUDGED_PERIODS = 20
 _CONTACTS = {
-    "hoop_slab": _("With this x₀ the hoop slips on the slab."),
-    "top_block": _("With this x₀ the top cylinder slips on the block."),
+    "hoop_slab": _("With this x₀ the hoop slips on the slab. x₀ is too large by {off:2 cm}."),
+    "top_block": _("With this x₀ the top cylinder slips on the block. x₀ is too large by {off:2 cm}."),
 }
 
 
 def in_step(setting: Setting) -> Verdict:
     """Judge |Ω²m/k − 1|."""
     value = setting.machine.normalized_frequency_squared
-    off = value - 1
-    if abs(off) <= IN_STEP:
-        return Verdict(
-            True, _("Ω²m/k = {value}. The machine is in step to a thousandth.").format(value=number(value, 6))
-        )
-    sentence = (
-        _("Ω²m/k = {value}. The machine is too fast by {off}; the goal is {goal}.")
-        if off > 0
-        else _("Ω²m/k = {value}. The machine is too slow by {off}; the goal is {goal}.")
+    sentences = (
+        _("Ω²m/k = {value:6}. The machine is in step to a thousandth."),
+        _("Ω²m/k = {value:5}. The machine is too fast by {off}; the goal is {goal:1}."),
+        _("Ω²m/k = {value:5}. The machine is too slow by {off}; the goal is {goal:1}."),
     )
-    return Verdict(
-        False, sentence.format(value=number(value, 5), off=told_from(abs(off), IN_STEP), goal=number(IN_STEP, 1))
-    )
+    return near(value - 1, IN_STEP, sentences, value=value, goal=IN_STEP)
 
 
 def nine_eighths(setting: Setting) -> Verdict:
@@ -56,13 +51,13 @@ def nine_eighths(setting: Setting) -> Verdict:
     off = abs(value - NINE_EIGHTHS)
     if off <= EXACTLY:
         return Verdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
-    if off <= IN_STEP:
-        sentence = _(
-            "Ω²m/k = {value}, only {off} away from 9/8. Which fraction is that mass ratio? Type it into the box of m′."
-        )
-    else:
-        sentence = _("Ω²m/k = {value}. That is {off} away from 9/8.")
-    return Verdict(False, sentence.format(value=number(value, 7), off=number(off, 2)))
+    if off > IN_STEP:
+        return missed(_("Ω²m/k = {value:7}. That is {off:2} away from 9/8."), value=value, off=off)
+    return missed(
+        _("Ω²m/k = {value:7}, only {off:2} away. Which fraction is that mass ratio? Type it into the box of m′."),
+        value=value,
+        off=off,
+    )
 
 
 def half_way(setting: Setting) -> Verdict:
@@ -71,77 +66,49 @@ def half_way(setting: Setting) -> Verdict:
     states = motion(machine, released(machine, setting.compression), [0.0, machine.period / 4])[0]
     travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
     share = travel["slab"] / (travel["slab"] + travel["block"])
-    off = abs(share - 0.5) / 0.5
-    words = {
-        "slab": percent(share, 4),
-        "block": percent(1 - share, 4),
-        "off": told_from(100 * off, 100 * HALF_WAY, unit="%"),
-    }
-    if off <= HALF_WAY:
-        return Verdict(
-            True,
-            _("Slab and block meet half way: the slab covers {slab} of x₀, the block {block}.").format(**words),
-        )
-    return Verdict(
-        False,
-        _("The slab covers {slab} of x₀ and the block {block}. The slab’s way is {off} longer than half.").format(
-            **words
-        ),
+    sentences = (
+        _("Slab and block meet half way: the slab covers {slab:4 %} of x₀, the block {block:4 %}."),
+        _("The slab covers {slab:4 %} of x₀ and the block {block:4 %}. The slab’s way is {off} longer than half."),
     )
+    return near(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
 
 
 def parting(setting: Setting) -> Verdict:
     """Judge after how many periods of the plain mass the hands are one full turn apart."""
     gained = abs(math.sqrt(setting.machine.normalized_frequency_squared) - 1)
     periods = 1 / gained if gained else math.inf
-    if abs(periods / PARTING - 1) <= PARTING_TOLERANCE:
-        return Verdict(
-            True,
-            _("The hands are one full turn apart after {periods} periods of the plain mass.").format(
-                periods=number(periods, 4)
-            ),
-        )
     if periods > 1e6:
-        return Verdict(
-            False, _("The hands stay together: the machine is in step. The goal is one full turn in ten periods.")
-        )
-    sentence = (
-        _("The hands are one full turn apart after {periods} periods of the plain mass, {off} too late.")
-        if periods > PARTING
-        else _("The hands are one full turn apart after {periods} periods of the plain mass, {off} too early.")
+        return missed(_("The hands stay together: the machine is in step. The goal is one full turn in ten periods."))
+    sentences = (
+        _("The hands are one full turn apart after {periods:4} periods of the plain mass."),
+        _("The hands are one full turn apart after {periods:3} periods of the plain mass, {off} too late."),
+        _("The hands are one full turn apart after {periods:3} periods of the plain mass, {off} too early."),
     )
-    return Verdict(
-        False,
-        sentence.format(periods=number(periods, 3), off=told_from(abs(periods - PARTING), PARTING * PARTING_TOLERANCE)),
-    )
+    return near(periods - PARTING, PARTING * PARTING_TOLERANCE, sentences, periods=periods)
 
 
 def two_seconds(setting: Setting) -> Verdict:
     """Judge the period."""
     period = setting.machine.period
-    if abs(period / PERIOD - 1) <= PERIOD_TOLERANCE:
-        return Verdict(True, _("The period is {period}.").format(period=quantity(period, "s", 5)))
-    sentence = (
-        _("The period is {period}, too long by {off}.")
-        if period > PERIOD
-        else _("The period is {period}, too short by {off}.")
+    sentences = (
+        _("The period is {period:5 s}."),
+        _("The period is {period:4 s}, too long by {off}."),
+        _("The period is {period:4 s}, too short by {off}."),
     )
-    off = told_from(abs(period - PERIOD), PERIOD * PERIOD_TOLERANCE, unit="s")
-    return Verdict(False, sentence.format(period=told_from(period, PERIOD, 4, "s"), off=off))
+    return near(period - PERIOD, PERIOD * PERIOD_TOLERANCE, sentences, "s", period=period)
 
 
 def no_slip(setting: Setting) -> Verdict:
     """Judge whether x₀ is just below the largest one without slip, for the friction of the task."""
     machine, spacing = setting.machine, drawn_spacing(setting.machine.radius)
-    largest = largest_compression(machine, FRICTION, spacing=spacing)
-    room = largest - setting.compression
-    off = told_from(abs(_CM * room), _CM * CLOSE, unit="cm")
+    room = largest_compression(machine, FRICTION, spacing=spacing) - setting.compression
     if room < 0:
-        contact = _CONTACTS[first_to_slip(machine, setting.compression, spacing)]
-        return Verdict(False, contact + " " + _("x₀ is too large by {off}.").format(off=off))
-    if room <= CLOSE:
-        return Verdict(True, _("Every contact rolls, and with {off} more the first one would slip.").format(off=off))
-    return Verdict(False, _("Every contact rolls, but x₀ could be larger by {off}.").format(off=off))
+        return missed(_CONTACTS[first_to_slip(machine, setting.compression, spacing)], off=-_CM * room)
+    sentences = (
+        _("Every contact rolls, and with {off} more the first one would slip."),
+        _("Every contact rolls, but x₀ could be larger by {off}."),
+    )
+    return near(room, CLOSE, sentences, "cm")
 
 
 def top_at_rest(setting: Setting) -> Verdict:
@@ -153,22 +120,12 @@ def top_at_rest(setting: Setting) -> Verdict:
     path = ground_positions(machine, states)["top"]
     away = float(np.abs(path - path[0]).max())
     if float(np.abs(ground_velocities(machine, rates)["block"]).max()) < MOVING:
-        return Verdict(
-            False,
-            _("Everything is at rest. The block must move at {least} or faster.").format(
-                least=quantity(1.0, "cm/s", 1)
-            ),
-        )
-    if away <= RESTING:
-        return Verdict(
-            True, _("The top cylinder stays where it is relative to the ground, while the block moves below it.")
-        )
-    return Verdict(
-        False,
-        _("Within {periods} periods the top cylinder moves up to {away} away from its place.").format(
-            periods=_JUDGED_PERIODS, away=quantity(_CM * away, "cm", 2)
-        ),
+        return missed(_("Everything is at rest. The block must move at {least:1 cm/s} or faster."), least=_CM * MOVING)
+    sentences = (
+        _("The top cylinder stays where it is relative to the ground, while the block moves below it."),
+        _("Within {periods} periods the top cylinder moves up to {away:2 cm} away from its place."),
     )
+    return near(away, RESTING, sentences, periods=_JUDGED_PERIODS, away=_CM * away)
 
 
 TASKS = (
@@ -193,12 +150,10 @@ TASKS = (
         (
             _("9/8 is larger than the value at equal masses, so the rollers must be lighter."),
             _(
-                "The page Derivation shows Ω² as a fraction of polynomials in m and m′. Set m = 1 and solve Ω²/k = "
-                "9/8 for m′."
+                "The page Derivation shows Ω² as a fraction of polynomials in m and m′. Set m = 1 and solve Ω²/k = 9/8 "
+                "for m′."
             ),
-            _("m′/m is a fraction with the denominator {denominator}.").format(
-                denominator=Fraction(float(mass_ratio_for(NINE_EIGHTHS))).limit_denominator(1000).denominator
-            ),
+            filled(_("m′/m is a fraction with the denominator {ratio.denominator}."), ratio=_FRACTION),
         ),
         nine_eighths,
     ),
@@ -210,8 +165,8 @@ TASKS = (
             _("A softer spring makes the period longer."),
             _("The period is proportional to 1/√k. By which factor must it change?"),
             _(
-                "Keep the masses, read the period T, and multiply k by (T/2)², with T in seconds. Type the result "
-                "into the box of k."
+                "Keep the masses, read the period T, and multiply k by (T/2)², with T in seconds. Type the result into "
+                "the box of k."
             ),
         ),
         two_seconds,
@@ -223,9 +178,7 @@ TASKS = (
         (
             _("There are two solutions: the machine may be faster or slower."),
             _("In one period the hands must part by a tenth of a turn. By which factor must Ω differ from √(k/m)?"),
-            _("Look for Ω²m/k = {fast} or {slow} on the curve of the page Oscillator.").format(
-                fast=number((1 + 1 / PARTING) ** 2, 3), slow=number((1 - 1 / PARTING) ** 2, 2)
-            ),
+            filled(_("Look for Ω²m/k = {fast:3} or {slow:2} on the curve of the page Oscillator."), **_PARTED),
         ),
         parting,
     ),

@@ -2,9 +2,10 @@
 
     predict   the question, while what `hides` names is neither in the picture nor anywhere else on the page
     observe   the `runs`: the machine, or several side by side, in motion
-    explain   `explanation()`, with the numbers put in
+    explain   `explanation()`, and for a wrong option its `reply()`, with the numbers put in
 
-A stop types no result: `answer` and `explanation` are functions that ask the core, SymPy or `number_theory`.
+A stop types no result: `answer` and `numbers` are functions that ask the core, SymPy or `number_theory`.
+Options give no reasons, so that nobody can tell the right one by its looks.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from ramanujan.motion import InitialState
+from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
@@ -20,6 +23,10 @@ FREQUENCY = ("clocks", "numbers")
 """Parts of the stage that tell how fast the machine is."""
 EVERYTHING = ("clocks", "numbers", "motion")
 """What is hidden where the motion itself is the answer: the machine stands still."""
+
+EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
+COMPRESSION = 0.08
+"""The machine of most stops, and where it is released [m]."""
 
 
 @dataclass(frozen=True)
@@ -42,19 +49,24 @@ class Run:
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
     samples : returns a computed motion to show instead of the exact one: step [s] and X, phi, Phi
     slipping : the contact that slips is marked
+    initial : the state at release; without it, at rest with the spring compressed by x₀
     """
 
-    machine: Oscillator
-    compression: float = 0.08
+    machine: Oscillator = EQUAL
+    compression: float = COMPRESSION
     label: str = ""
     bodies: tuple[str, str, str] = ("hoop", "cylinder", "cylinder")
     samples: Callable[[], Mapping[str, object]] | None = None
     slipping: bool = False
+    initial: InitialState | None = None
 
 
 @dataclass(frozen=True)
 class Stop:
     """One stop of the lesson.
+
+    All sentences are templates for `numerals.filled`. They may name `equal`, the machine with equal masses, `machine`
+    and `shown`, those of this stop, and its `runs`.
 
     Parameters
     ----------
@@ -62,14 +74,19 @@ class Stop:
     heading, question : what is asked, plain text
     options : the answers to choose from
     answer : returns the id of the right option
-    explanation : returns why it is right, with the numbers of this machine
+    replies : id of each wrong option → what it would mean for this machine, then a question that leads on
+    why : why the right option is right
+    given : numbers of the question; all sentences may name them
+    numbers : returns numbers of the answer, for `why` and `replies`
     hints : questions that lead on, to be shown one by one
+    purpose, expect : for the lecturer: what the stop is for, and what students often answer and why
     minutes : how long the stop takes in a class
+    short : the stop also belongs to the short lesson
     runs : the machines; the first is shown before the prediction
     hides : what a prediction must not see, names of `stage.PARTS`
-    presets : presets of the sidebar that would tell the answer, names in `controls.PRESETS`
     layers : what the stage shows besides after the prediction
     dials : the stage shows its clocks and its gauge after the prediction
+    exhibit : Markdown to be shown instead of the runs, such as a program
     then : the machine after the prediction, where it is another one
     size : "large" where the picture matters, "small" where the question needs the room
     page : the page on which it is seen in full, by its folder in `pages`
@@ -82,19 +99,25 @@ class Stop:
     question: str
     options: tuple[Option, ...]
     answer: Callable[[], str]
-    explanation: Callable[[], str]
+    replies: Mapping[str, str]
+    why: str
     hints: tuple[str, ...]
-    minutes: int
-    runs: tuple[Run, ...]
-    page: str
+    purpose: str
+    expect: str
     link_label: str
+    given: Mapping[str, object] = field(default_factory=lambda: MappingProxyType({}))
+    numbers: Callable[[], Mapping[str, object]] = dict
+    page: str = "oscillator"
+    link: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    minutes: int = 2
+    short: bool = False
+    runs: tuple[Run, ...] = (Run(),)
     hides: tuple[str, ...] = EVERYTHING
-    presets: tuple[str, ...] = ()
     layers: tuple[str, ...] = ()
     dials: bool = False
+    exhibit: str = ""
     then: Oscillator | None = None
     size: str = "large"
-    link: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
 
     @property
     def machine(self) -> Oscillator:
@@ -111,6 +134,23 @@ class Stop:
         """Where it is released, x₀ [m]."""
         return self.runs[0].compression
 
+    def __post_init__(self) -> None:
+        for name in ("heading", "question"):
+            object.__setattr__(self, name, self._filled(getattr(self, name)))
+        object.__setattr__(self, "hints", tuple(map(self._filled, self.hints)))
+
+    def explanation(self) -> str:
+        """Return why the right option is right, with the numbers of this machine."""
+        return self._filled(self.why, **self.numbers())
+
+    def reply(self, option: str) -> str:
+        """Return what to say to whoever chose this wrong option, with the numbers of this machine."""
+        return self._filled(self.replies[option], **self.numbers())
+
+    def _filled(self, template: str, **numbers: object) -> str:
+        machines = {"equal": EQUAL, "machine": self.machine, "shown": self.shown, "runs": self.runs}
+        return filled(template, **machines, **self.given, **numbers)
+
     def option(self, name: str) -> Option:
         """Return the option with this id; ValueError if there is none."""
         for option in self.options:
@@ -122,3 +162,8 @@ class Stop:
 def options(**labels: str) -> tuple[Option, ...]:
     """Return options from id=label, in this order."""
     return tuple(Option(name, label) for name, label in labels.items())
+
+
+def by_sign(value: object, negative: str, zero: str, positive: str) -> str:
+    """Return one of three ids by the sign of a number."""
+    return positive if value > 0 else negative if value < 0 else zero

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from ramanujan.lesson.stop import COMPRESSION
+from ramanujan.numerals import filled, told_from, with_unit
 from ramanujan.oscillator import Oscillator
 
 
@@ -25,8 +27,8 @@ class Setting:
     """
 
     machine: Oscillator = field(default_factory=lambda: Oscillator(k=10.0))
-    compression: float = 0.08
-    release: float = 0.08
+    compression: float = COMPRESSION
+    release: float = COMPRESSION
     glide: float = 0.0
     spin: float = 0.0
     method: str = "explicit_euler"
@@ -44,6 +46,29 @@ class Verdict:
 
     done: bool
     sentence: str
+
+
+def missed(sentence: str, **values: object) -> Verdict:
+    """Return that a task is not done, with a template for `numerals.filled`."""
+    return Verdict(False, filled(sentence, **values))
+
+
+def near(off: float, tolerance: float, sentences: tuple[str, ...], unit: str = "", **values: object) -> Verdict:
+    """Return the verdict on a value that misses its goal by so much.
+
+    Parameters
+    ----------
+    off, tolerance : by how much the value is too large, and how much is allowed
+    sentences : if it is near enough, too large, too small; templates for `numerals.filled`
+    unit : of `off`, the distance from the goal, as the sentences have it: s, cm or %
+    values : other numbers of the sentences
+    """
+    done = abs(off) <= tolerance
+    sentence = sentences[0 if done else 1 if off > 0 else 2]
+    scale = {"cm": 100, "%": 100}.get(unit, 1)
+    # Near the goal with the digits that show on which side of it the value is.
+    distance = with_unit(told_from(scale * abs(off), scale * tolerance), unit)
+    return Verdict(done, filled(sentence, off=distance, **values))
 
 
 @dataclass(frozen=True)

@@ -53,17 +53,18 @@ def draw(withheld: Collection[str] = ()) -> None:
     """
     with st.sidebar:
         page.sheet()
-        st.pills(
-            _("Presets"),
-            [name for name in PRESETS if name not in withheld],
-            format_func=PRESETS.__getitem__,
-            key=_PRESET,
-            on_change=_take_preset,
-            label_visibility="collapsed",
-        )
+        if offered := [name for name in PRESETS if name not in withheld]:
+            st.pills(
+                _("Presets"),
+                offered,
+                format_func=PRESETS.__getitem__,
+                key=_PRESET,
+                on_change=_take_preset,
+                label_visibility="collapsed",
+            )
         values = {key: _slider(QUANTITIES[key]) for key in ("m", "m_prime", "k", "compression")}
         with st.expander(_("More")):
-            st.caption(_("The radius R sets the size of the machine. It changes no frequency."))
+            st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
             values["radius"] = _slider(QUANTITIES["radius"])
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:

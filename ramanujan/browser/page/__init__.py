@@ -4,8 +4,8 @@ bus.js carries messages between the components, hosts.js holds every selector in
 rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
 component each. No physics here.
 
-Streamlit sends a component's HTML, CSS and script with every run of the page. So a component brings only two lines that
-import its module, which the server offers as a file (`ramanujan.browser.modules`).
+Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
+message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
 
 The topics of the bus, where NAME is the name of a stage:
 
@@ -28,14 +28,14 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser import modules
+from ramanujan.browser.page import bundle
 from ramanujan.translation import _
 
 
 def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
-    """Bring what every page has; call it before anything else is drawn.
+    """Bring the scripts of all components to the page; call it before any of them is drawn.
 
-    That is the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
+    With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
     that scroll sideways; a new run of the page when the visitor switches the theme, so that figures follow; and a ring
     that follows the first page's machine on a curve. A figure has the ring if its layout's `meta` names the ring's
     colour; its axes are the mass ratio ε and Ω²m/k.
@@ -52,7 +52,7 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
-    _component("library")(key="library", data=data, on_switched_change=lambda: None)
+    _library()(key="library", data=data, on_switched_change=lambda: None)
 
 
 def feed(key: str, topics: Mapping[str, Any]) -> Any:
@@ -221,5 +221,10 @@ def stopwatch(key: str) -> float | None:
 
 @cache
 def _component(name: str) -> Any:
-    """Return a component of this folder."""
-    return st.components.v2.component(f"ramanujan_{name}", js=modules.begin(f"page/{name}"))
+    """Return a component of this folder, which asks the page's library for its part."""
+    return st.components.v2.component(f"ramanujan_{name}", js=bundle.ask(name))
+
+
+@cache
+def _library() -> Any:
+    return st.components.v2.component("ramanujan_library", js=bundle.library())

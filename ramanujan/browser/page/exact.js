@@ -2,9 +2,6 @@
 // The slider is the only holder of the value. The box shows what the slider holds, also while it moves, and hands a typed
 // text to the server as one message; it sends no value of its own.
 
-import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
-
 export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => exactBox(parentElement, signal));
   begun.receive(data.key, (text) => setTriggerValue("typed", text));

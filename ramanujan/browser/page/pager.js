@@ -1,11 +1,6 @@
 // One picture of the page at a time, for a projector. A page is a column of pieces: figures, stages, headings, paragraphs,
 // formulas. They are put on sheets as high as the screen: a heading begins a sheet, a sheet has one figure or stage.
 
-import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
-import { fill } from "./sentences.js";
-import { turnOf } from "./turning.js";
-
 const AWAY = "data-away"; // projector.css takes such a piece out of sight; it keeps its size
 
 export default function ({ data, parentElement }) {

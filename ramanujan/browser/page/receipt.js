@@ -1,9 +1,6 @@
 // Tells the server which of the values that it gave to the widgets have arrived; why it must know is in shell/pending_updates.py.
 // A value has arrived when its slider shows it: what the page sends before then still carries the old one.
 
-import { live } from "./bus.js";
-import { hosts } from "./hosts.js";
-
 const LOOK = 50; // ms between two looks at the sliders
 const LOOKS = 40; // after which a slider that shows something else is believed
 

@@ -1,14 +1,12 @@
 // The hand on a value: a slider of the sidebar that moves under a thumb or by keys, or the slab. What the hand sets counts
 // at once, and until the server has answered it; a message that speaks of an older value cannot take it back.
 
-import { hosts } from "../page/hosts.js";
-
 // The one state of a stage, and what leads from it to which; what is not listed does nothing.
 //   idle       the picture shows what the server says
 //   following  a slider moves: its input is read in every frame
 //   held       the slab is in a hand: the machine stands still
 //   awaiting   nothing is in a hand, and the server has not yet said what was set last
-export const TRANSITIONS = {
+const TRANSITIONS = {
   idle: { grab: "following", take: "held" },
   following: { grab: "following", leave: "awaiting", take: "held" },
   held: { drop: "awaiting" },
@@ -17,7 +15,7 @@ export const TRANSITIONS = {
 const AFTERWARDS = 0.12; // s for which a slider is still read when the hand has left it
 const PATIENCE = 5; // s that the slab's value waits for the server where its slider is not on the page
 
-export class Hand {
+class Hand {
   state = "idle";
   claims = new Map(); // key of a slider → what the hand has set
   followed = null; // the key of the slider that moves

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
+
 from ramanujan.translation import _
 
 SENTENCES = {
@@ -117,3 +119,8 @@ TEXTS = {
     "coordinates": _("Coordinates"),
 }
 """Slot of stage.html → its text."""
+
+
+def filled(html: str) -> str:
+    """Return stage.html with its texts in their slots."""
+    return html.format(**{slot: escape(text) for slot, text in TEXTS.items()})

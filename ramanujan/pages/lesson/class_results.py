@@ -46,6 +46,8 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
                 st.markdown(said)
         for option in stop.options:
             st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
+            if solved and option.id == chosen != result.right:
+                st.markdown(cache.solution(stop.id).replies[chosen])
             places = st.columns(len(result.votes), gap="small")
             for number, (place, votes) in enumerate(zip(places, result.votes, strict=True)):
                 total = sum(votes.values())

@@ -9,10 +9,9 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.browser import page
-from ramanujan.lesson import Stop
 from ramanujan.lesson.notes import INTRODUCTION
-from ramanujan.pages.lesson import cache, classroom, progress, stops, tasks
-from ramanujan.shell import address, class_session, widgets
+from ramanujan.pages.lesson import cache, classroom, ending, progress, stops, tasks
+from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.translation import _, ngettext
 
 KEYS = (*progress.KEYS, *tasks.KEYS)
@@ -32,14 +31,13 @@ def show() -> None:
 
 
 def withheld() -> tuple[str, ...]:
-    """Return the presets that would tell the answer of the present stop, or to a student that of any stop."""
+    """Return the presets that are not offered: none would leave a question or a task as it is."""
     class_session.arrive()
-    if class_session.seat_held():
-        return tuple(name for stop in lesson.STOPS for name in stop.presets)
-    now = lesson.stop(address.held(progress.STOP))
-    if address.held(progress.PART) != "stops" or stops.is_answered(now):
-        return ()
-    return now.presets
+    name = address.held(progress.STOP)
+    walks = address.held(progress.PART) == "stops" and name != progress.END
+    if class_session.seat_held() or not walks or not stops.is_answered(lesson.stop(name)):
+        return tuple(sidebar.PRESETS)
+    return ()
 
 
 def keep_address() -> None:
@@ -52,18 +50,24 @@ def keep_address() -> None:
 
 
 def walk(head: st.delta_generator.DeltaGenerator) -> None:
-    """Draw the present stop, and in the head what turns to another one."""
-    now = lesson.stop(address.held(progress.STOP))
-    number = lesson.STOPS.index(now) + 1
+    """Draw the present stop or the end, and in the head what turns to another one."""
+    path = progress.path()
+    places = [*(stop.id for stop in path), progress.END]
+    number = places.index(address.held(progress.STOP)) + 1
     with head:
-        page.turn([stop.heading for stop in lesson.STOPS], number, lambda to: turn(lesson.STOPS[to - 1]))
-    stops.draw(now, number)
+        page.turn([*(stop.heading for stop in path), ending.HEADING], number, lambda to: turn(places[to - 1]))
+    if number > len(path):
+        ending.draw(path)
+    else:
+        stops.draw(path[number - 1], number)
 
 
-def turn(stop: Stop) -> None:
-    """Go to a stop, in a callback."""
-    st.session_state[progress.STOP.name] = stop.id
-    stops.load(stop, stop.id in progress.predictions())
+def turn(place: str) -> None:
+    """Go to a stop, or to the end, in a callback."""
+    st.session_state[progress.STOP.name] = place
+    if place != progress.END:
+        stop = lesson.stop(place)
+        stops.load(stop, stops.runs(progress.prediction(stop)[1]))
 
 
 def work(head: st.delta_generator.DeltaGenerator) -> None:
@@ -76,19 +80,21 @@ def work(head: st.delta_generator.DeltaGenerator) -> None:
 
 
 def notes(_head: st.delta_generator.DeltaGenerator) -> None:
-    """Draw the lecturer's notes."""
+    """Draw the lecturer's notes, and the choice between all stops and a few."""
     st.title(_("Lecturer’s notes"), anchor=False)
-    minutes = sum(stop.minutes for stop in lesson.STOPS)
-    st.markdown(
-        _("The lesson has {stops} stops and takes about {minutes} minutes.").format(
-            stops=len(lesson.STOPS), minutes=minutes
-        )
-    )
+    lengths = {"short": [stop for stop in lesson.STOPS if stop.short], "all": lesson.STOPS}
+    said = _("{stops} stops in {minutes} minutes")
+    words = {
+        name: said.format(stops=len(chosen), minutes=sum(stop.minutes for stop in chosen))
+        for name, chosen in lengths.items()
+    }
+    widgets.pills(progress.LENGTH, _("How long is the lesson?"), words)
+    st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
     st.markdown(INTRODUCTION)
-    for number, (stop, note) in enumerate(zip(lesson.STOPS, lesson.NOTES, strict=True), start=1):
+    for number, stop in enumerate(lesson.STOPS, start=1):
         time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
         right = _("Right answer: {label}").format(label=cache.solution(stop.id).label)
-        st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{note.purpose} {note.expect}  \n:small[{right}]")
+        st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{stop.purpose} {stop.expect}  \n:small[{right}]")
     st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
 
 

@@ -9,36 +9,45 @@ from typing import ClassVar
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.shell import address
+from ramanujan.lesson import Stop
+from ramanujan.shell import address, class_session
 from ramanujan.translation import _
 
-_IDS = tuple(stop.id for stop in lesson.STOPS)
-_TASKS = tuple(task.id for task in lesson.TASKS)
+ASKED, PREDICTED, MISSED, ANSWERED = "asked", "predicted", "missed", "answered"
+"""Of a stop: nothing is chosen; something is, but the machine stands still; it ran, and the choice was wrong, but the
+right answer is not named; it is."""
+END = "end"
 
 PART = address.Choice("part", ("stops", "tasks", "notes"), "stops")
-STOP = address.Choice("stop", _IDS, _IDS[0])
-TASK = address.Choice("task", _TASKS, _TASKS[0])
+STOP = address.Choice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
+TASK = address.Choice("task", tuple(task.id for task in lesson.TASKS), lesson.TASKS[0].id)
+LENGTH = address.Choice("stops", ("short", "all"))
 
 
 @dataclass(frozen=True)
 class Predictions:
-    """A key of the address that lists predictions, such as block.opposite~radius.same: stop → option."""
+    """A key of the address that lists predictions: stop → option and how far the reader has come with it.
+
+    In the address: block.opposite~radius.same.predicted; without a third word, the answer was shown.
+    """
 
     bound: ClassVar[bool] = False
     name: str
-    default: Mapping[str, str] = field(default_factory=dict)
+    default: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
-    def read(self, text: str) -> dict[str, str]:
+    def read(self, text: str) -> dict[str, tuple[str, str]]:
         """Return the predictions; ValueError if the text is no such list."""
         made = {}
         for entry in text.split("~"):
-            name, _dot, option = entry.partition(".")
-            made[name] = lesson.stop(name).option(option).id
+            name, option, *phase = entry.split(".")
+            if phase not in ([], [PREDICTED], [MISSED]):
+                raise ValueError(self.name)
+            made[name] = lesson.stop(name).option(option).id, *(phase or [ANSWERED])
         return made
 
-    def write(self, made: Mapping[str, str]) -> str:
+    def write(self, made: Mapping[str, tuple[str, str]]) -> str:
         """Return the predictions as the address has them."""
-        return "~".join(f"{stop}.{option}" for stop, option in made.items())
+        return "~".join(".".join((stop, *said)).removesuffix(f".{ANSWERED}") for stop, said in made.items())
 
     def complaint(self) -> str:
         """Return the sentence for a text that does not fit."""
@@ -48,15 +57,22 @@ class Predictions:
 
 
 CHOSEN = Predictions("chosen")
-KEYS = (PART, STOP, TASK, CHOSEN)
+KEYS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 
-def predictions() -> Mapping[str, str]:
-    """Return stop → option of the predictions that have been made."""
-    return address.held(CHOSEN)
+def prediction(stop: Stop) -> tuple[str | None, str]:
+    """Return the option that was chosen at a stop, if any, and how far the reader has come with it."""
+    return address.held(CHOSEN).get(stop.id, (None, ASKED))
 
 
-def predict(stop: str, option: str | None) -> None:
-    """Make a prediction, or take it back."""
-    made = {name: chosen for name, chosen in predictions().items() if name != stop}
-    st.session_state[CHOSEN.name] = made | ({stop: option} if option else {})
+def predict(stop: Stop, option: str | None, phase: str = PREDICTED) -> None:
+    """Make a prediction, take it back, or go on with it."""
+    made = {name: chosen for name, chosen in address.held(CHOSEN).items() if name != stop.id}
+    st.session_state[CHOSEN.name] = made | ({stop.id: (option, phase)} if option else {})
+
+
+def path() -> tuple[Stop, ...]:
+    """Return the stops of this lesson: all, or the few that fill a lecture with votes; the present one among them."""
+    asked = address.held(LENGTH) or ("short" if class_session.key_held() else "all")
+    now = address.held(STOP)
+    return tuple(stop for stop in lesson.STOPS if asked == "all" or stop.short or stop.id == now)

@@ -28,39 +28,43 @@ _LOADED = "lesson_loaded"
 """Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
 
 
-def load(stop: Stop, predicted: bool) -> None:
+def load(stop: Stop, runs: bool) -> None:
     """Give the sliders the machine of a stop, in a callback."""
-    st.session_state[_LOADED] = (stop.id, predicted)
-    sidebar.take_machine(stop.shown if predicted else stop.machine, stop.compression)
+    st.session_state[_LOADED] = (stop.id, runs)
+    sidebar.take_machine(stop.shown if runs else stop.machine, stop.compression)
 
 
-def arrive(stop: Stop, predicted: bool) -> None:
+def arrive(stop: Stop, runs: bool) -> None:
     """Give the sliders the machine of a stop that a link or another page has led to, unless the link says another."""
-    if st.session_state.get(_LOADED) == (stop.id, predicted):
+    if st.session_state.get(_LOADED) == (stop.id, runs):
         return
-    st.session_state[_LOADED] = (stop.id, predicted)
-    machine = stop.shown if predicted else stop.machine
+    st.session_state[_LOADED] = (stop.id, runs)
+    machine = stop.shown if runs else stop.machine
     if not sidebar.linked() and not sidebar.holds(machine, stop.compression):
         sidebar.ask_for_machine(machine, stop.compression)
         messages.run_again()
 
 
-def predict(stop: Stop, option: str | None) -> None:
-    """Take a prediction, or take it back, in a callback."""
-    progress.predict(stop.id, option)
-    load(stop, option is not None)
+def runs(phase: str) -> bool:
+    """Tell whether the machine runs: the reader has predicted what it does, and asked to see it."""
+    return phase in (progress.MISSED, progress.ANSWERED)
+
+
+def go_on(stop: Stop, option: str | None, phase: str) -> None:
+    """Take a prediction, or take it back, or go on with it, in a callback."""
+    progress.predict(stop, option, phase)
+    load(stop, runs(phase))
 
 
 def is_answered(stop: Stop) -> bool:
-    """Tell whether the page may show the right answer: there is a prediction, or the class has seen the answer."""
+    """Tell whether the page may show the right answer: the reader has asked for it, or the class has seen it."""
     seen = class_session.has_seen(stop)
-    return stop.id in progress.predictions() if seen is None else seen
+    return progress.prediction(stop)[1] == progress.ANSWERED if seen is None else seen
 
 
 def draw(stop: Stop, number: int) -> None:
     """Draw a stop, the one of that number."""
-    chosen = progress.predictions().get(stop.id)
-    predicted = chosen is not None
+    chosen, phase = progress.prediction(stop)
     st.title(f"{number}. {stop.heading}", anchor=False)
     st.markdown(stop.question)
     words, picture = st.columns([3, 2] if stop.size == "small" else [1, 1], gap="medium")
@@ -68,25 +72,28 @@ def draw(stop: Stop, number: int) -> None:
         solved = classroom.panel(stop)
         if solved is not None:
             # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
-            predicted = solved
-            if solved:
-                why(stop)
+            phase = progress.ANSWERED if solved else progress.ASKED
         elif chosen is None:
             ask(stop)
         else:
-            explain(stop, chosen)
-    arrive(stop, predicted)
+            judge(stop, chosen, phase)
+        if phase == progress.ANSWERED:
+            why(stop)
+    arrive(stop, runs(phase))
+    if stop.exhibit:
+        picture.markdown(stop.exhibit)
+        return
     with words, st.container(key="lesson_caption"):
-        st.markdown(f":small[{_caption(stop, predicted)}]")
-    with picture, st.container(key=f"observed_{_arrangement(stop, predicted)}"):
-        observe(stop, predicted)
+        st.markdown(f":small[{_caption(stop, runs(phase))}]")
+    with picture, st.container(key=f"observed_{_arrangement(stop, runs(phase))}"):
+        observe(stop, runs(phase))
 
 
-def _arrangement(stop: Stop, predicted: bool) -> str:
+def _arrangement(stop: Stop, running: bool) -> str:
     """Return by what the style sheets know how much room the picture takes on a projector."""
     if len(stop.runs) > 1:
         return "several"
-    return "dials" if stop.dials and predicted else "one"
+    return "dials" if stop.dials and running else "one"
 
 
 def ask(stop: Stop) -> None:
@@ -97,39 +104,52 @@ def ask(stop: Stop) -> None:
             st.button(
                 option.label,
                 key=f"option_{stop.id}_{option.id}",
-                on_click=partial(predict, stop, option.id),
+                on_click=partial(go_on, stop, option.id, progress.PREDICTED),
                 width="stretch",
             )
     hints(stop.id, stop.hints)
 
 
-def explain(stop: Stop, chosen: str) -> None:
-    """Say whether the prediction was right, which option is, and why."""
+def judge(stop: Stop, chosen: str, phase: str) -> None:
+    """Say what was predicted; once the machine has run, whether that is right; and only if asked, what else is."""
     solved = cache.solution(stop.id)
-    own = stop.option(chosen).label
+    right = chosen == solved.option
+    own = _("**Your prediction:** {option}").format(option=stop.option(chosen).label)
     # A phone shows this part above the machine.
     with st.container(key="judged"):
-        if chosen == solved.option:
+        if phase == progress.PREDICTED:
+            said = own
+            st.markdown(said)
+            label = _("Check it") if stop.exhibit else _("Run the machine")
+            _moves(stop, chosen, label, progress.ANSWERED if right else progress.MISSED)
+            return
+        if right:
             said = _("Your prediction was right.")
             st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
         else:
-            said = _("Your prediction was different.")
-            st.markdown(_(":red[:material/cancel: **Your prediction:**] {option}").format(option=own))
+            said = f"{_('Your prediction was different.')} {solved.replies[chosen]}"
+            st.markdown(f":red[:material/cancel:] {own}\\\n{solved.replies[chosen]}")
+        if phase == progress.MISSED:
+            _moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
+        elif not right:
+            said = solved.label
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
-    # With the option that was clicked the focus has gone: who cannot see the page is told here.
-    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": f"{said} {solved.label}", "urgent": True}})
-    why(stop)
-    st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(predict, stop, None), type="tertiary")
+    # With the button that was clicked the focus has gone: who cannot see the page is told here.
+    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": said, "urgent": True}})
+
+
+def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
+    """Draw the button that goes on, and the one that goes back to the options as long as the answer is not shown."""
+    with st.container(horizontal=True, gap="small"):
+        st.button(label, key=f"on_{stop.id}", type="primary", on_click=partial(go_on, stop, chosen, phase))
+        st.button(_("Predict again"), key=f"again_{stop.id}", on_click=partial(go_on, stop, None, progress.ASKED))
 
 
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
     st.markdown(cache.solution(stop.id).explanation)
     st.page_link(
-        PAGES[stop.page].file,
-        label=stop.link_label,
-        icon=":material/open_in_full:",
-        query_params=dict(stop.link),
+        PAGES[stop.page].file, label=stop.link_label, icon=":material/open_in_full:", query_params=dict(stop.link)
     )
 
 
@@ -144,17 +164,17 @@ def hints(name: str, sentences: tuple[str, ...]) -> None:
         st.button(label, key=f"hint_{name}", on_click=partial(_show_hint, key, shown + 1), type="tertiary")
 
 
-def observe(stop: Stop, predicted: bool) -> None:
+def observe(stop: Stop, running: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
-    hidden = [layer for layer in _LAYERS if layer not in stop.layers] if predicted else {*stop.hides, *_LAYERS}
+    hidden = [layer for layer in _LAYERS if layer not in stop.layers] if running else {*stop.hides, *_LAYERS}
     # Machines side by side belong to the stop; a single one follows the sliders.
     own = {"watch": {}} if several else {"on_released": sidebar.set_compression}
-    for number, run in enumerate(stop.runs if predicted else stop.runs[:1]):
+    for number, run in enumerate(stop.runs if running else stop.runs[:1]):
         machine = run.machine if several else sidebar.oscillator()
         compression = run.compression if several else sidebar.compression()
         stages.mount(
-            payload(run, machine, compression, predicted),
+            payload(run, machine, compression, running),
             key=f"stage_{stop.id}_{number}",
             clock=f"stop_{stop.id}",
             layers=stop.layers,
@@ -167,17 +187,18 @@ def observe(stop: Stop, predicted: bool) -> None:
         )
 
 
-def payload(run: Run, machine: Oscillator, compression: float, predicted: bool) -> dict[str, object]:
+def payload(run: Run, machine: Oscillator, compression: float, running: bool) -> dict[str, object]:
     """Return what the stage is sent of a run; before the prediction, the released machine alone."""
     choice = BodyChoice(*run.bodies)
-    slips = run.slipping and predicted
+    slips = run.slipping and running
     return stage.payload(
         machine,
         compression,
+        initial=run.initial,
         shape_factors={place: float(BODIES[body]) for place, body in zip(_PLACES, run.bodies, strict=True)},
-        samples=run.samples() if run.samples and predicted else None,
+        samples=run.samples() if run.samples and running else None,
         slipping=first_to_slip(machine, compression, drawn_spacing(machine.radius)) if slips else None,
-        unity=f"1 ↔ √{choice.discriminant}" if predicted and choice != BodyChoice() else None,
+        unity=f"1 ↔ √{choice.discriminant}" if running and choice != BodyChoice() else None,
     )
 
 
@@ -186,14 +207,14 @@ def plain(text: str) -> str:
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
 
 
-def _caption(stop: Stop, predicted: bool) -> str:
+def _caption(stop: Stop, running: bool) -> str:
     """Return what the sliders have to do with the picture."""
     if len(stop.runs) > 1:
         return _("Here the sliders change nothing: these machines belong to the stop.")
-    machine = stop.shown if predicted else stop.machine
+    machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):
         return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
-    if predicted:
+    if running:
         return _("The sliders hold this machine: {machine}. Change it and watch.").format(machine=_written(machine))
     return _("The machine: {machine}.").format(machine=_written(machine))
 

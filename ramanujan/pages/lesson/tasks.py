@@ -23,12 +23,11 @@ SPIN = Quantity("task_spin", "Φ̇₀", _("Initial spin of the top cylinder"), "
 METHOD = address.Choice("task_method", tuple(METHODS), "rk4")
 STEPS = address.Count("task_steps", MOST_STEPS, 100, FEWEST_STEPS)
 PERIODS = address.Count("task_periods", 100, 10)
-PLACES = (
-    address.Choice("task_left", tuple(BODIES), "hoop"),
-    address.Choice("task_right", tuple(BODIES), "cylinder"),
-    address.Choice("task_top", tuple(BODIES), "cylinder"),
-)
-PLACE_WORDS = (_("Left roller"), _("Right roller"), _("Body on top"))
+PLACES = {
+    address.Choice("task_left", tuple(BODIES), "hoop"): _("Left roller"),
+    address.Choice("task_right", tuple(BODIES), "cylinder"): _("Right roller"),
+    address.Choice("task_top", tuple(BODIES), "cylinder"): _("Body on top"),
+}
 KEYS = (RELEASE.in_links, GLIDE.in_links, SPIN.in_links, METHOD, STEPS, PERIODS, *PLACES)
 METHOD_WORDS = {name: METHODS[name].title for name in METHODS}
 BODY_WORDS = {
@@ -47,9 +46,7 @@ def draw(task: Task) -> None:
     st.markdown(task.text)
     words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
     with words:
-        typed = {}
-        for field in task.fields:
-            typed |= FIELDS[field]()
+        typed = {field: FIELDS[field]() for field in task.fields}
         setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
         if not task.fields:
             st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
@@ -64,13 +61,8 @@ def draw(task: Task) -> None:
 def verdict(task: Task, setting: Setting) -> None:
     """Say whether the task is done, and how far away the goal is."""
     judged = task.judge(setting)
-    box = st.container(border=True)
-    if judged.done:
-        done = _("Done.")
-        box.markdown(f":green[:material/check_circle: **{done}**] {stops.plain(judged.sentence)}")
-    else:
-        yet = _("Not yet.")
-        box.markdown(f":orange[:material/flag: **{yet}**] {stops.plain(judged.sentence)}")
+    said = _(":green[:material/check_circle: **Done.**]") if judged.done else _(":orange[:material/flag: **Not yet.**]")
+    st.container(border=True).markdown(f"{said} {stops.plain(judged.sentence)}")
 
 
 def machine(task: Task, setting: Setting) -> None:
@@ -91,60 +83,24 @@ def machine(task: Task, setting: Setting) -> None:
         )
 
 
-# What is set beside the machine
-
-
-def _release() -> dict[str, float]:
-    return {"release": widgets.page_slider(RELEASE)}
-
-
-def _glide() -> dict[str, float]:
-    return {"glide": widgets.page_slider(GLIDE)}
-
-
-def _spin() -> dict[str, float]:
-    return {"spin": widgets.page_slider(SPIN)}
-
-
-def _part() -> dict[str, float | None]:
-    text = st.text_input(_("Part of a period"), key="task_part", placeholder="1/3", max_chars=20)
-    return {"part": read_number(text)}
-
-
-def _stopwatch() -> dict[str, float | int | None]:
-    seconds = page.stopwatch("task_stopwatch")
-    return {"seconds": seconds, "periods": widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH)}
-
-
-def _formula() -> dict[str, str]:
-    return {"formula": st.text_input("ε =", key="task_formula", placeholder="(sqrt(5) − 1)/2", max_chars=_LONGEST)}
-
-
-def _method() -> dict[str, str]:
-    return {"method": widgets.menu(METHOD, _("Method"), METHOD_WORDS)}
-
-
-def _steps() -> dict[str, int]:
-    return {"steps": widgets.count(STEPS, _("Steps per period"), width=_WIDTH)}
-
-
-def _bodies() -> dict[str, tuple[str, ...]]:
+def _bodies() -> tuple[str, ...]:
     chosen = []
-    for column, place, label in zip(st.columns(len(PLACES)), PLACES, PLACE_WORDS, strict=True):
+    for column, (place, label) in zip(st.columns(len(PLACES)), PLACES.items(), strict=True):
         with column:
             chosen.append(widgets.menu(place, label, BODY_WORDS))
-    return {"bodies": tuple(chosen)}
+    return tuple(chosen)
 
 
 FIELDS = {
-    "release": _release,
-    "glide": _glide,
-    "spin": _spin,
-    "part": _part,
-    "stopwatch": _stopwatch,
-    "formula": _formula,
-    "method": _method,
-    "steps": _steps,
+    "release": lambda: widgets.page_slider(RELEASE),
+    "glide": lambda: widgets.page_slider(GLIDE),
+    "spin": lambda: widgets.page_slider(SPIN),
+    "part": lambda: read_number(st.text_input(_("Part of a period"), key="task_part", placeholder="1/3", max_chars=20)),
+    "seconds": lambda: page.stopwatch("task_stopwatch"),
+    "periods": lambda: widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH),
+    "formula": lambda: st.text_input("ε =", key="task_formula", placeholder="(sqrt(5) − 1)/2", max_chars=_LONGEST),
+    "method": lambda: widgets.menu(METHOD, _("Method"), METHOD_WORDS),
+    "steps": lambda: widgets.count(STEPS, _("Steps per period"), width=_WIDTH),
     "bodies": _bodies,
 }
-"""What a task's field draws, and the part of a `Setting` that it returns."""
+"""What draws a part of a `Setting` and returns it."""
