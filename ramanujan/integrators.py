@@ -221,8 +221,11 @@ def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: 
     if finite_array("h", h).shape not in ((), shape):
         sentence = _("h must be one number or have the shape of q, {shape}, not {other}")
         raise ValueError(sentence.format(shape=shape, other=np.shape(h)))
-    q, v = (x if isinstance(x, float | np.ndarray) else np.asarray(x, dtype=float)[()] for x in (q, v))
-    h = float(h) if np.ndim(h) == 0 else np.asarray(h, dtype=np.asarray(q).dtype)
+    q, v = (x if isinstance(x, float | np.floating | np.ndarray) else np.asarray(x, dtype=float)[()] for x in (q, v))
+    kind = np.asarray(q).dtype.type
+    # A number of NumPy's beside one of Python's would slow every operation of a single run.
+    number = kind if isinstance(q, np.floating) else float
+    h = number(h) if np.ndim(h) == 0 else np.asarray(h, dtype=kind)
     return _steps(method.step, _remembering(acceleration), q, v, h)
 
 

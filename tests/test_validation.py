@@ -21,7 +21,7 @@ import sympy as sp
 
 import ramanujan
 from ramanujan import METHODS, InitialState, Oscillator, motion
-from ramanujan.accuracy import Piece, results, work_precision
+from ramanujan.accuracy import work_precision
 from ramanujan.number_theory import BodyChoice
 from ramanujan.record import record
 from ramanujan.validation import coordinates, floats, integer, positive, rational, real, sequence, shown
@@ -47,7 +47,7 @@ UNCHECKED = {
     "main": "takes the words of a command line and answers them with one sentence and an exit status",
     **dict.fromkeys(("float_type", "method_named", "steps_within"), "is itself a check, like those of validation"),
     **dict.fromkeys(
-        ("blocks", "errors", "exact", "seconds_per_step", "powers_of_ten", "ulp_errors"),
+        ("blocks", "evaluations_of", "powers_of_ten", "ulp_errors"),
         "is inside an experiment, which checks once before its first piece",
     ),
     **dict.fromkeys(STEPS, "is the inner loop; `trajectory` checks once for all steps"),
@@ -101,7 +101,6 @@ BAD = {
     "name": [None, 3, True, "nope", b"rk4", ["rk4"], math.nan, object(), np.array(["rk4"])],
     "names": [None, 3, True, "rk4", b"rk4", math.nan, object(), ["nope"], [None], [["rk4"]], {"rk4"}],
     "body": [*(value for value in NOT_NUMBERS if not isinstance(value, str)), "nope", "", 0.5, -1, 2, ["hoop"]],
-    "list": [None, 3, True, "machine", object(), math.nan, {1, 2}],
     "object": [None, 3, True, "machine", object(), math.nan, [Oscillator()]],
 }
 KINDS = {
@@ -115,8 +114,7 @@ KINDS = {
     "name": "method by dtype",
     "names": "methods dtypes forms",
     "body": "beta_a beta_b beta_c left right top",
-    "object": "oscillator initial motion acceleration pieces experiment call curves columns comments",
-    "list": "arguments",
+    "object": "oscillator initial motion acceleration call curve curves after columns comments",
 }
 KIND = {name: kind for kind, names in KINDS.items() for name in names.split()}
 SPECIAL = {
@@ -133,13 +131,10 @@ SPECIAL = {
 PERMITTED = {
     "spacing": (math.inf,),
     "forms": (None,),
+    "after": (None,),
     # An acceleration may be any function, and any text may be a comment.
     "comments": (["nope"], "machine"),
 }
-
-
-def curves():
-    return results(work_precision(Oscillator(), 2, [8], ["rk4"], ["float64"]))
 
 
 GOOD = {
@@ -148,11 +143,10 @@ GOOD = {
     "motion": record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5),
     "method": "rk4",
     "acceleration": lambda q: -q,
-    "pieces": [Piece(1.0, 1)],
-    "experiment": abs,
-    "arguments": [1],
     "call": int,
-    "curves": curves(),
+    "curves": [work_precision("rk4", periods=2, steps_per_period=[8])],
+    "curve": work_precision("rk4", periods=2, steps_per_period=[8]),
+    "after": None,
     "columns": {"t [s]": [0.0, 1.0]},
     "comments": ["none"],
     "q": [0.0, 0.1, 0.0],

@@ -2,31 +2,30 @@
 
     runs             runs of the integrators and their errors
     work_precision   error of the integrators against evaluations and seconds; the cheapest one for a tolerance
-    history          one run and the exact motion, with the errors as they grow
+    history          one run, with its errors as they grow
     choices          the choices of the app itself: points of a curve, closed form, kind of arithmetic, caching
     extremes         the forms of Ω² for very large and very small numbers
     general_solvers  eigenvalue solvers that know only the machine's matrices
     phase            the phase after 1 … 1e15 periods
-    progress         pieces of work, and timing
+    measurement      timing, and the reference arithmetic
     __main__         the results as tables: python -m ramanujan.accuracy --help
 
-Every experiment is an iterator of `Piece`. Each piece takes a few hundredths of a second, reports which share of the
-work is done, and carries a result when one is complete. The caller may show progress or stop at any time. Every number
-is measured or computed on request. Results are frozen dataclasses.
+Every experiment is a plain function, which measures or computes every number when it is called. Results are frozen
+dataclasses.
 """
 
 from ramanujan.accuracy.choices import arithmetics, caching, closed_form, curve_sampling
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
 from ramanujan.accuracy.history import error_history
+from ramanujan.accuracy.measurement import Timing, measure
 from ramanujan.accuracy.phase import phase_errors
-from ramanujan.accuracy.progress import Piece, Timing, measure, results
-from ramanujan.accuracy.work_precision import cheapest, work_precision
+from ramanujan.accuracy.runs import seconds_per_step
+from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
 
 __all__ = [
     "FORMS",
     "SOLVERS",
-    "Piece",
     "Timing",
     "arithmetics",
     "caching",
@@ -38,6 +37,7 @@ __all__ = [
     "extremes",
     "measure",
     "phase_errors",
-    "results",
+    "seconds_per_step",
+    "timed",
     "work_precision",
 ]

@@ -7,7 +7,7 @@ import csv
 import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from typing import NoReturn
 
 import numpy as np
@@ -23,16 +23,18 @@ from ramanujan.accuracy import (
     eigen_solvers,
     extremes,
     phase_errors,
-    results,
+    timed,
     work_precision,
 )
 from ramanujan.accuracy.choices import ARRAY, STATES, Arithmetic, Comparison
 from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch
-from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
+from ramanujan.accuracy.runs import LONGEST_RUN, steps_within
+from ramanujan.accuracy.work_precision import DTYPES, SHOWN_STEPS, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _, ngettext
+from ramanujan.validation import integer
 
 Cell = str | float | int
 
@@ -93,55 +95,55 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    # A bad tolerance is refused before the long work, not after it.
+    # Bad settings are refused before the long work, not after it.
     cheapest([], options.tolerance)
-    curves = results(work_precision(oscillator, options.periods, options.steps, dtypes=_dtypes(options)))
-    method, steps, state_error = _("method"), _("steps per period"), _("state error")
-    evaluations, seconds = _("evaluations"), _("seconds")
-    errors = (state_error, _("phase error [rad]"), _("energy error at the end"), _("largest energy error"))
-    costs = (evaluations, seconds, _("lower quartile [s]"), _("upper quartile [s]"))
-    rows = [row for curve in curves for row in _curve_rows(curve)]
+    shown = [steps_within(n, integer("periods", options.periods, 1, LONGEST_RUN // 3)) for n in options.steps]
+    searched = [*shown, *(n for n in STEPS_PER_PERIOD if n < max(shown))]
+    pairs = [(method, dtype) for dtype in _dtypes(options) for method in METHODS]
+    curves = [timed(work_precision(method, dtype, options.periods, searched)) for method, dtype in pairs]
+    columns = (_("method"), "dtype", _("steps per period"), _("largest error"), _("evaluations"), _("seconds"))
     n = options.periods
-    title = ngettext("Error and cost after {n} period", "Error and cost after {n} periods", n).format(n=n)
-    yield Table(title, (method, "dtype", steps, *errors, *costs), rows)
+    title = ngettext("Error and cost over {n} period", "Error and cost over {n} periods", n).format(n=n)
+    quartiles = (_("lower quartile [s]"), _("upper quartile [s]"))
+    yield Table(title, columns + quartiles, [row for curve in curves for row in _curve_rows(curve, shown)])
     titles = {
         "evaluations": _("Run of each method with the fewest evaluations for errors of at most {tolerance}"),
         "seconds": _("Fastest run of each method for errors of at most {tolerance}"),
     }
     for by, title in titles.items():
-        choices = cheapest(curves, options.tolerance, by)
-        columns = (method, "dtype", steps, state_error, evaluations, seconds)
-        fields = ("dtype", "steps_per_period", "state_error", "evaluations", "seconds")
-        rows = [(METHODS[c.method].title, *(getattr(c, field) for field in fields)) for c in choices]
+        choices = (astuple(choice) for choice in cheapest(curves, options.tolerance, by))
+        rows = [(METHODS[method].title, *costs) for method, *costs in choices]
         yield Table(title.format(tolerance=_short(options.tolerance)), columns, rows)
 
 
-def _curve_rows(curve: WorkPrecision) -> Iterable[tuple[Cell, ...]]:
-    arrays = (curve.steps_per_period, curve.state_error, curve.phase_error, curve.energy_error)
-    arrays += (curve.largest_energy_error, curve.evaluations, curve.seconds, curve.seconds_low, curve.seconds_high)
-    return ((METHODS[curve.method].title, curve.dtype, *row) for row in zip(*arrays, strict=True))
+def _curve_rows(curve: WorkPrecision, shown: Sequence[int]) -> Iterable[tuple[Cell, ...]]:
+    at = np.isin(curve.steps_per_period, shown)
+    spread = (curve.seconds * each / curve.step.median for each in (curve.step.median, curve.step.low, curve.step.high))
+    arrays = (curve.steps_per_period, curve.error, curve.evaluations, *spread)
+    rows = zip(*(array[at] for array in arrays), strict=True)
+    return ((METHODS[curve.method].title, curve.dtype, *row) for row in rows)
 
 
 def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
     yield Table(
         _("Points of a curve 400 pixels high"),
         (_("curve"), _("points"), _("error on screen [pixels]"), _("bytes"), _("seconds")),
-        [(_CURVES[c.curve], c.points, c.pixels, c.bytes, c.seconds.median) for c in results(curve_sampling())],
+        [(_CURVES[c.curve], c.points, c.pixels, c.bytes, c.seconds.median) for c in curve_sampling()],
     )
     yield Table(
         _("Closed form"),
         (_("periods"), _("phase error [rad]"), _("seconds for a state")),
-        [(c.periods, c.phase_error, c.seconds.median) for c in results(closed_form(oscillator))],
+        [(c.periods, c.phase_error, c.seconds.median) for c in closed_form(oscillator)],
     )
     yield Table(
         _("Ω²m/k in several kinds of arithmetic"),
         (_("arithmetic"), _("relative error"), _("seconds")),
-        [(_kind(a), a.relative_error, a.seconds.median) for a in results(arithmetics(oscillator.mass_ratio))],
+        [(_kind(a), a.relative_error, a.seconds.median) for a in arithmetics(oscillator.mass_ratio)],
     )
     yield Table(
         _("Time saved by keeping results or computing many at once"),
         (_("slow way"), _("slow way [s]"), _("fast way"), _("fast way [s]"), _("ratio")),
-        [_compared(comparison) for comparison in results(caching(oscillator))],
+        [_compared(comparison) for comparison in caching(oscillator)],
     )
 
 
@@ -162,7 +164,7 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
         (_("form"), "dtype", _("along"), _("verdict"), *ends, worst),
         [
             (FORMS[sweep.form].title, sweep.dtype, _ALONG[sweep.along], *_stretch_cells(stretch), sweep.worst_right_ulp)
-            for sweep in results(extremes(dtypes=_dtypes(options)))
+            for sweep in extremes(dtypes=_dtypes(options))
             for stretch in sweep.stretches
         ],
     )
@@ -185,7 +187,7 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
                 s.error_ulp.size,
                 int(s.without_frequency.sum()),
             )
-            for s in results(eigen_solvers(dtypes=_dtypes(options)))
+            for s in eigen_solvers(dtypes=_dtypes(options))
         ],
     )
 
@@ -198,7 +200,7 @@ def _phase(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Tabl
     yield Table(
         _("Phase error after many periods"),
         (_("periods"), "fl(Ω)·t, float32 [rad]", "fl(Ω)·t, float64 [rad]", _("reduced phase [rad]")),
-        [(p.periods, p.float32, p.float64, p.reduced) for p in results(phase_errors(oscillator))],
+        [(p.periods, p.float32, p.float64, p.reduced) for p in phase_errors(oscillator)],
     )
 
 
@@ -233,11 +235,16 @@ def _parser() -> argparse.ArgumentParser:
         "--steps",
         type=int,
         nargs="+",
-        default=list(STEPS_PER_PERIOD),
+        default=list(SHOWN_STEPS),
         metavar="N",
-        help=_("steps per period, at least 3"),
+        help=_("steps per period in the table, at least 3"),
     )
-    add("--tolerance", type=float, default=1e-3, help=_("largest state and phase error of the cheapest integration"))
+    add(
+        "--tolerance",
+        type=float,
+        default=1e-3,
+        help=_("largest error of the cheapest integration, relative to the amplitude"),
+    )
     add("--dtype", choices=["both", *DTYPES], default="both", help=_("precision of integrations and formulas"))
     add("--m", type=float, default=1.0, help=_("mass m of block, slab and top cylinder [kg]"))
     add("--m-prime", type=float, default=1.0, help=_("mass m′ of hoop and lower cylinder [kg]"))

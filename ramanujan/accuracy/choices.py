@@ -14,8 +14,8 @@ from typing import TypeAlias
 import mpmath
 import numpy as np
 
+from ramanujan.accuracy.measurement import Timing, measure
 from ramanujan.accuracy.phase import largest_phase_error
-from ramanujan.accuracy.progress import Piece, Timing, each, measure
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared, normalized_frequency_squared
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
@@ -95,7 +95,7 @@ class Comparison:
         return self.slow_seconds.median / self.fast_seconds.median
 
 
-def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> Iterator[Piece[CurveSampling]]:
+def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> list[CurveSampling]:
     """Return the error on screen of both curves for each number of points.
 
     Parameters
@@ -105,13 +105,13 @@ def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> Iterato
 
     Returns
     -------
-    iterator over pieces, each with a `CurveSampling`
+    a `CurveSampling` for each curve and number of points
 
     Raises
     ------
     ValueError : an argument is outside its range.
 
-    >>> [piece.result.curve for piece in curve_sampling([17])]
+    >>> [sampling.curve for sampling in curve_sampling([17])]
     ['cosine', 'frequency']
     """
     height = integer("height", height, 1, 100_000)
@@ -120,10 +120,10 @@ def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> Iterato
         ("cosine", np.cos, 2 * np.pi),
         ("frequency", normalized_frequency_squared, LARGEST_MASS_RATIO),
     ]
-    return each(lambda case: _sampled(*case, height), [(*curve, n) for curve in curves for n in numbers])
+    return [_sampled(*curve, n, height) for curve in curves for n in numbers]
 
 
-def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> Iterator[Piece[ClosedForm]]:
+def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
     """Return error and cost of `motion.motion` after each number of periods; neither grows.
 
     Parameters
@@ -133,21 +133,21 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> Ite
 
     Returns
     -------
-    iterator over pieces, each with a `ClosedForm`
+    a `ClosedForm` for each number of periods
 
     Raises
     ------
     ValueError : a number of periods is not an integer from 1 to 10¹⁵.
 
-    >>> [piece.result.periods for piece in closed_form(Oscillator(), [1, 1000])]
+    >>> [state.periods for state in closed_form(Oscillator(), [1, 1000])]
     [1, 1000]
     """
     instance("oscillator", oscillator, Oscillator)
     wholes = [integer("periods", n, 1, 10**15) for n in sequence("periods", periods)]
-    return each(lambda n: _closed_form(oscillator, n), wholes)
+    return [_closed_form(oscillator, n) for n in wholes]
 
 
-def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIGITS) -> Iterator[Piece[Arithmetic]]:
+def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIGITS) -> list[Arithmetic]:
     """Return error and cost of Ω²m/k in float32, float64, exact fractions, and mpmath with n digits.
 
     Parameters
@@ -157,13 +157,13 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
 
     Returns
     -------
-    iterator over pieces, each with an `Arithmetic`
+    an `Arithmetic` for each kind
 
     Raises
     ------
     ValueError : the mass ratio is negative or not finite, or a number of digits is not from 1 to 300.
 
-    >>> [(piece.result.kind, piece.result.digits) for piece in arithmetics(1.0, [30])][-2:]
+    >>> [(value.kind, value.digits) for value in arithmetics(1.0, [30])][-2:]
     [('fraction', None), ('mpmath', 30)]
     """
     epsilon = real("mass_ratio", mass_ratio)
@@ -179,10 +179,10 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
     ]
     cases += [("mpmath", n, _with_digits(n, epsilon), 1) for n in wholes]
     exact = _at(Fraction(epsilon))
-    return each(lambda case: _arithmetic(*case, exact), cases)
+    return [_arithmetic(*case, exact) for case in cases]
 
 
-def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
+def caching(oscillator: Oscillator) -> list[Comparison]:
     """Return how much faster it is to keep a result, or to ask for many values at once.
 
     Parameters
@@ -191,17 +191,17 @@ def caching(oscillator: Oscillator) -> Iterator[Piece[Comparison]]:
 
     Returns
     -------
-    iterator over pieces, each with a `Comparison`
+    the three comparisons
 
     Raises
     ------
     ValueError : oscillator is not an `Oscillator`.
 
-    >>> next(caching(Oscillator())).result.name
+    >>> caching(Oscillator())[0].name
     'frequency'
     """
     instance("oscillator", oscillator, Oscillator)
-    return each(lambda compare: compare(oscillator), [_frequency_again, _state_again, _states_at_once])
+    return [compare(oscillator) for compare in (_frequency_again, _state_again, _states_at_once)]
 
 
 def _sampled(name: str, curve: Callable, end: float, points: int, height: int) -> CurveSampling:

@@ -14,7 +14,7 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from ramanujan.accuracy.progress import REFERENCE, Piece, exact_frequency_squared, float_type
+from ramanujan.accuracy.measurement import REFERENCE, exact_frequency_squared, float_type
 from ramanujan.frequency import frequency_squared, normalized_frequency_squared
 from ramanujan.translation import _
 from ramanujan.validation import integer, sequence, some_of
@@ -27,9 +27,6 @@ PLAUSIBLE_ERROR = 1e-2
 """Relative error from which a finite nonzero value counts as wrong, although it looks like an answer."""
 DECADES = {"float32": 37, "float64": 300}
 """The sweeps run from 10^−d to 10^d, so that m′ = ε and Ω² stay normal numbers."""
-
-CHUNK = 100
-"""Samples between two reports."""
 
 Values = NDArray[np.floating]
 
@@ -93,8 +90,8 @@ class Sweep:
 
 def extremes(
     forms: Iterable[str] | None = None, dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 3
-) -> Iterator[Piece[Sweep]]:
-    """Return an iterator over the sweeps: one `Sweep` per sweep, dtype and form.
+) -> list[Sweep]:
+    """Return the sweeps: one `Sweep` per sweep, dtype and form.
 
     Parameters
     ----------
@@ -104,20 +101,25 @@ def extremes(
 
     Returns
     -------
-    iterator over pieces of work, some of which carry a `Sweep`
+    a `Sweep` for each
 
     Raises
     ------
     ValueError : an argument is outside its range.
 
-    >>> [sweep] = [piece.result for piece in extremes(["paper"], ["float32"], 1) if piece.result][:1]
+    >>> sweep, _ = extremes(["paper"], ["float32"], 1)
     >>> [stretch.verdict for stretch in sweep.stretches]
     ['right', 'zero']
     """
     names = list(FORMS) if forms is None else some_of("forms", forms, FORMS)
     kinds = [(dtype, float_type("dtypes", dtype)) for dtype in sequence("dtypes", dtypes)]
     density = integer("samples_per_decade", samples_per_decade, 1, 20)
-    return _sweeps(names, kinds, density)
+    return [
+        sweep
+        for along in ("ratio", "scale")
+        for dtype, kind in kinds
+        for sweep in _sweeps(names, along, dtype, powers_of_ten(dtype, kind, density))
+    ]
 
 
 def _paper(m: Values, m_prime: Values, k: Values) -> Values:
@@ -153,26 +155,15 @@ FORMS: dict[str, Form] = {
 """The forms of Ω² by name; `normalized_frequency_squared` evaluates the last one."""
 
 
-def _sweeps(names: list[str], kinds: list[tuple[str, type[np.floating]]], density: int) -> Iterator[Piece[Sweep]]:
-    done, work = 0, 2 * sum(DECADES[dtype] for dtype, _kind in kinds) * (len(names) + 1)
-    for along in ("ratio", "scale"):
-        for dtype, kind in kinds:
-            x = powers_of_ten(dtype, kind, density)
-            one = np.ones_like(x)
-            m, m_prime, k = (one, x, one) if along == "ratio" else (x, x, x)
-            truth: list[mpmath.mpf] = []
-            for start in range(0, x.size, CHUNK):
-                chunk = slice(start, start + CHUNK)
-                truth += map(exact_frequency_squared, m[chunk], m_prime[chunk], k[chunk])
-                yield Piece((done + DECADES[dtype] * len(truth) / x.size) / work)
-            done += DECADES[dtype]
-            for name in names:
-                with np.errstate(all="ignore"):
-                    value = FORMS[name].evaluate(m, m_prime, k)
-                error_ulp, relative = ulp_errors(value, truth, kind)
-                done += DECADES[dtype]
-                verdict = _verdicts(value, error_ulp, relative)
-                yield Piece(done / work, Sweep(name, dtype, along, x, value, error_ulp, verdict))
+def _sweeps(names: list[str], along: str, dtype: str, x: np.ndarray) -> Iterator[Sweep]:
+    one = np.ones_like(x)
+    m, m_prime, k = (one, x, one) if along == "ratio" else (x, x, x)
+    truth = list(map(exact_frequency_squared, m, m_prime, k))
+    for name in names:
+        with np.errstate(all="ignore"):
+            value = FORMS[name].evaluate(m, m_prime, k)
+        error_ulp, relative = ulp_errors(value, truth, x.dtype.type)
+        yield Sweep(name, dtype, along, x, value, error_ulp, _verdicts(value, error_ulp, relative))
 
 
 def powers_of_ten(dtype: str, kind: type[np.floating], density: int) -> np.ndarray:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ramanujan.accuracy.extremes import CHUNK, DECADES, powers_of_ten, ulp_errors
-from ramanujan.accuracy.progress import Piece, exact_frequency_squared, float_type
+from ramanujan.accuracy.extremes import DECADES, powers_of_ten, ulp_errors
+from ramanujan.accuracy.measurement import exact_frequency_squared, float_type
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 from ramanujan.validation import integer, sequence
@@ -49,8 +49,8 @@ class EigenSweep:
         return np.any((self.zero_modes.real < 0) | (self.zero_modes.imag != 0), axis=1)
 
 
-def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 1) -> Iterator[Piece[EigenSweep]]:
-    """Return an iterator over the eigen-solvers: one `EigenSweep` per dtype and solver, for m = k = R = 1 and m′ = ε.
+def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 1) -> list[EigenSweep]:
+    """Return the eigen-solvers: one `EigenSweep` per dtype and solver, for m = k = R = 1 and m′ = ε.
 
     Parameters
     ----------
@@ -59,19 +59,18 @@ def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: in
 
     Returns
     -------
-    iterator over pieces of work, some of which carry an `EigenSweep`
+    an `EigenSweep` for each
 
     Raises
     ------
     ValueError : an argument is outside its range.
 
-    >>> sweeps = [piece.result for piece in eigen_solvers(["float32"]) if piece.result]
-    >>> len(sweeps) == len(SOLVERS)
+    >>> len(eigen_solvers(["float32"])) == len(SOLVERS)
     True
     """
     kinds = [(dtype, float_type("dtypes", dtype)) for dtype in sequence("dtypes", dtypes)]
     density = integer("samples_per_decade", samples_per_decade, 1, 20)
-    return _eigen_sweeps(kinds, density)
+    return [sweep for dtype, kind in kinds for sweep in _eigen_sweeps(dtype, kind, density)]
 
 
 # q = (X, φ, Φ) from the displacements relative to the ground (block, slab, top cylinder), right positive, for R = 1.
@@ -106,20 +105,15 @@ one shows that this depends on the coordinates.
 """
 
 
-def _eigen_sweeps(kinds: list[tuple[str, type[np.floating]]], density: int) -> Iterator[Piece[EigenSweep]]:
-    done, work = 0, sum(DECADES[dtype] for dtype, _kind in kinds) * len(SOLVERS)
-    for dtype, kind in kinds:
-        ratios = powers_of_ten(dtype, kind, density)
-        truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]
-        machines = [Oscillator(m_prime=float(ratio), radius=1.0) for ratio in ratios]
-        for name, solver in SOLVERS.items():
-            modes, zeros = np.full(ratios.size, np.nan, kind), np.full((ratios.size, 2), np.nan, complex)
-            for i, machine in enumerate(machines):
-                modes[i], zeros[i] = _sorted_modes(solver.eigenvalues, machine, kind)
-                if i % CHUNK == CHUNK - 1:
-                    yield Piece((done + DECADES[dtype] * i / ratios.size) / work)
-            done += DECADES[dtype]
-            yield Piece(done / work, EigenSweep(name, dtype, ratios, ulp_errors(modes, truth, kind)[0], zeros))
+def _eigen_sweeps(dtype: str, kind: type[np.floating], density: int) -> Iterator[EigenSweep]:
+    ratios = powers_of_ten(dtype, kind, density)
+    truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]
+    machines = [Oscillator(m_prime=float(ratio), radius=1.0) for ratio in ratios]
+    for name, solver in SOLVERS.items():
+        found = [_sorted_modes(solver.eigenvalues, machine, kind) for machine in machines]
+        modes = np.array([mode for mode, _zeros in found], kind)
+        zeros = np.array([zeros for _mode, zeros in found], complex)
+        yield EigenSweep(name, dtype, ratios, ulp_errors(modes, truth, kind)[0], zeros)
 
 
 def _sorted_modes(solver: Eigenvalues, machine: Oscillator, kind: type[np.floating]) -> tuple[float, np.ndarray]:

@@ -1,102 +1,67 @@
-"""The history of one run: the integrated motion beside the exact one, and both errors as they grow."""
+"""The history of one run: how the integrated motion goes, and how its errors grow."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from ramanujan.accuracy.progress import Piece, float_type
-from ramanujan.accuracy.runs import LONGEST_RUN, blocks, errors, exact, method_named, steps_within
-from ramanujan.integrators import Method
-from ramanujan.oscillator import Oscillator
-from ramanujan.validation import instance, integer
+from ramanujan.accuracy.measurement import float_type
+from ramanujan.accuracy.runs import LONGEST_RUN, blocks, method_named, steps_within
+from ramanujan.accuracy.work_precision import evaluations_of
+from ramanujan.validation import integer
 
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """One run and the exact motion; each array has one element per recorded step, the start included.
+    """One run; each array has one element per step, the start included.
 
-    t [s]; q and q_exact, φ over its amplitude; phase_error [rad] and energy_error as in `runs`;
-    evaluations : evaluations of the acceleration in the run, counted one by one
+    Parameters
+    ----------
+    method, dtype : name in METHODS; "float32" or "float64"
+    q : φ over its amplitude
+    phase_error, energy_error : see `runs` [rad], [1]
+    evaluations : evaluations of the acceleration in the run
     """
 
     method: str
     dtype: str
-    t: np.ndarray
     q: np.ndarray
-    q_exact: np.ndarray
     phase_error: np.ndarray
     energy_error: np.ndarray
     evaluations: int
 
 
-def error_history(
-    oscillator: Oscillator, method: str, steps_per_period: int, periods: int, dtype: str = "float64", every: int = 1
-) -> Iterator[Piece[History]]:
-    """Return an iterator over one run; its last piece carries the `History`.
+def error_history(method: str, steps_per_period: int, periods: int, dtype: str = "float64") -> History:
+    """Return one run with its errors.
 
     Parameters
     ----------
-    oscillator : the machine
     method : name in METHODS
-    steps_per_period : n, so that h = T/n; at least 3
+    steps_per_period : n, so that h = 2π/n in units of 1/Ω; at least 3
     periods : length of the run [periods], whole
     dtype : "float32" or "float64"
-    every : a step is recorded when its number is a multiple of this
 
     Returns
     -------
-    iterator over pieces of work
+    the run, which is that of every machine
 
     Raises
     ------
     ValueError : an argument is outside its range.
 
-    >>> *_, last = error_history(Oscillator(), "rk4", 20, 10)
-    >>> last.result.evaluations
+    >>> error_history("rk4", 20, 10).evaluations
     800
     """
-    instance("oscillator", oscillator, Oscillator)
     periods = integer("periods", periods, 1, LONGEST_RUN // 3)
-    n = steps_within(steps_per_period, periods)
-    every = integer("every", every, 1, n * periods)
-    return _history(
-        oscillator, (method, method_named("method", method)), n, periods, (dtype, float_type("dtype", dtype)), every
-    )
-
-
-def _history(
-    oscillator: Oscillator,
-    named_method: tuple[str, Method],
-    n: int,
-    periods: int,
-    named_kind: tuple[str, type[np.floating]],
-    every: int,
-) -> Iterator[Piece[History]]:
-    steps, phase = np.array([n]), np.zeros(1)
-    numbers, states, phases, energies = [np.zeros(1, int)], [np.ones(1, complex)], [np.zeros(1)], [np.zeros(1)]
-    evaluations = 0
-    for number, s, evaluations in blocks(oscillator, named_method[1], named_kind[1], steps, periods):  # noqa: B007
-        phase_block, energy_block = errors(number, s, steps, phase)
-        phase = phase_block[-1]
-        recorded = number % every == 0
-        for record, block in ((states, s), (phases, phase_block), (energies, energy_block)):
-            record.append(block[recorded, 0])
-        numbers.append(number[recorded])
-        yield Piece(number[-1] / (n * periods + 1))
-    number = np.concatenate(numbers)
-    yield Piece(
-        1.0,
-        History(
-            method=named_method[0],
-            dtype=named_kind[0],
-            t=number * (oscillator.period / n),
-            q=np.concatenate(states).real,
-            q_exact=exact(number, steps)[:, 0].real,
-            phase_error=np.concatenate(phases),
-            energy_error=np.concatenate(energies),
-            evaluations=evaluations,
-        ),
-    )
+    n, chosen = steps_within(steps_per_period, periods), method_named("method", method)
+    kind = float_type("dtype", dtype)
+    start, h = (np.ones(1, kind), np.zeros(1, kind)), np.array([2 * np.pi / n], kind)
+    found = [q - 1j * v for _number, q, v in blocks(chosen, start, h, np.array([n * periods]))]
+    s = np.concatenate([[1.0], *(block[:, 0] for block in found)])
+    with np.errstate(over="ignore", invalid="ignore"):
+        # The error is unwrapped, not the phase: it moves by less than half a turn a step and keeps its last digits.
+        # Whole turns are taken off as integers.
+        phase = np.unwrap(np.angle(s * np.exp(-2j * np.pi * (np.arange(s.size) % n) / n)))
+        energy = s.real**2 + s.imag**2 - 1
+    return History(method, dtype, s.real, phase, energy, int(evaluations_of(method, n * periods)))

@@ -7,14 +7,13 @@ doubles and subtracts the whole turns exactly.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import mpmath
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.accuracy.progress import REFERENCE, Piece, each, exact_frequency_squared
+from ramanujan.accuracy.measurement import REFERENCE, exact_frequency_squared
 from ramanujan.motion import InitialState, motion
 from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
@@ -38,9 +37,7 @@ class PhaseErrors:
     reduced: float
 
 
-def phase_errors(
-    oscillator: Oscillator, largest_decade: int = LARGEST_DECADE, samples: int = 16
-) -> Iterator[Piece[PhaseErrors]]:
+def phase_errors(oscillator: Oscillator, largest_decade: int = LARGEST_DECADE, samples: int = 16) -> list[PhaseErrors]:
     """Return the phase errors after 1, 10, 100, … 10^largest_decade periods, against 50-digit arithmetic.
 
     Parameters
@@ -51,13 +48,13 @@ def phase_errors(
 
     Returns
     -------
-    iterator over pieces, each with the `PhaseErrors` of one decade
+    the `PhaseErrors` of each decade
 
     Raises
     ------
     ValueError : an argument is outside its range, or the longest time is.
 
-    >>> [piece.result.periods for piece in phase_errors(Oscillator(), 2)]
+    >>> [near.periods for near in phase_errors(Oscillator(), 2)]
     [1.0, 10.0, 100.0]
     """
     instance("oscillator", oscillator, Oscillator)
@@ -66,7 +63,7 @@ def phase_errors(
         sentence = _("oscillator has a period of {period}, too long for {count} of them")
         raise ValueError(sentence.format(period=quantity(oscillator.period, "s", 3), count=number(10.0**last)))
     fractions = np.arange(integer("samples", samples, 1, 1000)) / samples
-    return each(lambda decade: _errors_near(oscillator, 10.0**decade, fractions), range(last + 1))
+    return [_errors_near(oscillator, 10.0**decade, fractions) for decade in range(last + 1)]
 
 
 def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:

@@ -1,108 +1,91 @@
-"""Runs of the integrators on the machine's oscillating mode, block by block, and their errors.
+"""Runs of the integrators on the machine's oscillating mode, block by block, in units of 1/Ω and of the amplitude.
 
 Only the oscillating mode φ″ = −Ω²φ is integrated. X and Φ are each a steady drift, which every method here follows
-exactly, plus a multiple of φ. A run starts at φ = 1, φ′ = 0 and lasts a whole number of periods T, so that the exact
-final state is the initial one. With s = (φ, φ′/Ω), all errors are relative to the amplitude 1:
+exactly, plus a multiple of φ. With the time in units of 1/Ω and q = φ/φ₀ every machine is the same problem
 
-    state error    |s − s_exact|
-    phase error    angle of s_exact against s, unwrapped [rad]; positive where the run is ahead
+    q″ = −q,   q = 1 and q′ = 0 at the start,   h = 2π/n
+
+so that a run depends on the method, the number n of steps per period, the number of periods and the precision alone.
+With s = q − iv, v = q′, the exact motion is s = e^{it}, and the errors, relative to the amplitude, are
+
+    state error    |s − e^{it}|
+    phase error    angle of s against e^{it}, unwrapped [rad]; positive where the run is ahead
     energy error   |s|² − 1
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 
 import numpy as np
 
-from ramanujan.accuracy.progress import Timing, measure
-from ramanujan.integrators import METHODS, Acceleration, Method, Runs, trajectory
-from ramanujan.oscillator import Oscillator
+from ramanujan.accuracy.measurement import Timing, float_type, measure
+from ramanujan.integrators import METHODS, Method, trajectory
 from ramanujan.validation import integer, one_of
 
 LONGEST_RUN = 10_000_000
 """The most steps of one run; at some microseconds a step they take minutes."""
 
 _BLOCK = 256
-"""Steps between two reports, some hundredths of a second of work."""
+"""Steps whose errors are worked out at once."""
 
 
 def blocks(
-    oscillator: Oscillator, method: Method, kind: type[np.floating], steps: np.ndarray, periods: int
-) -> Iterator[tuple[np.ndarray, np.ndarray, int]]:
-    """Yield blocks of steps: their numbers (rows,), the states s = φ − iφ′/Ω, complex, shape (rows, runs still under
-    way), and how often the acceleration has been evaluated so far.
+    method: Method, start: tuple[np.ndarray, np.ndarray], h: np.ndarray, steps: np.ndarray
+) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Yield blocks of steps: their numbers (rows,), and the states q, v in float64, (rows, …, runs still under way).
 
-    `steps` ascends. A block ends where the shortest run under way ends: its last row is that run's final state.
+    The runs start at `start`, (q, v), both of the shape (…, runs), in whose dtype they are computed. Those in column i
+    end after steps[i] steps, in ascending order. A block ends where the shortest run under way ends: its last row is
+    that run's final state.
 
-    >>> for number, s, evaluations in blocks(Oscillator(), METHODS["rk4"], np.float64, np.array([10, 20]), 1):
-    ...     print(number[-1], s.shape, evaluations)
-    10 (10, 2) 40
-    20 (10, 1) 80
+    >>> start = np.ones(2), np.zeros(2)
+    >>> for number, q, v in blocks(METHODS["rk4"], start, np.full(2, 0.1), np.array([10, 20])):
+    ...     print(number[-1], q.shape)
+    10 (10, 2)
+    20 (10, 1)
     """
-    omega = oscillator.natural_frequency
-    harmonic, evaluations = _harmonic(oscillator, kind), 0
-
-    def acceleration(q: Runs) -> Runs:
-        nonlocal evaluations
-        evaluations += 1
-        return harmonic(q)
-
-    with np.errstate(over="ignore"):
-        h = (oscillator.period / steps).astype(kind)
-    q, v = np.ones(steps.size, kind), np.zeros(steps.size, kind)
-    # Plain floats give the very bits of arrays of one float64, in a fifth of the time.
-    alone = steps.size == 1 and kind is np.float64
-    states = trajectory(method, acceleration, *(x.item() if alone else x for x in (q, v, h)))
+    # Single numbers give the very bits of arrays with one element, in a fraction of the time; Python's own the fastest.
+    alone = h.size == 1
+    given = ((x.item() if x.dtype == float else x.ravel()[0]) if alone else x for x in (*start, h))
+    states = trajectory(method, lambda q: -q, *given)
     done = 0
-    for ended, total in enumerate((steps * periods).tolist()):
+    for ended, total in enumerate(steps.tolist()):
         while done < total:
             rows = min(_BLOCK, total - done)
-            s = np.empty((rows, steps.size - ended), complex)
+            q, v = np.empty((2, rows, *h.shape[:-1], steps.size - ended))
             # A run whose values grow beyond float64 is a result here, not a fault.
             with np.errstate(over="ignore", invalid="ignore"):
-                for row in range(rows):
-                    q, v = next(states)
-                    s.real[row], s.imag[row] = (q, v) if alone else (q[ended:], v[ended:])
-                s.imag /= -omega
-            yield np.arange(done + 1, done + rows + 1), s, evaluations
+                for row, (q_row, v_row) in enumerate(islice(states, rows)):
+                    q[row], v[row] = (q_row, v_row) if alone else (q_row[..., ended:], v_row[..., ended:])
+            yield np.arange(done + 1, done + rows + 1), q, v
             done += rows
 
 
-def errors(
-    number: np.ndarray, s: np.ndarray, steps: np.ndarray, phase_before: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return phase and energy error of a block, each (rows, runs); the phase error goes on from the row before.
+def seconds_per_step(method: str, dtype: str = "float64") -> Timing:
+    """Measure a step of a single run, by itself; the acceleration is one multiplication, as it is for −Ω²φ.
 
-    >>> errors(np.array([3]), np.array([[-2.0 + 0j]]), np.array([6]), np.zeros(1))[1]
-    array([[3.]])
-    """
-    with np.errstate(over="ignore", invalid="ignore"):
-        # The error is unwrapped, not the phase: it moves by less than half a turn a step and keeps its last digits.
-        angle = np.angle(s * exact(number, steps).conj())
-        phase = np.unwrap(np.concatenate([phase_before[None], angle]), axis=0)[1:]
-        return phase, s.real**2 + s.imag**2 - 1
+    Parameters
+    ----------
+    method : name in METHODS
+    dtype : "float32" or "float64"
 
+    Returns
+    -------
+    median and quartiles [s]
 
-def exact(number: np.ndarray, steps: np.ndarray) -> np.ndarray:
-    """Return s = e^{iΩt} at t = number·T/steps, shape (rows, runs); whole turns are taken off as integers.
+    Raises
+    ------
+    ValueError : there is no such method or dtype.
 
-    >>> exact(np.array([6, 9]), np.array([6])).real
-    array([[ 1.],
-           [-1.]])
-    """
-    return np.exp(2j * np.pi * (number[:, None] % steps) / steps)
-
-
-def seconds_per_step(oscillator: Oscillator, method: Method, kind: type[np.floating]) -> Timing:
-    """Measure a step of a single run, by itself.
-
-    >>> seconds_per_step(Oscillator(), METHODS["rk4"], np.float64).median > 0
+    >>> seconds_per_step("rk4").median > 0
     True
     """
-    acceleration = _harmonic(oscillator, kind)
+    chosen, kind = method_named("method", method), float_type("dtype", dtype)
+    minus_omega_squared = kind(-1)
     q, v = np.ones(1, kind), np.zeros(1, kind)
-    states = trajectory(method, acceleration, q, v, oscillator.period / 100)
+    states = trajectory(chosen, lambda q: minus_omega_squared * q, q, v, 2 * np.pi / 100)
     # Explicit Euler overflows during a long timing; its speed stays the same.
     with np.errstate(over="ignore", invalid="ignore"):
         return measure(lambda: next(states))
@@ -124,11 +107,3 @@ def steps_within(n: object, periods: int) -> int:
     3
     """
     return integer("steps_per_period", n, 3, LONGEST_RUN // periods)
-
-
-def _harmonic(oscillator: Oscillator, kind: type[np.floating]) -> Acceleration:
-    """Return a(φ) = −Ω²φ in the given dtype."""
-    with np.errstate(over="ignore"):
-        rounded = kind(-oscillator.natural_frequency_squared)
-    minus_omega_squared = rounded.item() if kind is np.float64 else rounded
-    return lambda q: minus_omega_squared * q

@@ -1,199 +1,212 @@
 """The work–precision diagram: error against cost of every integrator, and the cheapest run for a tolerance.
 
-The errors are those of `runs`.
+The error of a run is its largest state error at any step (`runs`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.accuracy.progress import Piece, float_type
-from ramanujan.accuracy.runs import LONGEST_RUN, blocks, errors, method_named, seconds_per_step, steps_within
-from ramanujan.integrators import METHODS, Method
-from ramanujan.numerals import quantity
-from ramanujan.oscillator import Oscillator
+from ramanujan.accuracy.measurement import Timing, float_type
+from ramanujan.accuracy.runs import LONGEST_RUN, blocks, method_named, seconds_per_step, steps_within
+from ramanujan.integrators import METHODS, trajectory
 from ramanujan.translation import _
 from ramanujan.validation import instance, integer, one_of, positive, sequence
 
-STEPS_PER_PERIOD: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
-DTYPES = ("float32", "float64")
+STEPS_PER_PERIOD = tuple(range(3, 193))
+"""Every whole number of steps that is tried; below 3, a step would turn by half a circle or more."""
+SHOWN_STEPS: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
+"""Those among them that a diagram or a table shows."""
+DTYPES = ("float64", "float32")
 
 
 @dataclass(frozen=True, eq=False)
 class WorkPrecision:
-    """Error and cost of one method in one dtype after `periods` periods; each array has one element per run.
+    """Error and cost of one method in one dtype over `periods` periods; each array has one element per run.
 
     Parameters
     ----------
     method, dtype : name in METHODS; "float32" or "float64"
     periods : length of every run, in periods of the machine
-    steps_per_period : n, so that h = T/n
-    state_error, phase_error, energy_error : see `runs`; NaN or ∞ where the run left the range
-    largest_energy_error : the largest |energy error| at any step of the run
-    evaluations : evaluations of the acceleration until the run ended, counted one by one
-    seconds, seconds_low, seconds_high : the run's steps times the measured seconds per step: median and quartiles
+    steps_per_period : n, so that h = T/n; ascending
+    error : the largest state error at any step of the run, see `runs`, for the worst rounding of h and Ω² that a
+        machine can have; ∞ where the run left the range
+    evaluations : evaluations of the acceleration in the run
+    ends : q and v where the runs end, in units of the amplitude and of 1/Ω, each of shape (2, runs)
+    step : measured seconds of one step; None before they are measured
     """
 
     method: str
     dtype: str
     periods: int
     steps_per_period: np.ndarray
-    state_error: np.ndarray
-    phase_error: np.ndarray
-    energy_error: np.ndarray
-    largest_energy_error: np.ndarray
+    error: np.ndarray
     evaluations: np.ndarray
-    seconds: np.ndarray
-    seconds_low: np.ndarray
-    seconds_high: np.ndarray
+    ends: tuple[np.ndarray, np.ndarray]
+    step: Timing | None = None
+
+    @property
+    def seconds(self) -> np.ndarray:
+        """The run's steps times the median of the seconds per step; NaN before they are measured."""
+        return self.steps_per_period * self.periods * (self.step.median if self.step else np.nan)
 
 
 @dataclass(frozen=True)
 class Choice:
-    """One run within a tolerance: method, precision, step size, state error and cost."""
+    """One run within a tolerance: method, precision, step size, largest state error and cost."""
 
     method: str
     dtype: str
     steps_per_period: int
-    state_error: float
+    error: float
     evaluations: int
     seconds: float
 
 
 def work_precision(
-    oscillator: Oscillator,
+    method: str,
+    dtype: str = "float64",
     periods: int = 100,
     steps_per_period: Sequence[int] = STEPS_PER_PERIOD,
-    methods: Iterable[str] = tuple(METHODS),
-    dtypes: Iterable[str] = DTYPES,
-) -> Iterator[Piece[WorkPrecision]]:
-    """Return an iterator over the work-precision diagram: one `WorkPrecision` per method and dtype.
+    after: WorkPrecision | None = None,
+) -> WorkPrecision:
+    """Return error and evaluations of one method for each number of steps per period, for every machine the same.
 
-    All runs of one method are one array program: they step together until the longest has ended.
+    All runs are one array program: they step together until the longest has ended.
 
     Parameters
     ----------
-    oscillator : the machine
+    method, dtype : name in METHODS; "float32" or "float64"
     periods : length of a run [periods], whole
-    steps_per_period : n of every run, whole numbers from 3 on, so that a step turns less than half a circle
-    methods, dtypes : names in METHODS; "float32", "float64"
+    steps_per_period : n of every run, whole numbers from 3 on
+    after : the same runs over fewer periods; they are continued, and `steps_per_period` is theirs
 
     Returns
     -------
-    iterator over pieces of work, some of which carry a `WorkPrecision`
+    the runs over that many periods, without seconds
 
     Raises
     ------
-    ValueError : an argument is outside its range, Ω² outside that of a dtype, or a run would take more than LONGEST_RUN
-        steps.
+    ValueError : an argument is outside its range, or a run would take more than LONGEST_RUN steps.
 
-    >>> pieces = work_precision(Oscillator(), 10, [20], ["velocity_verlet"], ["float64"])
-    >>> [curve] = [piece.result for piece in pieces if piece.result]
-    >>> curve.evaluations
+    >>> work_precision("velocity_verlet", periods=10, steps_per_period=[20]).evaluations
     array([201])
     """
-    instance("oscillator", oscillator, Oscillator)
     periods = integer("periods", periods, 1, LONGEST_RUN // 3)
-    steps = np.unique([steps_within(n, periods) for n in sequence("steps_per_period", steps_per_period)])
-    if steps.size == 0:
-        raise ValueError(_("steps_per_period must not be empty"))
-    chosen = [(name, method_named("methods", name)) for name in sequence("methods", methods)]
-    kinds = [(name, float_type("dtypes", name)) for name in sequence("dtypes", dtypes)]
-    squared = oscillator.natural_frequency_squared
-    for name, kind in kinds:
-        if not float(np.finfo(kind).tiny) <= squared <= float(np.finfo(kind).max):
-            sentence = _("oscillator has Ω² = {squared}, which {dtype} cannot hold")
-            raise ValueError(sentence.format(squared=quantity(squared, "s⁻²", 3), dtype=name))
-    return _diagram(oscillator, periods, steps, chosen, kinds)
+    chosen, kind = method_named("method", method), float_type("dtype", dtype)
+    if after is None:
+        steps = np.unique([steps_within(n, periods) for n in sequence("steps_per_period", steps_per_period)])
+        if steps.size == 0:
+            raise ValueError(_("steps_per_period must not be empty"))
+        before, error = 0, np.zeros(steps.size)
+        start = np.ones((2, steps.size), kind), np.zeros((2, steps.size), kind)
+    else:
+        instance("after", after, WorkPrecision)
+        if (after.method, after.dtype) != (method, dtype) or after.periods >= periods:
+            raise ValueError(_("after must be fewer periods of the same method in the same dtype"))
+        steps, before, error, start = after.steps_per_period, after.periods, after.error.copy(), after.ends
+    h = (2 * np.pi / steps).astype(kind)
+    # Every machine rounds its own h and Ω², so its hΩ is off by up to ¾ ε. These two steps enclose that.
+    h = np.stack([h - 2 * np.spacing(h), h + 2 * np.spacing(h)])
+    ends = np.empty((2, *h.shape), kind)
+    turns, first = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps]), np.cumsum(steps) - steps
+    for number, q, v in blocks(chosen, start, h, steps * (periods - before)):
+        running = slice(steps.size - q.shape[-1], None)
+        exact = turns[first[running] + number[:, None] % steps[running]][:, None]
+        with np.errstate(over="ignore", invalid="ignore"):
+            largest = np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
+        error[running] = np.fmax(error[running], largest)
+        ends[..., running] = q[-1], v[-1]
+    # A run that has left the range is within no tolerance; if it is continued, it must not stop the others.
+    lost = ~np.isfinite(ends).all(axis=(0, 1))
+    error[lost], ends[..., lost] = np.inf, 0
+    return WorkPrecision(method, dtype, periods, steps, error, evaluations_of(method, steps * periods), tuple(ends))
+
+
+def timed(curve: WorkPrecision) -> WorkPrecision:
+    """Return the runs with the seconds of a step, measured now.
+
+    Parameters
+    ----------
+    curve : a result of `work_precision`
+
+    Returns
+    -------
+    the same runs with their seconds
+
+    Raises
+    ------
+    ValueError : curve is not a result of `work_precision`.
+
+    >>> timed(work_precision("rk4", periods=1, steps_per_period=[20])).seconds > 0
+    array([ True])
+    """
+    instance("curve", curve, WorkPrecision)
+    return replace(curve, step=seconds_per_step(curve.method, curve.dtype))
 
 
 def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[Choice]:
-    """Return the cheapest run of each curve whose state and phase errors are within the tolerance, in order of cost.
+    """Return the cheapest run of each curve whose error is within the tolerance at every step, in order of cost.
 
     Parameters
     ----------
     curves : results of `work_precision`
-    tolerance : largest allowed state error, relative to the amplitude, and phase error [rad]
+    tolerance : largest allowed state error, relative to the amplitude
     by : the cost that counts, "evaluations" or "seconds"
 
     Returns
     -------
-    at most one choice for each curve; a curve without such a run has none
+    at most one choice for each curve, the run with the fewest steps; a curve without such a run has none
 
     Raises
     ------
     ValueError : curves are not results of `work_precision`, the tolerance is not a finite positive number, or the cost
         has another name.
 
-    >>> pieces = work_precision(Oscillator(), 10, [20, 100], ["rk4"], ["float64"])
-    >>> [choice] = cheapest([piece.result for piece in pieces if piece.result], tolerance=1e-3)
+    >>> [choice] = cheapest([work_precision("rk4", periods=10)], tolerance=1e-2)
     >>> choice.steps_per_period
-    100
+    17
     """
     one_of("by", by, ("evaluations", "seconds"))
     tolerance = positive("tolerance", tolerance)
-    curves = [instance("curves", curve, WorkPrecision) for curve in sequence("curves", curves)]
-    found = [choice for curve in curves if (choice := _cheapest_run(curve, tolerance))]
+    found = []
+    for curve in (instance("curves", curve, WorkPrecision) for curve in sequence("curves", curves)):
+        if (within := curve.error <= tolerance).any():
+            run, n = int(np.argmax(within)), curve.steps_per_period
+            costs = int(curve.evaluations[run]), float(curve.seconds[run])
+            found.append(Choice(curve.method, curve.dtype, int(n[run]), float(curve.error[run]), *costs))
     return sorted(found, key=lambda choice: getattr(choice, by))
 
 
-def _cheapest_run(curve: WorkPrecision, tolerance: float) -> Choice | None:
-    """Return the run with the fewest steps within the tolerance; a NaN is within none."""
-    # A run that is late by a whole turn is in the right state by chance; its phase error shows it.
-    good = np.flatnonzero((curve.state_error <= tolerance) & (np.abs(curve.phase_error) <= tolerance))
-    if good.size == 0:
-        return None
-    run = good[np.argmin(curve.steps_per_period[good])]
-    return Choice(
-        curve.method,
-        curve.dtype,
-        int(curve.steps_per_period[run]),
-        float(curve.state_error[run]),
-        int(curve.evaluations[run]),
-        float(curve.seconds[run]),
-    )
+def evaluations_of(method: str, steps: ArrayLike) -> NDArray[np.int64]:
+    """Return how often so many steps evaluate the acceleration, from counting the first two steps.
+
+    The second step may use what the first has evaluated; for a linear acceleration every later one does the same.
+
+    >>> evaluations_of("velocity_verlet", [1, 2, 100])
+    array([  2,   3, 101])
+    """
+    first, second = _counted(method)
+    return first + (np.asarray(steps) - 1) * second
 
 
-def _diagram(
-    oscillator: Oscillator,
-    periods: int,
-    steps: np.ndarray,
-    methods: list[tuple[str, Method]],
-    kinds: list[tuple[str, type[np.floating]]],
-) -> Iterator[Piece[WorkPrecision]]:
-    work = sum(method.evaluations for _name, method in methods) * len(kinds)
-    finished = 0
-    for dtype, kind in kinds:
-        for name, method in methods:
-            phase, energy, largest = np.zeros((3, steps.size))
-            state, evaluations = np.zeros(steps.size), np.zeros(steps.size, int)
-            for number, s, so_far in blocks(oscillator, method, kind, steps, periods):
-                running = slice(steps.size - s.shape[1], None)
-                phases, energies = errors(number, s, steps[running], phase[running])
-                phase[running], energy[running], state[running] = phases[-1], energies[-1], np.abs(s[-1] - 1)
-                evaluations[running] = so_far
-                largest[running] = np.maximum(largest[running], np.abs(energies).max(axis=0))
-                yield Piece((finished + method.evaluations * number[-1] / (steps[-1] * periods)) / work)
-            finished += method.evaluations
-            timing = seconds_per_step(oscillator, method, kind)
-            total = steps * periods
-            yield Piece(
-                finished / work,
-                WorkPrecision(
-                    method=name,
-                    dtype=dtype,
-                    periods=periods,
-                    steps_per_period=steps,
-                    state_error=state,
-                    phase_error=phase,
-                    energy_error=energy,
-                    largest_energy_error=largest,
-                    evaluations=evaluations,
-                    seconds=total * timing.median,
-                    seconds_low=total * timing.low,
-                    seconds_high=total * timing.high,
-                ),
-            )
+@cache
+def _counted(method: str) -> tuple[int, int]:
+    """Return the evaluations of the first and of the second step."""
+    calls = 0
+
+    def acceleration(q: float) -> float:
+        nonlocal calls
+        calls += 1
+        return -q
+
+    states, counted = trajectory(METHODS[method], acceleration, 1.0, 0.0, 0.1), []
+    for _step in range(2):
+        next(states)
+        counted.append(calls)
+    return counted[0], counted[1] - counted[0]

@@ -168,7 +168,7 @@ def work_precision(
         colors,
         480,
         xaxis={**TICKS, "type": "log", "title": axis_title(cost_title), "dtick": 1, "fixedrange": True},
-        yaxis=log_axis(_("error at the end, relative to the amplitude"), shown),
+        yaxis=log_axis(_("largest error, relative to the amplitude"), shown),
     )
 
 

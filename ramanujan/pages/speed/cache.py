@@ -1,35 +1,42 @@
-"""What page 5 keeps: what its experiments have found, by machine and settings, for all visitors of this server.
+"""What page 5 keeps: what its experiments have found, once for all visitors of this server.
 
-A record is made empty and filled in pieces while somebody looks at the page (`experiments`).
+Errors and evaluations of a method are the same for every machine (`accuracy.runs`), so none is kept by m, m′ and k.
+What several visitors ask for at once, Streamlit computes once, while the others wait.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import chain
+import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy import (
-    Piece,
+    Timing,
     arithmetics,
     caching,
     closed_form,
     curve_sampling,
     eigen_solvers,
+    error_history,
     extremes,
     phase_errors,
+    seconds_per_step,
     work_precision,
 )
+from ramanujan.accuracy.choices import ClosedForm
 from ramanujan.accuracy.extremes import Sweep
+from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
+from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision
 from ramanujan.figures import Drawn
 from ramanujan.figures import speed as figures
+from ramanujan.integrators import METHODS
 from ramanujan.pages.speed import downsampling
 from ramanujan.pages.speed.downsampling import Run
-from ramanujan.pages.speed.experiments import Record
 from ramanujan.translation import _
 
 
@@ -54,34 +61,85 @@ SWEEPS = {
 """The sweeps by their ids."""
 
 
-@st.cache_resource(show_spinner=False, max_entries=256)
-def run(m: float, m_prime: float, k: float, method: str, steps: int, periods: int, dtype: str) -> Record[Run]:
-    """Return what is known of one integration."""
-    return Record()
+PERIODS = (1, 3, 10, 30, 100, 300)
+"""The numbers of periods that a person can choose."""
+_PARTS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
+"""Periods after which the runs of a diagram are kept, so that each part takes some tenths of a second."""
+
+_ALONE = threading.Lock()
+"""Held while seconds are measured: two measurements at once would disturb each other."""
 
 
-@st.cache_resource(show_spinner=False, max_entries=64)
-def diagram(m: float, m_prime: float, k: float, periods: int) -> Record:
-    """Return the work-precision diagram that was measured here last, and the closed form's error and cost."""
-    return Record()
+@st.cache_resource(show_spinner=False, max_entries=512)
+def run(method: str, steps: int, periods: int, dtype: str) -> Run:
+    """Return one integration, which is the same for every machine."""
+    return downsampling.thinned(error_history(method, steps, periods, dtype), steps, periods)
 
 
-@st.cache_resource(show_spinner=False, max_entries=1)
-def sweeps() -> Record:
+def parts_of_diagram(periods: int) -> list[Callable[[], object]]:
+    """Return what a work-precision diagram is made of, in calls whose results are kept: errors first, then seconds."""
+    lengths = [part for part in _PARTS if part <= periods]
+    curves = [(method, dtype) for dtype in DTYPES for method in METHODS]
+    parts = [partial(errors, *curve, length) for curve in curves for length in lengths]
+    return [*parts, partial(closed, periods), *(partial(_step_seconds, *curve) for curve in curves)]
+
+
+def diagram(periods: int) -> list[WorkPrecision]:
+    """Return the curves of the work-precision diagram, with the seconds that were measured here last."""
+    curves = [(method, dtype) for dtype in DTYPES for method in METHODS]
+    return [replace(errors(*curve, periods), step=_step_seconds(*curve)) for curve in curves]
+
+
+@st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS) * len(_PARTS))
+def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
+    """Return the runs of one method, continued from the part before."""
+    shorter = max((part for part in _PARTS if part < periods), default=None)
+    return work_precision(method, dtype, periods, after=shorter and errors(method, dtype, shorter))
+
+
+@st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS))
+def _step_seconds(method: str, dtype: str) -> Timing:
+    with _ALONE:
+        return seconds_per_step(method, dtype)
+
+
+@st.cache_resource(show_spinner=False, max_entries=len(PERIODS))
+def closed(periods: int) -> ClosedForm:
+    """Return error and seconds of the closed form."""
+    with _ALONE:
+        return closed_form(Oscillator(), [periods])[0]
+
+
+def forget_seconds() -> None:
+    """Have the seconds measured again; errors and evaluations do not change."""
+    _step_seconds.clear()
+    closed.clear()
+
+
+@st.cache_resource(show_spinner=_("Computing all powers of ten …"), max_entries=1)
+def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
     """Return the forms of Ω² and the eigen-solvers over the range of floating point."""
-    return Record()
+    return extremes(), eigen_solvers()
 
 
-@st.cache_resource(show_spinner=False, max_entries=1)
-def choices() -> Record:
-    """Return error and cost of what the app itself chooses, measured here last."""
-    return Record()
+@st.cache_resource(show_spinner=_("Measuring what the app itself uses …"), max_entries=1)
+def choices() -> list[object]:
+    """Return error and cost of what the app itself chooses, for the machine with m = m′ = 1 kg and k = 1 N/m."""
+    machine = Oscillator()
+    experiments = (
+        closed_form(machine),
+        curve_sampling(height=downsampling.FIGURE_HEIGHT),
+        arithmetics(machine.mass_ratio),
+        caching(machine),
+    )
+    with _ALONE:
+        return [found for experiment in experiments for found in experiment]
 
 
 @st.cache_data(show_spinner=False, max_entries=64)
 def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
     """Return the phase errors after 1 … 1e15 periods; some hundredths of a second."""
-    return [piece.result for piece in phase_errors(Oscillator(m=m, m_prime=m_prime, k=k))]
+    return phase_errors(Oscillator(m=m, m_prime=m_prime, k=k))
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(SWEEPS))
@@ -101,33 +159,3 @@ def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) ->
         _("whole turns subtracted first"): [p.reduced for p in found],
     }
     return figures.phase_errors([p.periods for p in found], curves, colors)
-
-
-def diagram_pieces(oscillator: Oscillator, periods: int) -> Iterator[Piece]:
-    """Yield the work-precision diagram in pieces, the closed form first."""
-    exact = (Piece(0.0, piece.result) for piece in closed_form(oscillator, [periods]))
-    return chain(exact, work_precision(oscillator, periods))
-
-
-def sweep_pieces() -> Iterator[Piece]:
-    """Yield the sweeps to the extremes in pieces."""
-    return _one_after_another([extremes(), eigen_solvers()])
-
-
-def choice_pieces() -> Iterator[Piece]:
-    """Yield the app's own choices in pieces, for the machine with m = m′ = 1 kg and k = 1 N/m."""
-    machine = Oscillator()
-    return _one_after_another(
-        [
-            closed_form(machine),
-            curve_sampling(height=downsampling.FIGURE_HEIGHT),
-            arithmetics(machine.mass_ratio),
-            caching(machine),
-        ]
-    )
-
-
-def _one_after_another(experiments: list[Iterator[Piece]]) -> Iterator[Piece]:
-    for number, experiment in enumerate(experiments):
-        for piece in experiment:
-            yield Piece((number + piece.done) / len(experiments), piece.result)

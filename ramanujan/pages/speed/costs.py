@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+import time
+from collections.abc import Callable
 
 import numpy as np
 import streamlit as st
 
-from ramanujan import Oscillator
 from ramanujan.accuracy import cheapest
-from ramanujan.accuracy.choices import ClosedForm
-from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, WorkPrecision
+from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.numerals import number, percent, quantity
-from ramanujan.pages.speed import cache, downsampling, experiments, verdicts
-from ramanujan.pages.speed.measured import MEASURED, Setting, chart, show_table
-from ramanujan.shell import address, theme, widgets
+from ramanujan.numerals import number, percent
+from ramanujan.pages.speed import cache, downsampling, verdicts
+from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.translation import _, ngettext
 
 COST = address.Choice("cost", ("evaluations", "seconds"), "evaluations")
@@ -24,76 +22,89 @@ TOLERANCE = address.Choice("tolerance", tuple(range(1, 16)), 3, write=lambda dig
 COST_WORDS = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
 
 
-def costs(setting: Setting) -> None:
-    """Draw what accuracy costs on this server: measured when a person asks for it."""
+_ASKED, _COMPLETE = "speed_asked", "speed_complete"
+"""Session state: whether the person wants the diagram, and the number of periods for which all of it is there."""
+_AT_ONCE = 0.2
+"""Seconds of work that go by without a progress bar."""
+
+
+def costs(periods: int) -> Callable[[], None]:
+    """Draw the section as far as it takes no time; return what measures and draws the rest."""
     st.header(_("What accuracy costs on this server"), anchor=False)
-    present = (*setting.parameters, setting.periods)
-    if cache.diagram(*present).results is not None and not experiments.current("diagram"):
-        st.session_state["speed_diagram"] = present
-    asked = st.session_state.get("speed_diagram")
-    found: tuple[Any, ...] = cache.diagram(*asked).results or () if asked else ()
-    by, tolerance = costs_controls(setting)
-    place = st.empty()
-    if job := experiments.current("diagram"):
-        setting.add(MEASURED, "diagram", job, place)
-        found = tuple(job.results)
-    if any(isinstance(result, WorkPrecision) for result in found):
-        cost_diagram(found, asked, by, tolerance, follows=asked == present)
-    elif job:
-        st.markdown(_("The first curve comes in a moment."))
-    else:
-        what_is_measured(setting.periods)
+    asked = st.session_state.get(_ASKED, False)
+    by, tolerance = costs_controls(asked)
+    if not asked:
+        what_is_measured(periods)
+        return lambda: None
+    place = st.container()
+
+    def rest() -> None:
+        with place:
+            measure(periods)
+            cost_diagram(periods, by, tolerance)
+
+    return rest
 
 
-def costs_controls(setting: Setting) -> tuple[str, float]:
+def costs_controls(asked: bool) -> tuple[str, float]:
     """Draw what measures and what chooses; return the kind of cost and the error that is allowed."""
-    busy = experiments.current("diagram") is not None
     with st.container(horizontal=True, vertical_alignment="bottom"):
-        more = {"icon": ":material/timer:", "type": "primary", "disabled": busy}
-        st.button(
-            _("Measure on this server"),
-            key="measure",
-            on_click=measure,
-            args=(setting.machine, setting.periods),
-            **more,
-        )
-        st.button(_("Stop"), key="stop_measuring", on_click=experiments.drop, args=("diagram",), disabled=not busy)
+        label = _("Measure again") if asked else _("Measure on this server")
+        st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_ask)
         by = widgets.chips(COST, _("Cost"), {"evaluations": _("evaluations"), "seconds": _("seconds")})
         errors = {digits: number(10.0**-digits, 1) for digits in TOLERANCE.options}
         digits = widgets.ladder(TOLERANCE, _("Error that you allow"), errors, width=320)
     return by, 10.0**-digits
 
 
-def measure(machine: Oscillator, periods: int) -> None:
-    """Begin to measure the diagram for a machine and a number of periods."""
-    present = (machine.m, machine.m_prime, machine.k, periods)
-    experiments.drop("diagram")
+def _ask() -> None:
+    if st.session_state.get(_ASKED):
+        cache.forget_seconds()
+    st.session_state[_ASKED] = True
+    st.session_state.pop(_COMPLETE, None)
+
+
+def _stop() -> None:
+    st.session_state[_ASKED] = False
+
+
+def measure(periods: int) -> None:
+    """Take what is missing of the diagram, part by part, with a progress bar.
+
+    Streamlit breaks the script off at the next report of progress if the person presses Stop, moves a slider or leaves.
+    What has been found until then stays.
+    """
+    if st.session_state.get(_COMPLETE) == periods:
+        return
+    place, bar, start = st.empty(), None, time.monotonic()
     title = ngettext("Measuring {n} period on this server …", "Measuring {n} periods on this server …", periods)
-    experiments.job(
-        "diagram",
-        cache.diagram(*present),
-        lambda: cache.diagram_pieces(machine, periods),
-        title.format(n=periods),
-        timed=True,
-    )
-    st.session_state["speed_diagram"] = present
+    parts = cache.parts_of_diagram(periods)
+    for done, part in enumerate(parts):
+        if bar is None and time.monotonic() - start > _AT_ONCE:
+            with place.container(horizontal=True, vertical_alignment="bottom"):
+                bar = st.empty()
+                st.button(_("Stop"), key="stop_measuring", on_click=_stop)
+        if bar is not None:
+            bar.progress(done / len(parts), title.format(n=periods))
+        part()
+    place.empty()
+    st.session_state[_COMPLETE] = periods
 
 
-def cost_diagram(found: tuple[Any, ...], asked: tuple[Any, ...], by: str, tolerance: float, follows: bool) -> None:
+def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     """Draw the work-precision diagram, the cheapest run, and how both were measured."""
-    curves = [result for result in found if isinstance(result, WorkPrecision)]
-    closed = next((result for result in found if isinstance(result, ClosedForm)), None)
+    curves, closed = cache.diagram(periods), cache.closed(periods)
     ranked = cheapest(curves, tolerance, by)
     best = ranked[0] if ranked else None
     sentence = verdicts.what_to_take(ranked, tolerance, by, closed)
     st.markdown(sentence)
-    chart(
+    drawings.plot(
         figures.work_precision(
             [downsampling.costs(curve, by) for curve in curves],
             cost_title=COST_WORDS[by],
             tolerance=tolerance,
-            cheapest=(getattr(best, by), best.state_error) if best else None,
-            exact=(closed.seconds.median, closed.phase_error) if closed and by == "seconds" else None,
+            cheapest=(getattr(best, by), best.error) if best else None,
+            exact=(closed.seconds.median, closed.phase_error) if by == "seconds" else None,
             colors=theme.colors(),
         ),
         "work_precision",
@@ -101,45 +112,39 @@ def cost_diagram(found: tuple[Any, ...], asked: tuple[Any, ...], by: str, tolera
             finding=sentence.replace("**", "")
         ),
     )
-    spread = float(np.median([(c.seconds_high[0] - c.seconds_low[0]) / c.seconds[0] for c in curves]))
-    st.caption(_how_measured(asked, spread))
-    if not follows:
-        st.caption(_("The sliders have moved since. Measure again to follow them."))
+    if steeper := verdicts.order_and_slope(curves, cache.run):
+        st.markdown(steeper)
+    spread = float(np.median([(curve.step.high - curve.step.low) / curve.step.median for curve in curves]))
+    st.caption(_how_measured(periods, spread))
     with st.expander(_("The cheapest run of each method")):
         if ranked:
-            show_table(verdicts.choice_table(ranked), "cheapest")
+            verdicts.show_table(verdicts.choice_table(ranked), "cheapest")
         else:
             st.markdown(_("No run has an error that small."))
 
 
-def _how_measured(asked: tuple[Any, ...], spread: float) -> str:
-    m, m_prime, k, periods = asked
+def _how_measured(periods: int, spread: float) -> str:
     return ngettext(
-        "Measured on this server for m = {m}, m′ = {m_prime}, k = {k} and {n} period. Solid: float64; dotted: "
-        "float32. Times are medians of repeated runs; the middle half of the runs typically spans {spread} of the "
-        "median.",
-        "Measured on this server for m = {m}, m′ = {m_prime}, k = {k} and {n} periods. Solid: float64; dotted: "
-        "float32. Times are medians of repeated runs; the middle half of the runs typically spans {spread} of the "
-        "median.",
+        "Each point is the largest error in {n} period. Errors and evaluations are the same for every machine. Solid: "
+        "float64; dotted: float32. Times were measured on this server: medians of repeated runs, of which the middle "
+        "half typically spans {spread} of the median.",
+        "Each point is the largest error in {n} periods. Errors and evaluations are the same for every machine. Solid: "
+        "float64; dotted: float32. Times were measured on this server: medians of repeated runs, of which the middle "
+        "half typically spans {spread} of the median.",
         periods,
-    ).format(
-        m=quantity(m, "kg", 6, strip=True),
-        m_prime=quantity(m_prime, "kg", 6, strip=True),
-        k=quantity(k, "N/m", 6, strip=True),
-        n=periods,
-        spread=percent(spread),
-    )
+    ).format(n=periods, spread=percent(spread))
 
 
 def what_is_measured(periods: int) -> None:
     """Say what the button would measure."""
-    counts = {"methods": len(METHODS), "precisions": len(DTYPES), "sizes": len(STEPS_PER_PERIOD), "n": periods}
+    counts = {"methods": len(METHODS), "precisions": len(DTYPES), "n": periods}
+    counts |= {"least": STEPS_PER_PERIOD[0], "most": STEPS_PER_PERIOD[-1]}
     st.markdown(
         ngettext(
-            "Press the button: this server then runs {methods} methods in {precisions} precisions with {sizes} step "
-            "sizes, {n} period each, while you watch. Then choose the error that you allow.",
-            "Press the button: this server then runs {methods} methods in {precisions} precisions with {sizes} step "
-            "sizes, {n} periods each, while you watch. Then choose the error that you allow.",
+            "Press the button: this server then runs {methods} methods in {precisions} precisions with {least} to "
+            "{most} steps per period, {n} period each. Then choose the error that you allow.",
+            "Press the button: this server then runs {methods} methods in {precisions} precisions with {least} to "
+            "{most} steps per period, {n} periods each. Then choose the error that you allow.",
             periods,
         ).format(**counts)
     )

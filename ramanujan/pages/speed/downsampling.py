@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import FORMS, Piece, error_history
+from ramanujan.accuracy import FORMS
 from ramanujan.accuracy.extremes import RIGHT, Sweep
 from ramanujan.accuracy.history import History
-from ramanujan.accuracy.work_precision import WorkPrecision
+from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.motion import released
@@ -58,12 +58,6 @@ class Run:
     evaluations: int
 
 
-def run_pieces(oscillator: Oscillator, method: str, steps: int, periods: int, dtype: str) -> Iterator[Piece[Run]]:
-    """Yield one integration in pieces, the last with its `Run`."""
-    for piece in error_history(oscillator, method, steps, periods, dtype):
-        yield Piece(piece.done, None if piece.result is None else _thinned(piece.result, steps, periods))
-
-
 def samples(run: Run, machine: Oscillator, compression: float, most: float) -> tuple[dict[str, Any], int, int, bool]:
     """Return what the stage plays of a run, its first and last period, and whether the slab leaves the picture.
 
@@ -94,11 +88,11 @@ def growth(run: Run, chosen: bool) -> figures.Growth:
 
 
 def costs(curve: WorkPrecision, by: str) -> figures.Cost:
-    """Return a curve of the diagram for the figure; where a run is late by whole turns, its phase error counts."""
-    error = np.fmax(curve.state_error, np.abs(curve.phase_error))
-    error[~np.isfinite(curve.state_error)] = np.nan
-    title, number_ = METHODS[curve.method].title, list(METHODS).index(curve.method)
-    return figures.Cost(title, number_, curve.dtype, getattr(curve, by), error, curve.steps_per_period)
+    """Return a curve of the diagram for the figure."""
+    at = np.isin(curve.steps_per_period, SHOWN_STEPS)
+    error = np.where(np.isfinite(curve.error), curve.error, np.nan)
+    title, look_ = METHODS[curve.method].title, list(METHODS).index(curve.method)
+    return figures.Cost(title, look_, curve.dtype, getattr(curve, by)[at], error[at], curve.steps_per_period[at])
 
 
 def sweep(sweeps: Sequence[Sweep]) -> tuple[np.ndarray, np.ndarray, list[figures.Form]]:
@@ -117,7 +111,8 @@ def sweep(sweeps: Sequence[Sweep]) -> tuple[np.ndarray, np.ndarray, list[figures
     return np.log10(x[starts]), sound.value[starts], curves
 
 
-def _thinned(history: History, steps: int, periods: int) -> Run:
+def thinned(history: History, steps: int, periods: int) -> Run:
+    """Return a run in as many points as a screen can part."""
     every = next(n for n in range(-(-steps // SAMPLES_PER_PERIOD), steps + 1) if steps % n == 0)
     # Equal ratios between neighbours show how an error grows.
     ends = np.unique(np.rint(np.geomspace(1, steps * periods, CURVE_POINTS)).astype(int))

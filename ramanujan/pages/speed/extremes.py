@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import streamlit as st
 
+from ramanujan import Oscillator
 from ramanujan.accuracy import FORMS
-from ramanujan.accuracy.extremes import Sweep
-from ramanujan.accuracy.general_solvers import EigenSweep
-from ramanujan.accuracy.progress import REFERENCE
+from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import number
-from ramanujan.pages.speed import cache, experiments, own_choices, verdicts
-from ramanujan.pages.speed.measured import OTHERS, Setting, chart, show_table
-from ramanujan.shell import address, theme, widgets
+from ramanujan.pages.speed import cache, own_choices, verdicts
+from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.translation import _
 
 SWEEP = address.Choice("sweep", tuple(cache.SWEEPS), next(iter(cache.SWEEPS)))
@@ -26,8 +22,8 @@ SWEEP_WORDS = {
 }
 
 
-def forms_at_extremes(setting: Setting) -> tuple[Any, ...]:
-    """Draw the forms of Ω² over the range of floating point; return all sweeps that are there."""
+def forms_at_extremes() -> None:
+    """Draw the forms of Ω² over the range of floating point."""
     st.header(
         _("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)),
         anchor=False,
@@ -39,16 +35,12 @@ def forms_at_extremes(setting: Setting) -> tuple[Any, ...]:
             "still look right."
         ).format(double=number(float(np.finfo(np.float64).max)), single=number(float(np.finfo(np.float32).max)))
     )
-    place, record = st.empty(), cache.sweeps()
-    if record.results is None:
-        job = experiments.job("sweeps", record, cache.sweep_pieces, _("Computing all powers of ten …"))
-        setting.add(OTHERS, "sweeps", job, place)
-        return ()
+    swept, _solvers = cache.sweeps()
     name = widgets.chips(SWEEP, _("What is varied, and the precision"), SWEEP_WORDS, label_visibility="collapsed")
     sweep = cache.SWEEPS[name]
-    shown = [s for s in record.results if isinstance(s, Sweep) and (s.along, s.dtype) == (sweep.along, sweep.dtype)]
+    shown = [s for s in swept if (s.along, s.dtype) == (sweep.along, sweep.dtype)]
     sentence = verdicts.where_forms_fail(shown, sweep.symbol)
-    chart(
+    drawings.plot(
         cache.forms_figure(name, theme.colors(), shown),
         "forms",
         _("Ω² and its error for {count} forms. {findings}").format(
@@ -65,26 +57,24 @@ def forms_at_extremes(setting: Setting) -> tuple[Any, ...]:
     with st.expander(_("The formulas")):
         item = _("- **{name}**: Ω² = {formula}")
         st.markdown("\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values()))
-    return record.results
 
 
-def many_periods(setting: Setting) -> None:
+def many_periods(machine: Oscillator) -> None:
     """Draw the phase error after very many periods."""
     st.header(_("Extreme times: very many periods"), anchor=False)
-    sentence = verdicts.how_phases_grow(cache.phases(*setting.parameters))
-    chart(
-        cache.phases_figure(*setting.parameters, theme.colors()),
+    parameters = machine.m, machine.m_prime, machine.k
+    sentence = verdicts.how_phases_grow(cache.phases(*parameters))
+    drawings.plot(
+        cache.phases_figure(*parameters, theme.colors()),
         "phase_errors",
         _("Phase error over the number of periods. {findings}").format(findings=sentence.replace("**", "")),
     )
     st.markdown(sentence)
 
 
-def general_solver(found: tuple[Any, ...]) -> None:
+def general_solver() -> None:
     """Say what a general eigen-solver makes of the zero modes."""
-    sweeps = [sweep for sweep in found if isinstance(sweep, EigenSweep)]
-    if not sweeps:
-        return
+    _forms, sweeps = cache.sweeps()
     st.header(_("A general eigen-solver"), anchor=False)
     st.markdown(
         _(
@@ -94,16 +84,11 @@ def general_solver(found: tuple[Any, ...]) -> None:
         )
     )
     st.markdown(verdicts.zero_modes(sweeps))
-    show_table(verdicts.zero_mode_table(sweeps), "zero_modes")
+    verdicts.show_table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 
-def what_the_app_uses(setting: Setting, found: tuple[Any, ...]) -> None:
-    """List what the app itself uses where, once that has been measured."""
+def what_the_app_uses() -> None:
+    """List what the app itself uses where."""
     st.header(_("What this app uses, and why"), anchor=False)
-    place, record = st.empty(), cache.choices()
-    if record.results is None:
-        title = _("Measuring what the app itself uses …")
-        job = experiments.job("choices", record, cache.choice_pieces, title, timed=True)
-        setting.add(OTHERS, "choices", job, place)
-    elif sweeps := [sweep for sweep in found if isinstance(sweep, Sweep)]:
-        st.markdown(own_choices.what_the_app_uses(record.results, sweeps))
+    swept, _solvers = cache.sweeps()
+    st.markdown(own_choices.what_the_app_uses(cache.choices(), swept))

@@ -11,16 +11,15 @@ from ramanujan.browser import stage
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number, quantity
-from ramanujan.pages.speed import cache, downsampling, experiments, verdicts
+from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
 from ramanujan.pages.speed.extremes import SWEEP, forms_at_extremes, general_solver, many_periods, what_the_app_uses
-from ramanujan.pages.speed.measured import CHOSEN, OTHERS, Setting, chart
-from ramanujan.shell import address, sidebar, stages, theme, widgets
+from ramanujan.shell import address, drawings, sidebar, stages, theme, widgets
 from ramanujan.translation import _
 
 METHOD = address.Choice("method", tuple(METHODS), "velocity_verlet")
 STEPS = address.Choice("steps", (3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192), 12)
-PERIODS = address.Choice("periods", (1, 3, 10, 30, 100, 300), 30)
+PERIODS = address.Choice("periods", cache.PERIODS, 30)
 PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
 KEYS = (METHOD, STEPS, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
 
@@ -38,18 +37,19 @@ def show() -> None:
             "error can be seen and measured."
         )
     )
-    setting = choose()
-    run = side_by_side(setting)
-    growing_errors(setting, run)
-    costs(setting)
-    sweeps = forms_at_extremes(setting)
-    many_periods(setting)
-    general_solver(sweeps)
-    what_the_app_uses(setting, sweeps)
-    experiments.work([task[1:] for task in sorted(setting.tasks, key=lambda task: task[0])])
+    method, steps, periods, precision = choose()
+    run = two_stages(method, steps, periods, precision)
+    growing_errors(run)
+    costs_on_this_server = costs(periods)
+    forms_at_extremes()
+    many_periods(sidebar.oscillator())
+    general_solver()
+    what_the_app_uses()
+    # What may take long comes when all else is drawn.
+    costs_on_this_server()
 
 
-def choose() -> Setting:
+def choose() -> tuple[str, int, int, str]:
     """Draw the choice of method, steps per period, periods and precision."""
     first, second, third, fourth = st.columns([1.2, 1.2, 1.2, 1], gap="medium")
     with first:
@@ -60,42 +60,27 @@ def choose() -> Setting:
         periods = widgets.ladder(PERIODS, _("Number of periods"))
     with fourth:
         precision = widgets.chips(PRECISION, _("Precision"), PRECISION_WORDS)
-    return Setting(sidebar.oscillator(), method, steps, periods, precision)
+    return method, steps, periods, precision
 
 
-def side_by_side(setting: Setting) -> downsampling.Run | None:
-    """Draw the computed motion beside the exact one, and return the run that it shows."""
-    title = _("Running this method: {method} …").format(method=METHODS[setting.method].title)
-    record = setting.run_of(setting.method, CHOSEN, title, st.empty())
-    if record.results is not None:
-        st.session_state["speed_run"] = record.results[0]
-    run: downsampling.Run | None = st.session_state.get("speed_run")
-    two_stages(setting, run)
-    return run
-
-
-def two_stages(setting: Setting, run: downsampling.Run | None) -> None:
-    """Draw the exact machine and the computed one on one clock."""
-    machine, compression = setting.machine, sidebar.compression()
+def two_stages(method: str, steps: int, periods: int, precision: str) -> downsampling.Run:
+    """Draw the exact machine and the computed one on one clock; return the run that is shown."""
+    machine, compression = sidebar.oscillator(), sidebar.compression()
     shared = {"clock": "speed", "compact": True}
     left, right = st.columns(2, gap="small")
     with left:
         stages.mount(stage.payload(machine, compression), key="exact", label=_("Exact: the closed form"), **shared)
-    most = stages.LIMITS[1]
-    played, first, last, leaves = downsampling.samples(run, machine, compression, most) if run else (None, 0, 0, False)
     with right:
-        stages.mount(
-            stage.payload(machine, compression, samples=played, awaiting=run is None),
-            key="stepped",
-            label=_("Computed step by step"),
-            **shared,
-        )
-    if run:
-        said = [_what_is_shown(run, first + 1, last), verdicts.errors_of(run)]
-        if leaves:
-            said.insert(1, _("Soon after, the slab leaves the picture."))
-        facts = verdicts.method_facts(METHODS[run.method], run.steps)
-        st.markdown(f"{' '.join(said)}  \n:small[{facts}]")
+        run = cache.run(method, steps, periods, precision)
+        played, first, last, leaves = downsampling.samples(run, machine, compression, stages.LIMITS[1])
+        payload = stage.payload(machine, compression, samples=played)
+        stages.mount(payload, key="stepped", label=_("Computed step by step"), **shared)
+    said = [_what_is_shown(run, first + 1, last), verdicts.errors_of(run)]
+    if leaves:
+        said.insert(1, _("Soon after, the slab leaves the picture."))
+    facts = verdicts.method_facts(METHODS[method], steps)
+    st.markdown(f"{' '.join(said)}  \n:small[{facts}]")
+    return run
 
 
 def _what_is_shown(run: downsampling.Run, first: int, last: int) -> str:
@@ -108,22 +93,19 @@ def _what_is_shown(run: downsampling.Run, first: int, last: int) -> str:
     return sentence.format(method=title, steps=run.steps, precision=run.dtype, first=first, last=last)
 
 
-def growing_errors(setting: Setting, run: downsampling.Run | None) -> None:
+def growing_errors(run: downsampling.Run) -> None:
     """Draw how the errors of all methods grow."""
     st.header(_("How the errors grow"), anchor=False)
-    place = st.empty()
-    runs = [run] if run else []
-    for name in METHODS:
-        if name != setting.method:
-            record = setting.run_of(name, OTHERS, _("Running the other methods with the same steps …"), place)
-            # The run that is shown may be an older one, of a method that is one of the others by now.
-            runs += [r for r in record.results or () if not (run and r.method == run.method)]
-    reach = max([run.periods if run else 1, 10])
-    exact = np.array([(p.periods, p.reduced) for p in cache.phases(*setting.parameters) if p.periods <= reach])
+    runs = [cache.run(name, run.steps, run.periods, run.dtype) for name in METHODS]
+    machine = sidebar.oscillator()
+    phases = cache.phases(machine.m, machine.m_prime, machine.k)
+    exact = np.array([(p.periods, p.reduced) for p in phases if p.periods <= max(run.periods, 10)])
     found = [_found(r) for r in runs]
-    chart(
+    drawings.plot(
         figures.error_growth(
-            [downsampling.growth(r, chosen=r is run) for r in runs], (exact[:, 0], exact[:, 1]), theme.colors()
+            [downsampling.growth(r, chosen=r.method == run.method) for r in runs],
+            (exact[:, 0], exact[:, 1]),
+            theme.colors(),
         ),
         "growth",
         _(

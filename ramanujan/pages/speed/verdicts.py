@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
 
 import numpy as np
+import streamlit as st
 
 from ramanujan.accuracy import FORMS, SOLVERS
 from ramanujan.accuracy.choices import ClosedForm
 from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
 from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
-from ramanujan.accuracy.work_precision import Choice
+from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
 from ramanujan.integrators import METHODS, Method
 from ramanujan.numerals import duration, number, percent, quantity, told_from
 from ramanujan.pages.speed.downsampling import Run
@@ -20,6 +22,8 @@ from ramanujan.translation import _, ngettext
 
 _SEEN = 0.05
 """Phase error [rad] that an eye can see between two machines side by side: about a hundredth of a full turn."""
+_ROUNDING, _SMALL, _STEEPER = 1e-12, 0.5, 0.3
+"""Errors between which a curve has a slope, and by how much it has to exceed the order to be worth a sentence."""
 
 Table = list[tuple[str, ...]]
 
@@ -28,6 +32,12 @@ def table(rows: Table) -> str:
     """Return rows as a Markdown table; the first row names the columns."""
     lines = [" | ".join(row) for row in rows]
     return "\n".join([lines[0], " | ".join(["---"] * len(rows[0])), *lines[1:]])
+
+
+def show_table(rows: Table, key: str) -> None:
+    """Draw a table that scrolls by itself where the page is narrow."""
+    with st.container(key=f"table_{key}"):
+        st.markdown(table(rows))
 
 
 def method_facts(method: Method, steps: int) -> str:
@@ -107,13 +117,13 @@ def _cheapest(best: Choice, tolerance: float, by: str) -> str:
         _(
             "For an error of at most {tolerance} of the amplitude, the fastest run on this server is **{method}** in "
             "{precision} with **{steps} steps per period**. It takes {time} and {evaluations} evaluations of the "
-            "force, and its error is {error}."
+            "force, and its largest error is {error}."
         )
         if by == "seconds"
         else _(
             "For an error of at most {tolerance} of the amplitude, the run with the fewest evaluations of the force is "
             "**{method}** in {precision} with **{steps} steps per period**. It takes {evaluations} evaluations and "
-            "{time} on this server, and its error is {error}."
+            "{time} on this server, and its largest error is {error}."
         )
     )
     return sentence.format(
@@ -121,16 +131,41 @@ def _cheapest(best: Choice, tolerance: float, by: str) -> str:
         method=METHODS[best.method].title,
         precision=best.dtype,
         steps=best.steps_per_period,
-        error=number(best.state_error),
+        error=number(best.error),
         evaluations=number(best.evaluations, 3),
         time=duration(best.seconds),
     )
 
 
 def _none_reaches(tolerance: float) -> str:
-    return _("No method reaches an error of {tolerance} with the step sizes that were tried.").format(
-        tolerance=number(tolerance, 1)
+    return _("No method stays within an error of {tolerance} with {most} steps per period or fewer.").format(
+        tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1]
     )
+
+
+def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:
+    """Say of each method whose error falls faster than its order says, by how much, and how its phase error falls."""
+    fine, said = STEPS_PER_PERIOD[-1], []
+    for curve in (curve for curve in curves if curve.dtype == "float64"):
+        method, n = METHODS[curve.method], curve.steps_per_period
+        coarse_error, fine_error = curve.error[n == fine // 2].item(), curve.error[n == fine].item()
+        # Errors as large as the motion, and those of rounding, have no slope.
+        if not _ROUNDING < fine_error < coarse_error < _SMALL:
+            continue
+        if (slope := math.log2(coarse_error / fine_error)) > method.order + _STEEPER:
+            coarse, end = (run(curve.method, each, curve.periods, "float64").phase_at_end for each in (fine // 2, fine))
+            words = {"method": method.title, "order": method.order, "n": curve.periods}
+            words |= {"slope": f"{slope:.1f}", "phase": f"{math.log2(coarse / end):.1f}"}
+            said.append(
+                ngettext(
+                    "The method {method} has order {order}, but its error falls with slope {slope}: in {n} period a "
+                    "phase error grows, and that falls with slope {phase}.",
+                    "The method {method} has order {order}, but its error falls with slope {slope}: in {n} periods a "
+                    "phase error grows, and that falls with slope {phase}.",
+                    curve.periods,
+                ).format(**words)
+            )
+    return " ".join(said)
 
 
 def choice_table(choices: Iterable[Choice]) -> Table:
@@ -139,7 +174,7 @@ def choice_table(choices: Iterable[Choice]) -> Table:
         (_("Method"), _("Precision"), _("Steps per period"), _("Error"), _("Evaluations"), _("Time")),
     ]
     for c in choices:
-        cells = (METHODS[c.method].title, c.dtype, str(c.steps_per_period), number(c.state_error))
+        cells = (METHODS[c.method].title, c.dtype, str(c.steps_per_period), number(c.error))
         rows.append((*cells, number(c.evaluations, 3), duration(c.seconds)))
     return rows
 
@@ -191,15 +226,14 @@ def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
 
 def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
     """Say when each way to compute the phase has lost it, and how small the reduced one's error stays."""
-    single = next((e.periods for e in errors if e.float32 > 1), None)
-    said = []
-    if single:
-        said.append(
-            _(
-                "In float32 the error of the plain product Ω·t exceeds 1 rad after {periods} periods. From there on "
-                "the phase is meaningless and the curve is flat."
-            ).format(periods=number(single))
-        )
+    said = [
+        _(
+            "In float32 the error of the plain product Ω·t reaches 1 rad between {before} and {after} periods. From "
+            "there on the phase is meaningless and the curve is flat."
+        ).format(before=number(before.periods), after=number(after.periods))
+        for before, after in pairwise(errors)
+        if before.float32 <= 1 < after.float32
+    ][:1]
     said.append(
         _(
             "In float64 the error is {error} rad after {periods} periods. If Ω/2π is stored in two floating-point "

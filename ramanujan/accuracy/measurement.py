@@ -1,12 +1,11 @@
-"""Shared by all experiments: pieces of work, timing, and the reference arithmetic."""
+"""Shared by all experiments: timing and the reference arithmetic."""
 
 from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Generic, TypeVar
 
 import mpmath
 import numpy as np
@@ -14,10 +13,7 @@ import numpy as np
 from ramanujan.frequency import frequency_squared
 from ramanujan.numerals import quantity
 from ramanujan.translation import _
-from ramanujan.validation import function, instance, integer, one_of, positive, sequence
-
-S = TypeVar("S")
-T = TypeVar("T")
+from ramanujan.validation import function, integer, one_of, positive
 
 _LONGEST_BATCH = 60
 
@@ -27,41 +23,12 @@ REFERENCE.dps = 50
 
 
 @dataclass(frozen=True)
-class Piece(Generic[T]):
-    """A finished piece of work: `done`, the share of the experiment from 0 to 1, and a result if one is complete."""
-
-    done: float
-    result: T | None = None
-
-
-@dataclass(frozen=True)
 class Timing:
     """Seconds per call: the median of the repeats and their quartiles, `low` and `high`."""
 
     median: float
     low: float
     high: float
-
-
-def results(pieces: Iterable[Piece[T]]) -> list[T]:
-    """Run an experiment to its end and return its results in order.
-
-    >>> results([Piece(0.5), Piece(1.0, "done")])
-    ['done']
-    """
-    pieces = (instance("pieces", piece, Piece) for piece in sequence("pieces", pieces))
-    return [piece.result for piece in pieces if piece.result is not None]
-
-
-def each(experiment: Callable[[S], T], arguments: Sequence[S]) -> Iterator[Piece[T]]:
-    """Return an iterator with one piece per argument, whose result is the experiment's value.
-
-    >>> list(each(abs, [-1, -2]))
-    [Piece(done=0.5, result=1), Piece(done=1.0, result=2)]
-    """
-    function("experiment", experiment)
-    arguments = sequence("arguments", arguments)
-    return (Piece(number / len(arguments), experiment(argument)) for number, argument in enumerate(arguments, start=1))
 
 
 def measure(call: Callable[[], object], repeats: int = 7, shortest: float = 1e-3) -> Timing:
