@@ -110,8 +110,8 @@ def equations(display: str) -> list[str]:
 
 
 def sides(equation: str) -> tuple[str, str, str, bool]:
-    """Return the left side, the right side, its decimal or "", all without units, and whether the decimal is exact."""
-    left, right = _UNIT.sub("", equation).split(" = ", 1)
+    """Return left side, right side, its decimal or "", without units and label, and whether the decimal is exact."""
+    left, right = _UNIT.sub("", equation).rpartition(r":\quad ")[2].split(" = ", 1)
     right, sign, decimal = re.fullmatch(r"(.*?)(?: (=|\\approx) ([^=]*))?", right).groups(default="")
     return left, right, decimal, sign == "="
 

@@ -97,6 +97,7 @@ def quantities(
         # What moves the centre is the sum of a roller's two forces, what turns it their difference.
         total, turning = masses[body] * acceleration[body], inertia[body] * a[place] / radius
         named[rf"\alpha_{{\text{{{body}}}}}"] = a[place]
+        named[rf"I_{{\text{{{body}}}}}"] = inertia[body]
         named[rf"S_{{\text{{{body}}}}}"] = (total + turning) / 2
         named[rf"F_{{\text{{{body}}}}}"] = -turning if body == "top" else (total - turning) / 2
     for letter, place in (("X", 0), (r"\varphi", 1), (r"\Phi", 2)):
@@ -131,9 +132,10 @@ def quantities(
         "M": M,
         "M^{-1}": inverse,
         "K": K,
-        r"\Lambda": frequency,
-        r"\Lambda_{1}": frequency * 0,
-        r"\Lambda_{2}": frequency * 0,
-        r"\Lambda_{3}": frequency,
+        r"\omega": frequency**0.5,
+        r"\omega_{1}": frequency * 0,
+        r"\omega_{2}": frequency * 0,
+        r"\omega_{3}": frequency**0.5,
+        "x": 2 * radius * q[1],
         "v": shape.reshape(3, 1),
     }

@@ -1,4 +1,4 @@
-"""The paper's own route, equation by equation; and what every step of every route has to be."""
+"""What every step of every route has to be, and what is said about one machine."""
 
 from __future__ import annotations
 
@@ -18,39 +18,13 @@ from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import row, rows
 from ramanujan.derivation.steps import Routes, equation
-from ramanujan.derivation.symbols import COORDINATES, Omega_squared, Phi, R, X, epsilon, k, m, m_prime, machine, phi, t
-from tests import reference
+from ramanujan.derivation.symbols import Omega_squared, k, m, m_prime, machine
+from ramanujan.derivation.templates import template
 from tests.latex import Formula, sides
-from tests.reference import equal, holds
 
 UNIT_RATIO = (sp.sqrt(1729) - 1) / 36
 TWO_MASSES = {m: sp.Integer(2), m_prime: sp.Integer(3), k: sp.Integer(50)}
 STEPS = [(name, step.key) for name in ROUTES for step in ROUTES[name].steps]
-X_dot, phi_dot, Phi_dot = (q.diff(t) for q in COORDINATES)
-
-
-def paper_lagrangian() -> sp.Expr:
-    """The paper's Lagrangian of section 2, as printed."""
-    return (
-        (3 * m + 2 * m_prime) / 2 * X_dot**2
-        + sp.Rational(3, 4) * m * R**2 * Phi_dot**2
-        + (sp.Rational(7, 4) * m_prime + 2 * m) * R**2 * phi_dot**2
-        - m * R * X_dot * Phi_dot
-        - 2 * (m_prime + m) * R * phi_dot * X_dot
-        - 2 * k * R**2 * phi**2
-    )
-
-
-def equal_masses(relation: sp.Eq) -> sp.Eq:
-    return sp.Eq(*(side.subs(m_prime, m) for side in relation.args), evaluate=False)
-
-
-def holds_for_equal_masses(relation: sp.Eq) -> bool:
-    """Tell whether an equation in m alone is true along the motion of the machine with m′ = m."""
-    motion = {a: value.subs(m_prime, m) for a, value in reference.accelerations().items()}
-    frequency = reference.natural_frequency_squared().subs(m_prime, m)
-    left, right = (side.subs(Omega_squared, frequency).subs(motion) for side in relation.args)
-    return equal(left, right)
 
 
 # What a step is
@@ -142,90 +116,33 @@ def test_every_reason_about_equal_masses_says_so():
                 assert {"m", "m'", "k"}.isdisjoint(Formula(sides(each.latex)[1]).names)
 
 
-# The paper's route
-
-
-def test_velocities_are_those_over_the_ground():
-    velocity = {relation.lhs.name: relation.rhs for relation in ROUTES["euler_lagrange"]["velocities"].equations}
-    rolled = {"block": 0, "hoop": R * phi_dot, "cylinder": R * phi_dot, "slab": 2 * R * phi_dot, "top": R * Phi_dot}
-    assert velocity == {f"v_{name}": sp.expand(path - X_dot) for name, path in rolled.items()}
-
-
-def test_energies_add_up_to_the_lagrangian():
-    *kinetic, potential = ROUTES["euler_lagrange"]["energies"].equations
-    total = sum(relation.rhs for relation in kinetic) - potential.rhs
-    assert equal(total, reference.lagrangian())
-    assert not equal(total - kinetic[1].rhs, reference.lagrangian())
-
-
-def test_lagrangians_are_the_printed_ones():
+def test_with_equal_masses_nothing_is_told_twice():
+    same = TWO_MASSES | {m_prime: TWO_MASSES[m]}
     route = ROUTES["euler_lagrange"]
-    assert sp.expand(route["lagrangian"].equations[0].rhs - paper_lagrangian()) == 0
-    assert sp.expand(route["equal_lagrangian"].equations[0].rhs - paper_lagrangian().subs(m_prime, m)) == 0
+    headings = [step.heading for step in route.steps]
+    assert len(set(headings)) == len(headings)
+    in_numbers = [tuple(each.latex for each in rows(step, same)) for step in route.steps]
+    assert len(set(in_numbers)) == len(in_numbers)
+    for step in route.steps:
+        if step.told is not None:
+            assert "said this already" in step.about(same).reason
+            assert "said this already" not in step.about(TWO_MASSES).reason
+            assert rows(step, same) == rows(step)
 
 
-@pytest.mark.parametrize("q", COORDINATES)
-@pytest.mark.parametrize("prefix", ["", "equal_"])
-def test_each_equation_of_motion_belongs_to_its_coordinate(prefix, q):
-    relation = ROUTES["euler_lagrange"][f"{prefix}motion"].equations[COORDINATES.index(q)]
-    L = reference.lagrangian()
-    expected = L.diff(q.diff(t)).diff(t) - L.diff(q)
-    if prefix:
-        expected = expected.subs(m_prime, m)
-    ratio = sp.cancel(relation.lhs / expected)
-    assert relation.rhs == 0
-    assert ratio.free_symbols <= {m, R}
+@pytest.mark.parametrize(
+    ("roller_mass", "word"), [(sp.Integer(2), "faster"), (UNIT_RATIO * 2, "in step"), (sp.Integer(3), "more slowly")]
+)
+def test_the_condition_says_on_which_side_a_machine_is(roller_mass, word):
+    values = TWO_MASSES | {m_prime: roller_mass}
+    step = ROUTES["euler_lagrange"]["unit"]
+    assert word in step.about(values).reason
+    signs = {number.evaluated(values)[0].numerator.compare(0) for number in map(template, residuals(step, values))}
+    assert signs == {{"faster": -1, "in step": 0, "more slowly": 1}[word]}
 
 
-@pytest.mark.parametrize("key", ["elimination", "frequency"])
-def test_elimination_holds_along_the_motion(key):
-    definitions = {Omega_squared: reference.natural_frequency_squared()}
-    for relation in ROUTES["euler_lagrange"][key].equations:
-        assert holds(relation, definitions)
-    for relation in ROUTES["euler_lagrange"][f"equal_{key}"].equations:
-        assert holds_for_equal_masses(relation)
-
-
-def test_a_wrong_elimination_would_be_noticed():
-    relation = ROUTES["euler_lagrange"]["elimination"].equations[1]
-    assert not holds(sp.Eq(relation.lhs, -relation.rhs, evaluate=False))
-
-
-def test_equal_masses_give_104_over_99():
-    route = ROUTES["euler_lagrange"]
-    assert route["equal_frequency"].equations[-1].rhs == sp.Rational(104, 99) * k / m
-    assert route["equal_close"].equations[0].rhs == sp.Rational(104, 99)
-    assert holds_for_equal_masses(route["equal_close"].equations[0])
-
-
-def test_elimination_of_the_equal_masses_is_the_printed_one():
-    Phi_of_X, X_of_phi, _ = ROUTES["euler_lagrange"]["equal_elimination"].equations
-    assert X_of_phi.rhs == sp.Rational(12, 13) * R * phi.diff(t, 2)
-    assert Phi_of_X.lhs == Phi.diff(t, 2)
-    assert Phi_of_X.rhs == 2 * X.diff(t, 2) / (3 * R)
-
-
-def test_only_the_ratio_matters():
-    definition, normalized = ROUTES["euler_lagrange"]["ratio"].equations
-    assert definition.args == (epsilon, m_prime / m)
-    true_value = reference.natural_frequency_squared() * m / k
-    assert equal(normalized.rhs.subs(epsilon, m_prime / m), true_value)
-
-
-def test_the_condition_is_the_printed_quadratic():
-    (relation,) = ROUTES["euler_lagrange"]["unit"].equations
-    assert relation.lhs == 18 * epsilon**2 + epsilon - 24
-    assert relation.rhs == 0
-
-
-def test_the_root_gives_exactly_one():
-    condition, root, square = ROUTES["euler_lagrange"]["root"].equations
-    assert condition == ROUTES["euler_lagrange"]["unit"].equations[0]
-    assert sp.simplify(root.rhs - UNIT_RATIO) == 0
-    normalized = ROUTES["euler_lagrange"]["ratio"].equations[1].rhs
-    assert sp.radsimp(normalized.subs(epsilon, root.rhs)) == 1
-    assert square.rhs == 1729
-    assert sp.expand(square.lhs - square.rhs - 72 * (18 * epsilon**2 + epsilon - 24)) == 0
+def residuals(step: Step, values: dict) -> list[sp.Expr]:
+    return [relation.rhs for relation in step.about(values).equations]
 
 
 def test_unit_condition_follows_another_frequency():

@@ -10,6 +10,7 @@ import os
 import random
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache, lru_cache
 
@@ -85,7 +86,7 @@ def meanings(masses: tuple[float, float, float], step: Step, name: str) -> dict[
     return along_the_motion(mass, roller, stiffness, name == "energy")
 
 
-def shown(masses: tuple[float, float, float]) -> Iterator[tuple[str, Step, list[str]]]:
+def shown(masses: tuple[float, float, float] | None) -> Iterator[tuple[str, Step, list[str]]]:
     """Yield route, step and equations as the page shows them with numbers; its cache is left out."""
     for name, route in ROUTES.items():
         for number, step in enumerate(route.steps):
@@ -93,6 +94,14 @@ def shown(masses: tuple[float, float, float]) -> Iterator[tuple[str, Step, list[
 
 
 # What is shown holds
+
+
+def test_in_symbols_every_equation_holds_along_the_exact_motion_of_the_machine_in_step():
+    """At ε* alone the conditions hold too; what is about equal masses is tried with equal masses."""
+    for name, step, lines in shown(None):
+        values = meanings((1.85, 1.85 * UNIT_MASS_RATIO, 33.5), step, name)
+        for line in lines:
+            assert holds(line, values), (name, step.key, line)
 
 
 def test_every_equation_of_every_route_holds_along_the_exact_motion():
@@ -113,7 +122,12 @@ def test_a_spoiled_machine_is_noticed_in_every_step_with_numbers():
         if all(holds(line, spoiled[name == "energy"]) for line in lines)
     }
     # Geometry and rolling contain no mass, and K has the same zero modes whatever k is.
-    assert silent == {("euler_lagrange", "velocities"), ("newton", "rolling"), ("matrix", "zero_modes")}
+    assert silent == {
+        ("euler_lagrange", "velocities"),
+        ("newton", "rolling"),
+        ("newton", "accelerations"),
+        ("matrix", "zero_modes"),
+    }
 
 
 @pytest.mark.parametrize("masses", machines(12))
@@ -151,9 +165,10 @@ def test_the_first_page_and_the_files_say_the_same(masses):
         of_page = [line for _, lines in on_page[name] for line in lines]
         assert sorted(re.findall(r"\$\$\n(.*?)\n\$\$", text)) == sorted(of_page)
     six = [step.equations for step in first_page.summary.__wrapped__(masses)]
-    of_route = dict(on_page["euler_lagrange"])
     for key, display in zip(first_page._SUMMARY, six, strict=True):
-        assert equations(display)[-len(of_route[key]) :] == of_route[key]
+        # What page 2 has told for equal masses is told on page 1 for any.
+        lines = [row.latex for row in rows(replace(ROUTES["euler_lagrange"][key], told=None), exact_values(*masses))]
+        assert equations(display)[-len(lines) :] == lines
 
 
 def test_other_roots_are_refused():
@@ -189,7 +204,6 @@ def test_in_step_is_claimed_only_of_the_root():
     assert lines(1.0, 1.0)[1:] == [
         r"\frac{\Omega^{2}\,m}{k} = \frac{104}{99} \approx 1.0505051",
         r"\varepsilon - \varepsilon_{*} = - \frac{\sqrt{1729} - 37}{36} \approx -0.12725683",
-        r"\left(36\,\varepsilon + 1\right)^{2} = 1369",
     ]
 
 
@@ -207,5 +221,5 @@ def test_every_symbol_of_a_route_is_in_its_list(name):
                         # Of a momentum, a mass matrix or a body’s quantity, the list has the letter.
                         plain = re.sub(r"\\d?dot\{(\\?\w+)\}", r"\1", symbol.removesuffix("^{-1}"))
                         plain = re.sub(r"\\text\{(block|hoop|cylinder|slab|top)\}", r"\\text{body}", plain)
-                        plain = re.sub(r"\\Lambda_\{\d\}", r"\\Lambda", plain)
+                        plain = re.sub(r"\\omega_\{\d\}", r"\\omega", plain)
                         assert plain in listed.splitlines(), (step.key, symbol)

@@ -7,6 +7,7 @@ from functools import cache
 
 import sympy as sp
 
+from ramanujan.derivation.printers import in_order
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import (
     COORDINATES,
@@ -40,17 +41,31 @@ def euler_lagrange_operator(lagrangian: sp.Expr, q: sp.Expr) -> sp.Expr:
 class Elimination:
     """The three equations of motion, and the one that is left when X and Φ are expressed by φ.
 
-    `motion` maps each coordinate to its equation (left side of … = 0, without common factor); the others are
-    Φ̈ in terms of Ẍ, Ẍ and Φ̈ in terms of φ̈, the φ equation after insertion, and Ω².
+    `momenta` are p = ∂ℒ/∂q̇ and `forces` ∂ℒ/∂q by coordinate; `motion` is ṗ − ∂ℒ/∂q (left side of … = 0), divided by
+    the `common` factor of its terms. `merged` are the three lines that eliminate Φ̈; the others are Φ̈ in terms of Ẍ,
+    Ẍ and Φ̈ in terms of φ̈, the φ equation as it is after insertion and with like terms gathered, and Ω².
     """
 
     lagrangian: sp.Expr
+    momenta: dict[sp.Expr, sp.Expr]
+    forces: dict[sp.Expr, sp.Expr]
+    common: dict[sp.Expr, sp.Expr]
     motion: dict[sp.Expr, sp.Expr]
+    merged: tuple[sp.Eq, ...]
     Phi_from_X: sp.Expr
     X_from_phi: sp.Expr
     Phi_from_phi: sp.Expr
+    inserted: sp.Expr
     remaining: sp.Expr
     natural_frequency_squared: sp.Expr
+
+    @property
+    def quotient(self) -> tuple[sp.Expr, tuple[sp.Expr, ...]]:
+        """Numerator of Ω², and the terms of its denominator one by one.  Source: paper, eq. (12)."""
+        direct, through_block = self.motion[phi].coeff(phi_ddot), self.motion[phi].coeff(X_ddot) * self.X_from_phi
+        unit = direct.as_independent(m, m_prime)[0]
+        terms = (*sp.expand(direct / unit).as_ordered_terms(), sp.factor(through_block / phi_ddot / unit))
+        return sp.cancel(self.motion[phi].coeff(phi) / unit), terms
 
 
 @cache
@@ -62,13 +77,40 @@ def eliminate(bodies: Machine) -> Elimination:
     104*k/(99*m)
     """
     lagrangian = bodies.lagrangian
-    motion = {q: _without_common_factor(euler_lagrange_operator(lagrangian, q)) for q in COORDINATES}
+    operated = {q: gather(euler_lagrange_operator(lagrangian, q)) for q in COORDINATES}
+    common = {q: _common_factor(expression) for q, expression in operated.items()}
+    motion = {q: gather(sp.cancel(operated[q] / common[q])) for q in COORDINATES}
     (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
     (X_from_phi,) = sp.solve(motion[X].subs(Phi_ddot, Phi_from_X), X_ddot)
-    Phi_from_phi = sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))
-    remaining = gather(motion[phi].subs(X_ddot, X_from_phi))
-    frequency = sp.factor(remaining.coeff(phi) / remaining.coeff(phi_ddot))
-    return Elimination(lagrangian, motion, Phi_from_X, sp.factor(X_from_phi), Phi_from_phi, remaining, frequency)
+    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in motion[phi].as_ordered_terms()))
+    remaining = gather(inserted.doit())
+    return Elimination(
+        lagrangian,
+        {q: lagrangian.diff(q.diff(t)) for q in COORDINATES},
+        {q: lagrangian.diff(q) for q in COORDINATES},
+        common,
+        motion,
+        _merged(motion),
+        Phi_from_X,
+        sp.factor(X_from_phi),
+        sp.factor(Phi_from_X.subs(X_ddot, X_from_phi)),
+        inserted,
+        remaining,
+        sp.factor(remaining.coeff(phi) / remaining.coeff(phi_ddot)),
+    )
+
+
+def _merged(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
+    """Return the Φ equation solved for its term in Φ̈, a multiple of the X equation, and that with the term inserted."""
+    of_Phi = motion[Phi].coeff(Phi_ddot) * Phi_ddot
+    by_X = of_Phi - motion[Phi]
+    times, share = (-motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)).as_coeff_Mul()
+    block, rollers = (sp.factor(times * motion[X].coeff(a)) * a for a in (X_ddot, phi_ddot))
+    return (
+        equation(of_Phi, by_X),
+        equation(in_order(block, -of_Phi / share), -rollers),
+        equation(in_order(block, -sp.cancel(by_X / share)), -rollers),
+    )
 
 
 @dataclass(frozen=True)
@@ -107,8 +149,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     return UnitCondition(normalized, quadratic, sp.factor(roots[0]), quadratic.discriminant())
 
 
-def _without_common_factor(expression: sp.Expr) -> sp.Expr:
-    """Return the equation's left side divided by the symbols that all of its coefficients share."""
-    gathered = gather(expression)
+def _common_factor(gathered: sp.Expr) -> sp.Expr:
+    """Return the symbols m and R that all coefficients of an equation share."""
     common = sp.gcd_list([term.as_independent(*COORDINATES)[0] for term in gathered.args])
-    return gather(sp.cancel(gathered / sp.Mul(*(f for f in sp.Mul.make_args(common) if f in (m, R)))))
+    return sp.Mul(*(factor for factor in sp.Mul.make_args(common) if factor in (m, R)))

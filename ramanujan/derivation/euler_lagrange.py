@@ -12,22 +12,26 @@ import sympy as sp
 from ramanujan.derivation.elimination import (
     Elimination,
     Phi_ddot,
-    UnitCondition,
     X_ddot,
     eliminate,
-    unit_condition,
+    phi_ddot,
 )
+from ramanujan.derivation.energies import bodies_steps
+from ramanujan.derivation.in_step import unit_steps
+from ramanujan.derivation.printers import in_order, latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     COORDINATES,
+    MOMENTA,
     Omega_squared,
-    epsilon,
-    epsilon_star,
+    gather,
     k,
     m,
     m_prime,
     machine,
     normalized_frequency_squared,
+    phi,
+    t,
 )
 from ramanujan.translation import _
 
@@ -40,35 +44,12 @@ def build() -> Route:
     """Return the route in the paper's order."""
     bodies = machine()
     equal, general = eliminate(machine(roller_mass=m)), eliminate(bodies)
-    unit = unit_condition(general.natural_frequency_squared)
     steps = (
-        Step(
-            "velocities",
-            _("Find the velocity of every body"),
-            _(
-                "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
-                "with $\\dot X$. No roller slips: relative to the block, its centre moves to the right by $R$ times "
-                "its clockwise angle. The top of a lower roller, and with it the slab, moves twice as far."
-            ),
-            tuple(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
-        ),
-        Step(
-            "energies",
-            _("Write down the energies"),
-            _(
-                "The kinetic energy of a rolling body is that of its centre’s motion plus that of its rotation about "
-                "the centre. The spring acts between slab and block, so its compression is the slab’s displacement "
-                "relative to the block."
-            ),
-            (
-                *(equation(f"T_{body.name}", body.kinetic_energy) for body in bodies.bodies),
-                equation("U", bodies.potential_energy),
-            ),
-        ),
+        *bodies_steps(bodies),
         *_elimination_steps("equal_", equal, EQUAL_MASSES),
         _close_to_one(equal.natural_frequency_squared * m / k),
-        *_elimination_steps("", general),
-        *_unit_steps(unit),
+        *_elimination_steps("", general, None),
+        *unit_steps(general),
     )
     return Route("euler_lagrange", _("Euler–Lagrange"), steps, general.natural_frequency_squared, CELLS)
 
@@ -85,133 +66,94 @@ def _close_to_one(normalized: sp.Expr) -> Step:
         (equation(Omega_squared * m / k, normalized),),
         case=EQUAL_MASSES,
     )
-    return replace(
-        step, present=replace(step, equations=(equation(normalized_frequency_squared, normalized),), case=None)
-    )
+    present = replace(step, equations=(equation(normalized_frequency_squared, normalized),), case=None)
+    return replace(step, present=lambda _values: present)
 
 
-def _unit_steps(unit: UnitCondition) -> tuple[Step, ...]:
-    """Return the three steps from Ω² to 1729; for one machine they say how far it is from the condition."""
-    ratio = m_prime / m
-    square = unit.completed_square
-    quadratic = unit.quadratic.as_expr()
-    present = (
-        equation(epsilon, ratio),
-        equation(normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
-    )
-    only_ratio = Step(
-        "ratio",
-        _("Use the mass ratio"),
-        _(
-            "Divide numerator and denominator by $m^2$. In units of $k/m$, the square of the frequency then depends "
-            "only on $\\varepsilon=m'/m$. This ratio is the mass of a lower roller divided by the mass of each other "
-            "body."
-        ),
-        (equation(epsilon, ratio), equation(Omega_squared * m / k, unit.normalized_frequency_squared)),
-    )
-    exactly_one = Step(
-        "unit",
-        _("Require exactly 1"),
-        _(
-            "Set the right side equal to 1 and multiply by the denominator. This gives a quadratic equation for "
-            "$\\varepsilon$ with integer coefficients."
-        ),
-        (equation(quadratic, sp.Integer(0)),),
-    )
-    root = Step(
-        "root",
-        _("Find the taxicab number"),
-        _(
-            "$\\Omega^2m/k=1$ is a quadratic equation for $\\varepsilon$. A mass ratio is positive, and only one of "
-            "the two roots is; it is called $\\varepsilon_*$. Completing the square shows the discriminant, the number "
-            "under its square root."
-        ),
-        (equation(quadratic, sp.Integer(0)), equation(epsilon, unit.root), square),
-    )
-    return (
-        replace(only_ratio, present=replace(only_ratio, equations=present)),
-        replace(
-            exactly_one,
-            present=replace(
-                exactly_one,
-                reason=_(
-                    "The condition is that a quadratic in $\\varepsilon$ is zero. For your $\\varepsilon$ it has the "
-                    "value below."
-                ),
-                equations=(equation(quadratic, quadratic.subs(epsilon, ratio)),),
-            ),
-        ),
-        replace(
-            root,
-            present=replace(
-                root,
-                reason=_(
-                    "The quadratic has one positive root, $\\varepsilon_*$. The last two lines give the difference "
-                    "between your $\\varepsilon$ and this root, and the completed square for your $\\varepsilon$."
-                ),
-                equations=(
-                    *present,
-                    equation(epsilon - epsilon_star, ratio - unit.root),
-                    equation(square.lhs, square.lhs.subs(epsilon, ratio)),
-                ),
-            ),
-        ),
-    )
-
-
-def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None = None) -> tuple[Step, ...]:
-    """Return the four steps from ℒ to Ω², the same for equal masses and for any."""
+def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> tuple[Step, ...]:
+    """Return the steps from ℒ to Ω², the same for equal masses and for any."""
+    zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
+    named = "{heading}" if case is None else _("{heading}: equal masses")
     here = "" if case is None else " " + _("This step is about machines whose masses are all equal, $m'=m$.")
-    lagrange = (
-        "$\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}{\\partial\\dot q}-\\frac{\\partial\\mathcal{L}}{\\partial q}=0$"
+
+    def step(key: str, heading: str, reason: str, *equations: sp.Eq, labels: tuple[str, ...] = ()) -> Step:
+        told = EQUAL_MASSES if case is None else None
+        heading = named.format(heading=heading)
+        return Step(f"{prefix}{key}", heading, reason + here, equations, case, told=told, labels=labels)
+
+    cancelled = _(", ").join(
+        _("${factor}$ from the equation of ${coordinate}$").format(factor=latex(factor), coordinate=latex(q))
+        for q, factor in result.common.items()
+        if factor != 1
     )
+    oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
+    numerator, terms = result.quotient
+    in_parts = () if case is not None else (equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),)
     return (
-        Step(
-            f"{prefix}lagrangian",
-            _("Write down the Lagrangian"),
-            _("The Lagrangian is $\\mathcal L=T-U$. Like terms are collected.") + here,
-            (equation("L", result.lagrangian),),
-            case,
+        step(
+            "lagrangian",
+            _("Collect like terms"),
+            _("Multiply out the squares, and collect the terms with the same product of velocities or coordinates."),
+            equation("L", result.lagrangian),
         ),
-        Step(
-            f"{prefix}motion",
+        step(
+            "momenta",
+            _("Differentiate with respect to the velocities"),
+            _("Each coordinate $q$ has a momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
+            *(equation(p, value) for p, value in zip(MOMENTA, result.momenta.values(), strict=True)),
+        ),
+        step(
+            "rates",
             _("Write down Lagrange’s equations"),
             _(
-                "Each coordinate $q$ obeys {equation}. The contact forces do not appear: without slip they do no net "
-                "work. A common factor of all terms is cancelled."
-            ).format(equation=lagrange)
-            + here,
-            tuple(equation(result.motion[q], sp.Integer(0)) for q in COORDINATES),
-            case,
+                "Each coordinate obeys {equation}: the momentum is differentiated once more with respect to time. The "
+                "paper writes $\\Lambda_q\\mathcal L=0$ for this. The contact forces do not appear: without slip they "
+                "do no net work."
+            ).format(
+                equation="$\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}{\\partial\\dot q}"
+                "=\\frac{\\partial\\mathcal{L}}{\\partial q}$"
+            ),
+            *(equation(gather(p.diff(t)), result.forces[q]) for q, p in result.momenta.items()),
+            labels=coordinates,
         ),
-        Step(
-            f"{prefix}elimination",
+        step(
+            "motion",
+            _("Cancel common factors"),
+            _("Bring all terms to one side. Common factors cancel: {factors}.").format(factors=cancelled),
+            *(equation(result.motion[q], zero) for q in COORDINATES),
+            labels=coordinates,
+        ),
+        step(
+            "elimination",
             _("Eliminate the block and the top cylinder"),
             _(
                 "The potential energy depends on $\\varphi$ alone, so the equations of $X$ and $\\Phi$ contain only "
-                "accelerations. Solve them for $\\ddot X$ and $\\ddot\\Phi$ in terms of $\\ddot\\varphi$."
-            )
-            + here,
-            (
-                equation(Phi_ddot, result.Phi_from_X),
-                equation(X_ddot, result.X_from_phi),
-                equation(Phi_ddot, result.Phi_from_phi),
+                "accelerations. Multiply the equation of $X$ so that its term in $\\ddot\\Phi$ can be replaced by the "
+                "equation of $\\Phi$. Then solve for $\\ddot X$, and insert it into the first line for $\\ddot\\Phi$."
             ),
-            case,
+            *result.merged,
+            equation(X_ddot, result.X_from_phi),
+            equation(Phi_ddot, result.Phi_from_phi),
         ),
-        Step(
-            f"{prefix}frequency",
+        step(
+            "insertion",
+            _("Insert the block’s acceleration"),
+            _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
+            equation(result.inserted, zero),
+            *in_parts,
+            equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
+        ),
+        step(
+            "frequency",
             _("Read off the frequency"),
             _(
-                "Insert $\\ddot X$ into the equation of $\\varphi$. This leaves the equation of a harmonic oscillator, "
-                "$\\ddot\\varphi+\\Omega^2\\varphi=0$, up to a factor."
-            )
-            + here,
-            (
-                equation(result.remaining, sp.Integer(0)),
-                equation(Omega_squared, result.natural_frequency_squared),
+                "This is the equation of a harmonic oscillator. It has the solution $\\varphi=\\cos\\Omega t$, because "
+                "two derivatives with respect to time give $-\\Omega^2\\cos\\Omega t$. So the factor of $\\varphi$ is "
+                "$\\Omega^2$. With a minus sign before it, $e^{\\Omega t}$ would be a solution: the machine would run "
+                "away instead of oscillating."
             ),
-            case,
+            oscillator,
+            equation(Omega_squared, result.natural_frequency_squared),
         ),
     )
 

@@ -21,7 +21,7 @@ from ramanujan.translation import _
 TITLE = _("Ramanujan’s oscillator: {route}")
 _SYMBOLS, _WITH_NUMBERS, _CHECKED = _("Symbols"), _("With numbers"), _("Check the result another way")
 _BODIES = _("The machine has five bodies, three of which roll, and one spring.")
-_CHECK = _("The nonzero root of $\\det(K-\\Lambda M)=0$ must be the same $\\Omega^2$.")
+_CHECK = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omega^2$.")
 _DISTANCE = _("How far is this machine from the condition $\\Omega^2=k/m$?")
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}

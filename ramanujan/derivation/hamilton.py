@@ -121,11 +121,21 @@ def _steps(
             tuple(equation(p, value) for p, value in transform.momenta.items()),
         ),
         Step(
-            "velocities",
-            _("Solve for the velocities"),
+            "inversion",
+            _("Solve for the velocities, one after the other"),
             _(
-                "The momenta are linear in the velocities, and $T$ is positive for every motion. So these equations "
-                "can be solved for the velocities."
+                "The momenta are linear in the velocities, $p=M\\dot q$. Solve that of $\\Phi$ for $\\dot\\Phi$ and "
+                "insert it into that of $X$. Solve the result for $\\dot X$ and insert it into that of $\\varphi$: "
+                "only $\\dot\\varphi$ is left."
+            ),
+            _inversion(transform.momenta),
+        ),
+        Step(
+            "velocities",
+            _("Collect the velocities"),
+            _(
+                "Solve the last line for $\\dot\\varphi$, then go back to $\\dot X$ and $\\dot\\Phi$. This always "
+                "works, because $T$ is positive for every motion."
             ),
             tuple(equation(velocity, value) for velocity, value in transform.velocities.items()),
         ),
@@ -134,10 +144,13 @@ def _steps(
             _("Write down the Hamiltonian"),
             _(
                 "The Hamiltonian is $\\mathcal H=\\sum p_q\\dot q-\\mathcal L$, with the velocities expressed by the "
-                "momenta. Here it is the energy $T+U$, because $T$ is quadratic in the velocities and $U$ contains "
-                "none."
+                "momenta. The sum is $2T$, because $T$ is quadratic in the velocities. So $\\mathcal H$ is the energy "
+                "$T+U$."
             ),
-            (equation("H", transform.hamiltonian),),
+            (
+                equation("H", sp.Add(*(p * v for p, v in zip(MOMENTA, VELOCITIES, strict=True))) / 2 + sp.Symbol("U")),
+                equation("H", transform.hamiltonian),
+            ),
         ),
         Step(
             "motion",
@@ -145,7 +158,8 @@ def _steps(
             _(
                 "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal H/\\partial q$ and $\\dot "
                 "q=\\partial\\mathcal H/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
-                "$p_\\Phi$ are conserved."
+                "$p_\\Phi$ are conserved. $-p_X$ is the momentum of the whole machine, positive to the right. "
+                "$p_\\Phi$ is the angular momentum of the top cylinder about its line of contact with the block."
             ),
             (
                 *(equation(rate, value) for rate, value in rates.items()),
@@ -184,6 +198,23 @@ def _steps(
     )
 
 
+def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
+    """Return the steps from p = Mq̇ to one equation for φ̇: each momentum's equation is solved and inserted."""
+    (p_X, p_phi, p_Phi), (X_dot, phi_dot, Phi_dot) = MOMENTA, VELOCITIES
+    (of_Phi,) = sp.solve(momenta[p_Phi] - p_Phi, Phi_dot)
+    without_Phi = momenta[p_X].subs(Phi_dot, of_Phi)
+    shift_X = without_Phi.subs({X_dot: 0, phi_dot: 0})
+    (of_X,) = sp.solve(without_Phi - p_X, X_dot)
+    without_X = momenta[p_phi].subs(X_dot, of_X)
+    shift_phi = without_X.subs(phi_dot, 0)
+    return (
+        equation(Phi_dot, _one_fraction(of_Phi, VELOCITIES)),
+        equation(p_X - sp.factor(shift_X), gather(without_Phi - shift_X)),
+        equation(X_dot, _one_fraction(of_X, VELOCITIES)),
+        equation(p_phi - sp.factor(shift_phi), gather(without_X - shift_phi)),
+    )
+
+
 def _by_powers_of_p_phi(form: sp.Expr) -> sp.Expr:
     """Return a form in the momenta with one term each for p_φ², p_φ and the rest."""
     gathered = gather(form, MOMENTA)
@@ -191,10 +222,10 @@ def _by_powers_of_p_phi(form: sp.Expr) -> sp.Expr:
     return square * p_phi**2 + sp.factor(linear) * p_phi + _one_fraction(rest)
 
 
-def _one_fraction(form: sp.Expr) -> sp.Expr:
-    """Return a form in the momenta over one denominator, the numerator gathered."""
-    numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA)))
-    return gather(numerator, MOMENTA) / denominator
+def _one_fraction(form: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:
+    """Return a form in the momenta, and in others, over one denominator, the numerator gathered."""
+    numerator, denominator = sp.fraction(sp.together(gather(form, MOMENTA + others)))
+    return gather(numerator, MOMENTA + others) / denominator
 
 
 CELLS = {

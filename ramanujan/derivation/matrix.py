@@ -1,4 +1,4 @@
-"""Matrix: the energies give the mass and stiffness matrices, and det(K − ΛM) = 0 gives the three modes.
+"""Matrix: the energies give the mass and stiffness matrices, and det(K − ω²M) = 0 gives the three modes.
 
     T = ½ q̇ᵀM q̇,    U = ½ qᵀK q,    q = (X, φ, Φ),    M q̈ + K q = 0
 
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ramanujan.derivation.energies import energies
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
@@ -24,8 +25,8 @@ from ramanujan.derivation.symbols import (
 )
 from ramanujan.translation import _
 
-Lambda = sp.Symbol("Lambda", real=True)
-"""Λ, an eigenvalue of K relative to M: the square of a mode's angular frequency."""
+omega = sp.Symbol("omega", real=True)
+"""Angular frequency of a mode: ω² is an eigenvalue of K relative to M."""
 
 _PHI = COORDINATES.index(phi)
 _UNIT = sp.ImmutableMatrix([int(q == phi) for q in COORDINATES])
@@ -34,7 +35,7 @@ _M, _K = sp.MatrixSymbol("M", 3, 3), sp.MatrixSymbol("K", 3, 3)
 
 @dataclass(frozen=True)
 class Modes:
-    """M and K, det(K − ΛM), its roots with their multiplicities, M⁻¹, and the modes in the order X, φ, Φ."""
+    """M and K, det(K − ω²M), its roots with their multiplicities, M⁻¹, and the modes in the order X, φ, Φ."""
 
     mass_matrix: sp.ImmutableMatrix
     stiffness_matrix: sp.ImmutableMatrix
@@ -46,8 +47,8 @@ class Modes:
 
     @property
     def pencil(self) -> sp.ImmutableMatrix:
-        """K − ΛM."""
-        return self.stiffness_matrix - Lambda * self.mass_matrix
+        """K − ω²M."""
+        return self.stiffness_matrix - omega**2 * self.mass_matrix
 
     @property
     def natural_frequency_squared(self) -> sp.Expr:
@@ -63,15 +64,16 @@ def modes(bodies: Machine) -> Modes:
     """
     mass = _second_derivatives(bodies.kinetic_energy, VELOCITIES)
     stiffness = _second_derivatives(bodies.potential_energy, COORDINATES)
-    determinant = _factored((stiffness - Lambda * mass).det())
+    squared = sp.Symbol("squared")
+    determinant = sp.factor((stiffness - squared * mass).det())
     inverse = sp.ImmutableMatrix(mass.inv().applyfunc(sp.factor))
     # For a rank-one K every oscillating mode is a multiple of M⁻¹e_φ; the rollers' share is set to one.
     column = inverse[:, _PHI]
     return Modes(
         mass,
         stiffness,
-        determinant,
-        {sp.factor(root): count for root, count in sorted(sp.roots(determinant, Lambda).items(), key=_zero_first)},
+        sp.Mul(*(gather(f, (squared,)) for f in sp.Mul.make_args(determinant))).subs(squared, omega**2),
+        {sp.factor(root): count for root, count in sorted(sp.roots(determinant, squared).items(), key=_zero_first)},
         inverse,
         tuple(sp.ImmutableMatrix(vector) for vector in stiffness.nullspace()),
         sp.ImmutableMatrix((column / column[_PHI]).applyfunc(sp.factor)),
@@ -98,12 +100,9 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
             _("Add up the energies"),
             _(
                 "The kinetic energy $T$ is a quadratic form in the velocities. The potential energy $U$ is a quadratic "
-                "form in the coordinates."
+                "form in the coordinates. The compression of the spring is $2R\\varphi$."
             ),
-            (
-                equation("T", gather(bodies.kinetic_energy)),
-                equation("U", bodies.potential_energy),
-            ),
+            energies(bodies),
         ),
         Step(
             "matrices",
@@ -132,9 +131,8 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
             "determinant",
             _("Look for the modes"),
             _(
-                "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\Omega t$ and write "
-                "$\\Lambda=\\Omega^2$. This gives $(K-\\Lambda M)v=0$, which has a solution other than $v=0$ only if "
-                "the determinant vanishes."
+                "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\omega t$. This gives "
+                "$(K-\\omega^2M)v=0$, which has a solution other than $v=0$ only if the determinant vanishes."
             ),
             (
                 equation(sp.Determinant(result.pencil), sp.S.Zero),
@@ -148,14 +146,18 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
                 "Zero is a double root: two modes have no restoring force. The third root is the square of the natural "
                 "frequency."
             ),
-            (equation(sp.Tuple(*sp.symbols("Lambda_1:4")), eigenvalues), equation(Omega_squared, oscillating)),
+            (
+                equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
+                equation(Omega_squared, oscillating),
+            ),
         ),
         Step(
             "zero_modes",
             _("Look at the two zero modes"),
             _(
                 "They are the vectors $v$ with $Kv=0$: these motions do not stretch the spring. In the first one the "
-                "whole machine glides. In the second one the top cylinder rolls freely."
+                "whole machine glides, and its momentum $-p_X$ is conserved. In the second one the top cylinder rolls "
+                "freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact with the block."
             ),
             tuple(
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
@@ -191,11 +193,6 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
     )
 
 
-def _factored(polynomial: sp.Expr) -> sp.Expr:
-    """Return a polynomial in Λ as a product, each factor with one term for each power of Λ."""
-    return sp.Mul(*(gather(factor, (Lambda,)) for factor in sp.Mul.make_args(sp.factor(polynomial))))
-
-
 def _zero_first(root: tuple[sp.Expr, int]) -> bool:
     return root[0] != 0
 
@@ -209,11 +206,11 @@ CELLS = {
 mass_matrix, stiffness_matrix = sp.hessian(T, q_dot).applyfunc(sp.factor), sp.hessian(U, q)
 mass_matrix, stiffness_matrix""",
     "determinant": """\
-Lambda = sp.Symbol("Lambda")
-determinant = sp.factor((stiffness_matrix - Lambda * mass_matrix).det())
+omega_squared = sp.Symbol("omega^2")
+determinant = sp.factor((stiffness_matrix - omega_squared * mass_matrix).det())
 sp.Eq(determinant, 0)""",
     "spectrum": """\
-spectrum = sp.roots(determinant, Lambda)
+spectrum = sp.roots(determinant, omega_squared)
 assert spectrum[sp.S.Zero] == 2
 spectrum""",
     "zero_modes": """\

@@ -25,8 +25,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ramanujan.derivation.shares import PARTS
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
-from ramanujan.derivation.symbols import Body, Machine, Omega_squared, R, k, machine, phi, t
+from ramanujan.derivation.symbols import ACCELERATIONS, Body, Machine, Omega_squared, R, gather, k, machine, phi, t
 from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1
@@ -76,6 +77,19 @@ class FreeBodies:
     torques: tuple[sp.Eq, ...]
     rolling: tuple[sp.Eq, ...]
     solution: dict[sp.Expr, sp.Expr]
+
+    @property
+    def friction(self) -> dict[sp.Expr, sp.Expr]:
+        """Each friction force in terms of the accelerations, from the roller's own equations."""
+        own = [e for e in self.forces if e.lhs.has(*map(acceleration, ("hoop", "cylinder")))]
+        forces = [contact.force for contact in CONTACTS]
+        solved = sp.solve((*own, *self.torques), forces)
+        return {force: sp.expand(solved[force]) for force in forces}
+
+    @property
+    def left_over(self) -> tuple[sp.Eq, ...]:
+        """Newton's second law for block, slab and top cylinder."""
+        return tuple(e for e in self.forces if e.lhs.has(*map(acceleration, ("block", "slab", "top"))))
 
     @property
     def equations(self) -> tuple[sp.Eq, ...]:
@@ -133,7 +147,16 @@ def build() -> Route:
     cut = free_bodies(machine())
     roller = angular_acceleration("hoop")
     frequency = sp.factor(-cut.solution[roller] / phi)
-    motion = {u: value for u, value in cut.solution.items() if not any(u == contact.force for contact in CONTACTS)}
+    centres = {acceleration(body.name): body.displacement.diff(t, 2) for body in machine().bodies}
+    of_coordinates = centres | {angular_acceleration(body.name): body.angle.diff(t, 2) for body in cut.rollers}
+    three = [
+        tuple(gather(e.subs(cut.friction).subs(of_coordinates)) for e in relation.args) for relation in cut.left_over
+    ]
+    block, slab, top = (left - right for left, right in three)
+    X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
+    both = gather(-(block + slab))
+    (Phi_from_X,) = sp.solve(top, Phi_ddot)
+    (X_from_phi,) = sp.solve(both.subs(Phi_ddot, Phi_from_X), X_ddot)
     steps = (
         Step(
             "rolling",
@@ -168,21 +191,51 @@ def build() -> Route:
             cut.torques,
         ),
         Step(
-            "solution",
-            _("Solve thirteen equations for thirteen unknowns"),
+            "accelerations",
+            _("Express all accelerations by three"),
             _(
-                "There are five equations for forces, three for torques and five rolling conditions. They are linear "
-                "in the unknowns: five accelerations, three angular accelerations and five friction forces. Every "
-                "acceleration is proportional to $\\varphi$, because only the spring drives the machine."
+                "The block has the acceleration $-\\ddot X$. With the rolling conditions, the accelerations of all "
+                "bodies follow from those of the three coordinates."
             ),
-            tuple(equation(unknown, value) for unknown, value in motion.items()),
+            tuple(equation(symbol, value) for symbol, value in centres.items()),
+        ),
+        Step(
+            "friction",
+            _("Find the friction forces"),
+            _(
+                "Divide the torques by $R$. Each lower roller then has two equations, one for $S+F$ and one for $S-F$: "
+                "half their sum is $S$, and half their difference is $F$. The top cylinder has one force, which its "
+                "torque determines."
+            ),
+            tuple(equation(force, value) for force, value in cut.friction.items()),
+        ),
+        Step(
+            "three",
+            _("Insert both into the three equations that are left"),
+            _("Newton’s second law for block, slab and top cylinder has not been used yet."),
+            tuple(equation(left, right) for left, right in three),
+            labels=tuple(rf"\text{{{PARTS[name]}}}" for name in ("block", "slab", "top")),
+        ),
+        Step(
+            "solution",
+            _("Eliminate the block and the top cylinder"),
+            _(
+                "Solve the equation of the top cylinder for $\\ddot\\Phi$. In the sum of the two others the spring "
+                "cancels. Insert $\\ddot\\Phi$ into it and solve for $\\ddot X$."
+            ),
+            (
+                equation(Phi_ddot, Phi_from_X),
+                equation(both, sp.S.Zero),
+                equation(X_ddot, sp.factor(X_from_phi)),
+                equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
+            ),
         ),
         Step(
             "contact",
             _("Look at the friction forces"),
             _(
-                "Each friction force is proportional to $\\ddot\\varphi$. So all five are largest at the turning "
-                "points of $\\varphi$."
+                "Insert these accelerations into the friction forces. Each is proportional to $\\ddot\\varphi$, so all "
+                "five are largest at the turning points of $\\varphi$."
             ),
             tuple(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
         ),
@@ -190,10 +243,14 @@ def build() -> Route:
             "frequency",
             _("Read off the frequency"),
             _(
-                "Solving for the angular acceleration of the hoop, $\\ddot\\varphi$, gives the equation of a harmonic "
-                "oscillator, $\\ddot\\varphi+\\Omega^2\\varphi=0$."
+                "Insert $\\ddot X$ into the equation of the slab. This gives the equation of a harmonic oscillator, "
+                "$\\ddot\\varphi+\\Omega^2\\varphi=0$."
             ),
-            (equation(phi.diff(t, 2), cut.solution[roller]), equation(Omega_squared, frequency)),
+            (
+                equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
+                equation(phi_ddot, cut.solution[roller]),
+                equation(Omega_squared, frequency),
+            ),
         ),
     )
     return Route("newton", _("Newton"), steps, frequency, CELLS)

@@ -51,7 +51,7 @@ class Entry:
 _MACHINE = (
     Entry(X, _("displacement of the block relative to the ground, positive to the left [m]")),
     Entry(phi, _("angle of the hoop and of the lower cylinder, positive clockwise [rad]")),
-    Entry(Phi, _("angle of the top cylinder, positive clockwise [rad]")),
+    Entry(Phi, _("angle of the top cylinder, positive clockwise [rad]; the paper writes $\\phi$")),
     Entry(m, _("mass of the block, of the slab and of the top cylinder [kg]")),
     Entry(m_prime, _("mass of the hoop, and mass of the lower cylinder [kg]")),
     Entry(k, _("stiffness of the spring [N/m]")),
@@ -63,6 +63,8 @@ _OTHERS = (
     Entry(
         sp.Symbol("v_body"), _("velocity of the centre of a body relative to the ground, positive to the right [m/s]")
     ),
+    Entry(sp.Symbol("I_body"), _("moment of inertia of a rolling body about its axis [kg·m²]")),
+    Entry(sp.Symbol("x"), _("compression of the spring [m]")),
     Entry(sp.Symbol("a_body"), _("acceleration of the centre of a body, positive to the right [m/s²]")),
     Entry(sp.Symbol("alpha_body"), _("angular acceleration of a rolling body, positive clockwise [rad/s²]")),
     Entry(sp.Symbol("S_body"), _("friction force that the slab exerts on a roller, positive to the right [N]")),
@@ -94,7 +96,9 @@ _OTHERS = (
     ),
     Entry(sp.Symbol("M"), _("mass matrix, in the order $X$, $\\varphi$, $\\Phi$")),
     Entry(sp.Symbol("K"), _("stiffness matrix, in the order $X$, $\\varphi$, $\\Phi$")),
-    Entry(sp.Symbol("Lambda"), _("eigenvalue of $K$ relative to $M$, a squared angular frequency [rad²/s²]")),
+    Entry(
+        sp.Symbol("omega"), _("angular frequency of a normal mode [rad/s]; $\\omega^2$ is an eigenvalue of $K$ and $M$")
+    ),
     Entry(sp.Symbol("v"), _("mode shape: the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion")),
 )
 
@@ -108,8 +112,9 @@ def nomenclature(route: Route) -> tuple[Entry, ...]:
     >>> [entry.latex for entry in nomenclature(ROUTES["energy"])][:4]
     ['X', '\\\\varphi', '\\\\Phi', 'm']
     """
+    one_machine = dict.fromkeys((m, m_prime, k), sp.S.One)
     present = set(_names(step.equations for step in route.steps))
-    present.update(_names(step.present.equations for step in route.steps if step.present))
+    present.update(_names(step.present(one_machine).equations for step in route.steps if step.present))
     return (*_MACHINE, *(entry for entry in _OTHERS if _name(entry.symbol) in present))
 
 
@@ -121,9 +126,9 @@ def _names(equations: Iterable[tuple[sp.Eq, ...]]) -> Iterable[str]:
 
 
 def _name(atom: sp.Basic) -> str:
-    """Return a symbol's name, with every body's name replaced by the word body, and the three roots Λ by one letter."""
+    """Return a symbol's name, with every body's name replaced by the word body, and the three roots ω by one letter."""
     name = atom.func.__name__ if isinstance(atom, AppliedUndef) else atom.name
     letter, _bar, subscript = name.partition("_")
     if subscript in ("block", "hoop", "cylinder", "slab", "top"):
         return f"{letter}_body"
-    return letter if subscript.isdigit() and letter == "Lambda" else name
+    return letter if subscript.isdigit() else name

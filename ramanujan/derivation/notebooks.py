@@ -1,7 +1,7 @@
 """The code that all notebooks share: plain SymPy that starts from the bodies.
 
 The app does not run this code, and it contains no result. Each notebook begins with `BODIES` and goes through the cells
-of its route. `CHECK` then compares its Ω² with the root of det(K − ΛM) = 0. With the numbers of a machine it also
+of its route. `CHECK` then compares its Ω² with the root of det(K − ω²M) = 0. With the numbers of a machine it also
 computes how far that machine is from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
 """
 
@@ -39,8 +39,8 @@ L = sp.expand(T - U)
 L"""
 
 CHECK = """\
-M, K, Lambda = sp.hessian(T, q_dot), sp.hessian(U, q), sp.Symbol("Lambda")
-roots = sp.roots((K - Lambda * M).det(), Lambda)
+M, K, omega_squared = sp.hessian(T, q_dot), sp.hessian(U, q), sp.Symbol("omega^2")
+roots = sp.roots((K - omega_squared * M).det(), omega_squared)
 (independent,) = (root for root in roots if root != 0)
 assert sp.cancel(Omega_squared - independent) == 0
 Omega_squared"""

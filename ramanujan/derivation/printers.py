@@ -42,6 +42,23 @@ _PLAIN = {
 """What a program calls the coordinates, their rates and R."""
 
 
+class InOrder(sp.Add):
+    """A sum whose like terms are not collected, printed in its order; any calculation makes it a plain sum.
+
+    >>> x = sp.Symbol("x")
+    >>> print(latex(in_order(3 * x, -x)), in_order(3 * x, -x).subs(x, 1))
+    3\\,x - x 2
+    """
+
+    def __new__(cls, *terms: sp.Expr, evaluate: bool = True) -> sp.Add:
+        return sp.Add(*terms) if evaluate else super().__new__(cls, *terms, evaluate=False)
+
+
+def in_order(*terms: sp.Expr) -> InOrder:
+    """Return a sum whose terms stay as they are."""
+    return InOrder(*terms, evaluate=False)
+
+
 class LatexPrinter(VectorLatexPrinter):
     """SymPy's printer for mechanics, with words as subscripts set as text, and chosen names in a colour."""
 
@@ -59,6 +76,8 @@ class LatexPrinter(VectorLatexPrinter):
         return ("- " if expr.p < 0 else "") + truncated(Number(abs(expr.p), expr.q))
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
+        if isinstance(expr, InOrder):
+            return super()._print_Add(expr, "none")
         if expr.is_number and len(expr.args) == 2 and expr.args[0].is_Rational and expr.args[0] < 0:
             # √1729 − 1, as it is written by hand, and not −1 + √1729.
             number, root = expr.args

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from ramanujan.derivation.energies import energies
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import (
     M_clamped,
@@ -104,12 +105,9 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
             _("Add up the energies"),
             _(
                 "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy $U$, "
-                "because no body moves up or down."
+                "because no body moves up or down. Its compression is $2R\\varphi$."
             ),
-            (
-                equation("T", gather(bodies.kinetic_energy)),
-                equation("U", bodies.potential_energy),
-            ),
+            energies(bodies),
         ),
         Step(
             "quotient",
@@ -191,7 +189,7 @@ def _spring_mass_step(result: LeastInertia, stiffness: sp.Expr, lever: sp.Expr, 
             equation(Omega_squared, stiffness / lever / M_x),
         ),
     )
-    return replace(step, present=replace(step, reason=reason))
+    return replace(step, present=lambda _values: replace(step, reason=reason))
 
 
 CELLS = {

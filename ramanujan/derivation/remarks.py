@@ -145,7 +145,7 @@ def _sign(spectrum: Modes) -> Remark:
 
 def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
     eigenvalues = sp.Tuple(*(root for root, count in spectrum.eigenvalues.items() for _i in range(count)))
-    names = sp.Tuple(*sp.symbols("Lambda_1:4"))
+    names = sp.Tuple(*(omega**2 for omega in sp.symbols("omega_1:4")))
     shown = eigenvalues.xreplace({result.natural_frequency_squared: Omega_squared})
     return Remark(
         _("Section 3, last sentence"),

@@ -64,7 +64,7 @@ class Row:
 
 
 def rows(step: Step, values: Values | None = None) -> list[Row]:
-    """Return the equations of a step as rows, with the numbers of a machine if its values are given.
+    """Return the equations of a step as rows, with the numbers of a machine if its values are given, none twice.
 
     Parameters
     ----------
@@ -77,10 +77,13 @@ def rows(step: Step, values: Values | None = None) -> list[Row]:
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
     said = step.about(values) if values else step
-    return [row(equation, values if said.case is None else None) for equation in said.equations]
+    labels = said.labels or [""] * len(said.equations)
+    numbers = values if said.case is None else None
+    found = (row(equation, numbers, label=label) for equation, label in zip(said.equations, labels, strict=True))
+    return list(dict.fromkeys(found))
 
 
-def row(equation: sp.Eq, values: Values | None = None, highlight: Highlight = ()) -> Row:
+def row(equation: sp.Eq, values: Values | None = None, highlight: Highlight = (), label: str = "") -> Row:
     """Return one equation as a row.
 
     Parameters
@@ -88,9 +91,11 @@ def row(equation: sp.Eq, values: Values | None = None, highlight: Highlight = ()
     equation : in symbols
     values : exact m, m′ and k; none for the symbols
     highlight : symbols in a colour
+    label : LaTeX before the equation
     """
     left, right = (side_terms(side, values, highlight) for side in equation.args)
-    return Row("".join(left), tuple(right), _value(equation, values) if values else "")
+    labelled = [rf"{label}:\quad ", *left] if label else left
+    return Row("".join(labelled), tuple(right), _value(equation, values) if values else "")
 
 
 def side_terms(side: sp.Basic, values: Values | None = None, highlight: Highlight = ()) -> list[str]:

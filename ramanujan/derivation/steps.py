@@ -26,8 +26,10 @@ class Step:
     reason : why the step is allowed, in one sentence or a few, Markdown with $…$
     equations : relations that hold for every machine or for those of the case, or state a condition on ε
     case : a relation such as m′ = m if the step is about special machines only, else None
-    present : what the step says about one given machine where its own equations state a condition; they hold for
-        every machine. None where numbers can be put into the equations themselves.
+    present : values → what the step says about one given machine, still in symbols, where its own equations state a
+        condition. None where numbers can be put into the equations themselves.
+    told : a relation; for machines that satisfy it, a step before has said the same with numbers
+    labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     """
 
     key: str
@@ -35,18 +37,20 @@ class Step:
     reason: str
     equations: tuple[sp.Eq, ...]
     case: sp.Eq | None = None
-    present: Step | None = None
+    present: Callable[[Mapping[sp.Symbol, sp.Expr]], Step] | None = None
+    told: sp.Eq | None = None
+    labels: tuple[str, ...] = ()
 
     def about(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
         """Return what the step says, still in symbols, about the machine with those masses and that stiffness.
 
-        The result has a `case` only if the machine does not belong to it; then no numbers may be put in.
+        The result has a `case` only if no numbers may be put in: the machine is another one, or the step has been told.
         """
-        if self.case is None:
-            return self.present or self
-        left, right = (side.xreplace(dict(values)) for side in self.case.args)
-        if left == right:
-            return self.present or replace(self, case=None)
+        if self.told is not None and _holds(self.told, values):
+            before = _("Your masses are all equal: with your numbers, the step for equal masses has said this already.")
+            return replace(self, reason=f"{self.reason} {before}", case=self.told)
+        if self.case is None or _holds(self.case, values):
+            return self.present(values) if self.present else replace(self, case=None)
         other_case = _("Your masses are not all equal, so this step stays in symbols.")
         return replace(self, reason=f"{self.reason} {other_case}")
 
@@ -116,6 +120,11 @@ class Routes(Mapping[str, Route]):
 
     def __len__(self) -> int:
         return len(self._builders)
+
+
+def _holds(relation: sp.Eq, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    left, right = (side.xreplace(dict(values)) for side in relation.args)
+    return left == right
 
 
 ROUTES = Routes()

@@ -110,6 +110,11 @@ class Machine:
         return sp.expand(self["slab"].displacement - self["block"].displacement)
 
     @property
+    def kinetic_parts(self) -> tuple[sp.Expr, ...]:
+        """Kinetic energies of translation and rotation [J], body by body."""
+        return tuple(part for body in self.bodies for part in (body.translation, body.rotation) if part != 0)
+
+    @property
     def kinetic_energy(self) -> sp.Expr:
         """T [J], summed over the bodies."""
         return sp.Add(*(body.kinetic_energy for body in self.bodies))

@@ -20,7 +20,7 @@ import sympy as sp
 from sympy.utilities.iterables import sift
 
 from ramanujan.derivation.exact import Number, to_latex
-from ramanujan.derivation.printers import LatexPrinter
+from ramanujan.derivation.printers import InOrder, LatexPrinter, in_order
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.translation import _
 
@@ -123,6 +123,8 @@ def gather_numbers(expression: sp.Basic, replaced: Callable[[sp.Expr], sp.Expr])
         return expression
     if _is_number(expression):
         return replaced(expression)
+    if isinstance(expression, InOrder):
+        return in_order(*(gather_numbers(part, replaced) for part in expression.args))
     if not isinstance(expression, sp.Add | sp.Mul):
         return expression.func(*(gather_numbers(part, replaced) for part in expression.args))
     numbers, rest = sift(expression.args, _is_number, binary=True)
@@ -160,10 +162,13 @@ class _TemplatePrinter(LatexPrinter):
         """Return the terms of a sum, or an expression as its only term, each with its sign."""
         if not isinstance(expression, sp.Add):
             return [self._print(expression)]
-        # The order is that of the terms without their numbers.
-        sifted = ((*self._sifted(term), term) for term in expression.args)
-        with_number = {sp.Mul(*rest) if slot else term: term for slot, rest, term in sifted}
-        texts = [self._print(with_number[rest]) for rest in sp.Add(*with_number).as_ordered_terms()]
+        ordered = expression.args
+        if not isinstance(expression, InOrder):
+            # The order is that of the terms without their numbers.
+            sifted = ((*self._sifted(term), term) for term in expression.args)
+            with_number = {sp.Mul(*rest) if slot else term: term for slot, rest, term in sifted}
+            ordered = [with_number[rest] for rest in sp.Add(*with_number).as_ordered_terms()]
+        texts = [self._print(term) for term in ordered]
         return [texts[0], *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in texts[1:])]
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:

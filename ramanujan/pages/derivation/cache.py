@@ -17,7 +17,7 @@ from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.numbers import exact_values, stated
 from ramanujan.derivation.parser import UnreadableError, parse
-from ramanujan.derivation.printers import colored, latex
+from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import conserved_momenta, remarks
 from ramanujan.derivation.rows import Row, extent, row, side_terms
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
@@ -62,10 +62,16 @@ def step(name: str, number: int, masses: Masses, part: str | None, color: str | 
     values = _values(masses)
     said = symbolic.about(values) if values else symbolic
     numbers = values if said.case is None else None
-    shown = [_row(e, numbers, part, color) for e in said.equations]
     split = next((e for e in said.equations if part and terms(e)), None)
     by_body = _by_body(split, numbers, part, color) if split is not None else ""
-    return ShownStep(said.heading, said.reason, _aligned(shown), by_body)
+    labels = said.labels or [""] * len(said.equations)
+    # Line by line, the sum over the bodies says what the sum in one line says.
+    shown = dict.fromkeys(
+        _row(e, numbers, part, color, label)
+        for e, label in zip(said.equations, labels, strict=True)
+        if e is not split or not isinstance(e.rhs, InOrder)
+    )
+    return ShownStep(said.heading, said.reason, _aligned(list(shown)) if shown else "", by_body)
 
 
 @dataclass(frozen=True)
@@ -199,14 +205,14 @@ def _result(way: Route, numbers: Values) -> Result:
     )
 
 
-def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str | None) -> Row:
+def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str | None, label: str) -> Row:
     """Return an equation; one about the chosen part is in its colour, in any other only what names the part."""
     if not part:
-        return row(symbolic, numbers)
+        return row(symbolic, numbers, label=label)
     if belongs_to(part, symbolic):
-        plain = row(symbolic, numbers)
+        plain = row(symbolic, numbers, label=label)
         return Row(colored(plain.left, color), tuple(colored(term, color) for term in plain.terms), plain.value)
-    return row(symbolic, numbers, tuple((each, color) for each in sorted(names(part, symbolic), key=str)))
+    return row(symbolic, numbers, tuple((each, color) for each in sorted(names(part, symbolic), key=str)), label)
 
 
 def _aligned(rows: list[Row]) -> str:

@@ -16,8 +16,8 @@ def three_modes(masses: cache.Masses) -> None:
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     st.markdown(
         _(
-            "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\Lambda$ is "
-            "the mode’s squared angular frequency. A mode that does not deform the spring has $\\Lambda=0$. It is "
+            "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\omega$ is "
+            "the mode’s angular frequency. A mode that does not deform the spring has $\\omega=0$. It is "
             "called a zero mode, and it conserves a momentum."
         )
     )
@@ -27,7 +27,7 @@ def three_modes(masses: cache.Masses) -> None:
             "swing",
             _("The machine oscillates"),
             _(
-                "Here $\\Lambda=\\Omega^2$, and all three coordinates oscillate with this one frequency. A machine "
+                "Here $\\omega=\\Omega$, and all three coordinates oscillate with this one frequency. A machine "
                 "released at rest keeps $p_X=p_\\Phi=0$, so it moves in this mode alone."
             ),
             spectrum.oscillating,
@@ -35,13 +35,13 @@ def three_modes(masses: cache.Masses) -> None:
         (
             "glide",
             _("The whole machine glides"),
-            _("$\\Lambda=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
+            _("$\\omega=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
             spectrum.glide,
         ),
         (
             "roll",
             _("The top cylinder rolls freely"),
-            _("$\\Lambda=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
+            _("$\\omega=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
             spectrum.free_rolling,
         ),
     )

@@ -156,7 +156,8 @@ def the_steps(setting: Setting, part: str | None) -> None:
     now = address.held(STEP)
     others = f".st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now})"
     st.html(f"<style>{others}{{display:none}}</style>")
-    with st.container(border=True, key="lecture"):
+    # The steps that are hidden leave no gaps.
+    with st.container(border=True, key="lecture", gap=None):
         for number in range(1, setting.steps + 1):
             with st.container(key=f"step_{number}"):
                 draw(setting, number, part)
@@ -169,7 +170,8 @@ def draw(setting: Setting, number: int, part: str | None) -> None:
     st.markdown(f"## {number}. {step.heading}\n\n{step.reason}")
     if step.by_body:
         st.latex(step.by_body)
-    st.latex(step.equations)
+    if step.equations:
+        st.latex(step.equations)
 
 
 def explain(setting: Setting) -> None:

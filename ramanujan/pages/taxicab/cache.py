@@ -71,8 +71,8 @@ class Condition:
 def condition() -> Condition:
     """Return the unit condition of the paper's machine, from its derivation."""
     steps = route("euler_lagrange")
-    frequency = steps["ratio"].equations[1]
-    lines = (frequency, *steps["unit"].equations, *steps["root"].equations)
+    frequency, condition = (steps[key].equations[-1] for key in ("ratio", "unit"))
+    lines = (frequency, condition, *steps["root"].equations)
     paper = BodyChoice()
     a, b, c = paper.quadratic
     with sp.evaluate(False):

@@ -1,0 +1,80 @@
+"""From the rolling bodies to their energies: where every route that needs no forces begins."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ramanujan.derivation.printers import in_order
+from ramanujan.derivation.steps import Step, equation
+from ramanujan.derivation.symbols import Machine, gather, k, t
+from ramanujan.translation import _
+
+
+def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
+    """Return the steps from the rolling bodies to the Lagrangian as a sum over them."""
+    rolling = [body for body in bodies.bodies if body.angle != 0]
+    half = sp.Rational(1, 2)
+    energies = {}
+    for body in bodies.bodies:
+        energies[body.name] = half * body.mass * sp.Symbol(f"v_{body.name}") ** 2
+        if body in rolling:
+            rotation = half * sp.Symbol(f"I_{body.name}") * body.angle.diff(t) ** 2
+            energies[body.name] = in_order(energies[body.name], rotation)
+    return (
+        Step(
+            "velocities",
+            _("Find the velocity of every body"),
+            _(
+                "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
+                "with $\\dot X$. No roller slips: relative to the block, its lowest point is at rest. So its centre "
+                "moves to the right by $R$ times its clockwise angle, and its top twice as far. The slab rests on the "
+                "tops of the lower rollers and moves with them."
+            ),
+            tuple(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
+        ),
+        Step(
+            "inertia",
+            _("Find the moments of inertia and the compression of the spring"),
+            _(
+                "All mass of a hoop is at the distance $R$ from its axis. In a solid cylinder it is nearer, which "
+                "halves the moment of inertia $I$. The compression $x$ of the spring is the displacement of the slab "
+                "relative to the block."
+            ),
+            (
+                *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
+                equation("x", bodies.deformation),
+            ),
+        ),
+        Step(
+            "energies",
+            _("Write down the energies"),
+            _(
+                "The kinetic energy of a rolling body is that of its centre’s motion plus that of its rotation about "
+                "the centre. The potential energy is that of the spring. Nothing moves up or down."
+            ),
+            (
+                *(equation(f"T_{name}", energy) for name, energy in energies.items()),
+                equation("U", half * k * sp.Symbol("x") ** 2),
+                equation("U", bodies.potential_energy),
+            ),
+        ),
+        Step(
+            "sum",
+            _("Add them up to the Lagrangian"),
+            _(
+                "The Lagrangian is $\\mathcal L=T-U$. Insert the velocities, the moments of inertia and the "
+                "compression. The terms are those of block, hoop, lower cylinder, slab, top cylinder and spring, in "
+                "this order."
+            ),
+            (equation("L", in_order(*bodies.kinetic_parts, -bodies.potential_energy)),),
+        ),
+    )
+
+
+def energies(bodies: Machine) -> tuple[sp.Eq, ...]:
+    """Return T as a sum over the bodies and with like terms collected, and U."""
+    return (
+        equation("T", in_order(*bodies.kinetic_parts)),
+        equation("T", gather(bodies.kinetic_energy)),
+        equation("U", bodies.potential_energy),
+    )

@@ -1,0 +1,115 @@
+"""From Ω² to 1729: the mass ratio at which the machine is in step with a plain mass on the same spring, Ω² = k/m."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from ramanujan.derivation.elimination import Elimination, unit_condition
+from ramanujan.derivation.printers import in_order
+from ramanujan.derivation.steps import Step, equation
+from ramanujan.derivation.symbols import (
+    Omega_squared,
+    epsilon,
+    epsilon_star,
+    k,
+    m,
+    m_prime,
+    normalized_frequency_squared,
+)
+from ramanujan.translation import _
+
+
+def unit_steps(general: Elimination) -> tuple[Step, ...]:
+    """Return the three steps from Ω² to 1729; for one machine they say how far it is from the condition."""
+    unit = unit_condition(general.natural_frequency_squared)
+    ratio = m_prime / m
+    numerator, terms = general.quotient
+    numerator, *terms = (
+        sp.factor(term.subs(m_prime, epsilon * m)) for term in (numerator / k, *(term / m for term in terms))
+    )
+    _plain, rollers, coupling = terms
+    over, below = sp.fraction(coupling)
+    quadratic = unit.quadratic.as_expr()
+    multiplied = in_order(sp.Mul(rollers, below, evaluate=False), over)
+    two_terms = rollers + coupling
+    normalized = (
+        equation(epsilon, ratio),
+        equation(normalized_frequency_squared, numerator / in_order(*terms)),
+        equation(normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
+    )
+    only_ratio = Step(
+        "ratio",
+        _("Use the mass ratio"),
+        _(
+            "Divide numerator and denominator by $m$. In units of $k/m$, the square of the frequency then depends only "
+            "on $\\varepsilon=m'/m$. This ratio is the mass of a lower roller divided by the mass of each other body."
+        ),
+        (
+            equation(epsilon, ratio),
+            equation(Omega_squared * m / k, numerator / in_order(*terms)),
+            equation(Omega_squared * m / k, unit.normalized_frequency_squared),
+        ),
+    )
+    exactly_one = Step(
+        "unit",
+        _("Require exactly 1"),
+        _(
+            "Set the first form equal to 1: its denominator must equal its numerator. The same number stands on both "
+            "sides and cancels, so the two other terms of the denominator must cancel each other. Multiply by the "
+            "remaining denominator and collect: this gives a quadratic equation for $\\varepsilon$ with integer "
+            "coefficients."
+        ),
+        (
+            equation(in_order(*terms), numerator),
+            equation(two_terms, sp.Integer(0)),
+            equation(multiplied, sp.Integer(0)),
+            equation(quadratic, sp.Integer(0)),
+        ),
+    )
+    root = Step(
+        "root",
+        _("Find the taxicab number"),
+        _(
+            "Complete the square: this shows the discriminant, the number under the square root of the solution. A "
+            "mass ratio is positive, and only one of the two roots is. It is called $\\varepsilon_*$."
+        ),
+        (unit.completed_square, equation(epsilon, unit.root)),
+    )
+
+    def residual(values: Mapping[sp.Symbol, sp.Expr]) -> Step:
+        """Return the condition with what its left side leaves for one machine."""
+        difference = (values[m_prime] / values[m] - unit.root).expand()
+        if difference == 0:
+            reason = _(
+                "For your $\\varepsilon$ the two terms cancel each other: the machine is in step with a plain mass."
+            )
+        elif difference > 0:
+            reason = _(
+                "For your $\\varepsilon$ the two terms do not cancel. What they leave is positive: the denominator is "
+                "too large, and your machine oscillates more slowly than a plain mass."
+            )
+        else:
+            reason = _(
+                "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
+                "too small, and your machine oscillates faster than a plain mass."
+            )
+        left = (two_terms, quadratic)
+        equations = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in left)
+        return replace(exactly_one, reason=reason, equations=equations)
+
+    distance = replace(
+        root,
+        reason=_(
+            "The quadratic has one positive root, $\\varepsilon_*$. The last line gives the difference between your "
+            "$\\varepsilon$ and this root."
+        ),
+        equations=(normalized[0], normalized[2], equation(epsilon - epsilon_star, ratio - unit.root)),
+    )
+    return (
+        replace(only_ratio, present=lambda _values: replace(only_ratio, equations=normalized)),
+        replace(exactly_one, present=residual),
+        replace(root, present=lambda _values: distance),
+    )
