@@ -221,7 +221,7 @@ def test_growing_run_is_shown_until_it_leaves():
 def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the_other(monkeypatch):
     worked, under_way = [], []
 
-    def work(*curve, after=None):
+    def work(*curve, after, between):
         worked.append(curve)
         time.sleep(0.05)
         return WorkPrecision(*curve, *[np.ones(1)] * 4)

@@ -114,7 +114,7 @@ KINDS = {
     "name": "method by dtype",
     "names": "methods dtypes forms",
     "body": "beta_a beta_b beta_c left right top",
-    "object": "oscillator initial motion acceleration call curve curves after columns comments",
+    "object": "oscillator initial motion acceleration call curve curves after between columns comments",
 }
 KIND = {name: kind for kind, names in KINDS.items() for name in names.split()}
 SPECIAL = {
@@ -147,6 +147,7 @@ GOOD = {
     "curves": [work_precision("rk4", periods=2, steps_per_period=[8])],
     "curve": work_precision("rk4", periods=2, steps_per_period=[8]),
     "after": None,
+    "between": int,
     "columns": {"t [s]": [0.0, 1.0]},
     "comments": ["none"],
     "q": [0.0, 0.1, 0.0],

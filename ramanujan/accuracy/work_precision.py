@@ -5,7 +5,7 @@ The error of a run is its largest state error at any step (`runs`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -16,7 +16,7 @@ from ramanujan.accuracy.measurement import Timing, float_type
 from ramanujan.accuracy.runs import LONGEST_RUN, blocks, method_named, seconds_per_step, steps_within
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.translation import _
-from ramanujan.validation import instance, integer, one_of, positive, sequence
+from ramanujan.validation import function, instance, integer, one_of, positive, sequence
 
 STEPS_PER_PERIOD = tuple(range(3, 193))
 """Every whole number of steps that is tried; below 3, a step would turn by half a circle or more."""
@@ -74,6 +74,7 @@ def work_precision(
     periods: int = 100,
     steps_per_period: Sequence[int] = STEPS_PER_PERIOD,
     after: WorkPrecision | None = None,
+    between: Callable[[], object] = lambda: None,
 ) -> WorkPrecision:
     """Return error and evaluations of one method for each number of steps per period, for every machine the same.
 
@@ -85,6 +86,7 @@ def work_precision(
     periods : length of a run [periods], whole
     steps_per_period : n of every run, whole numbers from 3 on
     after : the same runs over fewer periods; they are continued, and `steps_per_period` is theirs
+    between : called after every block of steps, some milliseconds of work; a server lets others work then
 
     Returns
     -------
@@ -99,6 +101,7 @@ def work_precision(
     """
     periods = integer("periods", periods, 1, LONGEST_RUN // 3)
     chosen, kind = method_named("method", method), float_type("dtype", dtype)
+    function("between", between)
     if after is None:
         steps = np.unique([steps_within(n, periods) for n in sequence("steps_per_period", steps_per_period)])
         if steps.size == 0:
@@ -122,6 +125,7 @@ def work_precision(
             largest = np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
         error[running] = np.fmax(error[running], largest)
         ends[..., running] = q[-1], v[-1]
+        between()
     # A run that has left the range is within no tolerance; if it is continued, it must not stop the others.
     lost = ~np.isfinite(ends).all(axis=(0, 1))
     error[lost], ends[..., lost] = np.inf, 0

@@ -7,6 +7,7 @@ What several visitors ask for at once, Streamlit computes once, while the others
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -66,6 +67,9 @@ PERIODS = (1, 3, 10, 30, 100, 300)
 _PARTS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
 """Periods after which the runs of a diagram are kept, so that each part takes some tenths of a second."""
 
+_SLICE, _PAUSE = 0.03, 0.015
+"""Seconds of work, and the seconds that are left to other visitors after them."""
+
 _ALONE = threading.Lock()
 """Held while seconds are measured: two measurements at once would disturb each other."""
 
@@ -94,7 +98,16 @@ def diagram(periods: int) -> list[WorkPrecision]:
 def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
     """Return the runs of one method, continued from the part before."""
     shorter = max((part for part in _PARTS if part < periods), default=None)
-    return work_precision(method, dtype, periods, after=shorter and errors(method, dtype, shorter))
+    before, rested = shorter and errors(method, dtype, shorter), time.monotonic()
+
+    def rest() -> None:
+        # Python runs one thread at a time, and one that computes gives way too seldom to those that answer visitors.
+        nonlocal rested
+        if time.monotonic() - rested > _SLICE:
+            time.sleep(_PAUSE)
+            rested = time.monotonic()
+
+    return work_precision(method, dtype, periods, after=before, between=rest)
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS))
