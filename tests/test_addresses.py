@@ -53,6 +53,7 @@ DEFAULTS = {
     "sweep": "ratio_float64",
     "paper": "questions",
     "seed": 1,
+    "level": 1,
     "part": "stops",
     "stop": "two-clocks",
     "chosen": {},
@@ -166,7 +167,7 @@ MEANT = {
         "tolerance": ("1e-6", 6),
         "sweep": ("scale_float32", "scale_float32"),
     },
-    "worksheet": {"paper": ("key", "key"), "seed": ("7", 7)},
+    "worksheet": {"paper": ("key", "key"), "seed": ("7", 7), "level": ("3", 3)},
     "lesson": {
         "part": ("tasks", "tasks"),
         "stop": ("radius", "radius"),

@@ -30,10 +30,9 @@ ROOMS = {
     "number_theory": ({"validation"}, {"sympy"}),
     "accuracy": (CORE | {"validation", "frequency", "integrators"}, {"numpy", "mpmath"}),
     "derivation": (set(), {"sympy"}),
-    "answers": ({"derivation"}, {"sympy", "mpmath"}),
     "figures": (set(), {"numpy", "plotly"}),
     "lesson": (
-        CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "answers", "number_theory"},
+        CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "number_theory"},
         {"numpy", "sympy"},
     ),
     "browser": (CORE | {"derivation"}, {"streamlit", "sympy"}),
@@ -52,7 +51,7 @@ OTHER_PAGES = (
     "table",
     "number_theory",
     "lesson",
-    "answers",
+    "derivation.answers",
     "derivation.export",
 )
 

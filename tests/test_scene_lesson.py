@@ -226,7 +226,7 @@ def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(o
     assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
     said = [stop.option(stop.answer()).label in shown for stop in short]
     assert said == [True, True, False, False, False, False]
-    assert shown.count("not answered yet") == 4
+    assert shown.count("Not answered yet") == 4
     assert len(app.get("page_link")) == 4
     sound(app.button(key="to_tasks").click().run())
     assert app.title[0].value == lesson.TASKS[0].heading

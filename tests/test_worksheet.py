@@ -47,7 +47,7 @@ def test_the_key_gives_the_core_s_numbers_exactly(machine):
 
 def test_a_decimal_is_said_to_be_equal_only_where_it_is():
     shown = [
-        re.search(r"m/k=(.*)\$", questions(Oscillator(1.0, m_prime, 10.0), "1")[4].answer)[1]
+        re.search(r"m/k=(.*)\$", questions(Oscillator(1.0, m_prime, 10.0), "1")[-5].answer)[1]
         for m_prime in (5 / 6, 1.0, 62 / 55)
     ]
     assert shown == [r"\frac{9}{8} = 1.125", r"\frac{104}{99} \approx 1.0505", r"\frac{166540}{166541} \approx 0.99999"]
@@ -56,7 +56,7 @@ def test_a_decimal_is_said_to_be_equal_only_where_it_is():
 @pytest.mark.parametrize(("m_prime", "verdict"), [(1.12725682701621, "Faster"), (1.1272568270162111, "Slower")])
 def test_the_key_tells_who_is_ahead_however_close_to_the_unit_ratio(m_prime, verdict):
     """Here the float of Ω²m/k is 1, or may be; the machine is not in step for all that."""
-    answer = questions(Oscillator(1.0, m_prime, 10.0), "1")[7].answer
+    answer = questions(Oscillator(1.0, m_prime, 10.0), "1")[-2].answer
     assert answer.startswith(verdict)
     gap = float(18 * Fraction(repr(m_prime)) ** 2 + Fraction(repr(m_prime)) - 24)
     # To first order: Ω²m/k − 1 = −(18ε² + ε − 24)/(18ε² + 49ε + 32), and √(1 + δ) − 1 = δ/2.
@@ -70,6 +70,91 @@ def test_on_paper_a_question_needs_no_other():
     """A sheet takes four of the stops; what one before it has set is not there."""
     for stop in lesson.STOPS:
         assert not re.search(r"\b(again|so far|as before|earlier)\b|^Now\b", stop.question, re.IGNORECASE), stop.id
+
+
+TELLS = {
+    "two-clocks": r"equal masses the machine is|machine is a little (faster|slower)|light ones of|heavy ones of",
+    "light-rollers": r"heavy ones of|rollers five times as heavy|heavier the",
+    "heavy-rollers": r"light ones of|rollers five times as heavy|heavier the",
+    "stiffness": r"k drops out",
+    "radius": r"R drops out",
+    "block": r"block (moves|is displaced by X) to the left",
+    "turning-point": r"the spring is relaxed, and all energy is kinetic",
+    "middle": r"Where is the energy then",
+    "zero-modes": r"two zero modes|rolls freely for ever",
+    "contact": r"the hoop slips",
+    # Three of the four exact candidates lie in one of its intervals.
+    "by-hand": r"√1729 [−+] 1\)/36",
+    "1729": r"4·18·24",
+    "steps": r"explicit Euler adds",
+}
+
+
+def test_no_question_answers_another():
+    """On a thousand sheets, the sentences and options of all questions included."""
+    stops = {stop.question: stop.id for stop in lesson.STOPS}
+    for seed in range(1000):
+        asked = questions(Oscillator(), str(seed))
+        for question in asked:
+            tells = TELLS.get(stops.get(question.text))
+            others = " ".join(" ".join((each.text, *each.options)) for each in asked if each is not question)
+            assert not (tells and re.search(tells, others)), (seed, question.text)
+
+
+def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
+    few, many, none = ([q for q in questions(Oscillator(), "1", level) if not q.options] for level in (1, 2, 3))
+    steps = len(few) - 5
+    assert steps >= 5
+    for a, b, c in zip(few[:steps], many, none, strict=False):
+        assert a.answer == b.answer == c.answer
+        whole = a.answer.count("$$") // 2
+        assert a.text.count("ldots") == 1 <= b.text.count("ldots") == whole
+        assert "$" not in c.text
+        # What is blank is not there.
+        last = a.answer.rsplit("$$", 2)[1]
+        assert last not in a.text
+        assert last not in b.text
+    # The last step ends in Ω², here for masses that no step has seen.
+    m, m_prime, k = 1.3, 0.7, 21.0
+    right = few[steps - 1].answer.rsplit("=", 1)[1].strip(" $")
+    assert float(number_of(right, {"m'": m_prime, "m": m, "k": k})) == pytest.approx(
+        Oscillator(m, m_prime, k).natural_frequency_squared, rel=1e-12
+    )
+
+
+def number_of(latex: str, values: dict[str, float]) -> sp.Expr:
+    """The value of an expression in LaTeX, of fractions, roots and powers."""
+    text = re.sub(
+        r"\\[,;]|\\left|\\right|\\mathrm\{[^{}]*(\{[^{}]*\})?\}", "", latex.replace(r"\,", "*").replace(r"\cdot", "*")
+    )
+    for name in sorted(values, key=len, reverse=True):
+        text = re.sub(rf"(?<![a-zA-Z]){name}(?!['a-zA-Z])", f"({values[name]!r})", text)
+    text = text.replace("^", "**").replace("{", "(").replace("}", ")")
+    text = re.sub(r"\\sqrt", "sqrt", text)
+    while r"\frac" in text:
+        start = text.rindex(r"\frac")
+        depth, close = 0, start + 5
+        for close in range(start + 5, len(text)):
+            depth += {"(": 1, ")": -1}.get(text[close], 0)
+            if depth == 0:
+                break
+        text = text[:start] + text[start + 5 : close + 1] + "/" + text[close + 1 :]
+    return sp.sympify(text.strip("* "))
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+def test_each_line_of_the_key_s_working_ends_in_the_answer(machine):
+    *_, ratio, squared, felt, parting, _target = questions(machine, "1")
+
+    def end(line: str) -> float:
+        return float(number_of(line.rsplit("=", 1)[1], {}))
+
+    assert end(ratio.working[0]) == pytest.approx(machine.mass_ratio, rel=1e-14)
+    assert end(ratio.working[1]) == pytest.approx(machine.normalized_frequency_squared, rel=1e-14)
+    assert end(squared.working[0]) == pytest.approx(machine.natural_frequency_squared, rel=1e-12)
+    assert end(felt.working[0]) == pytest.approx(machine.effective_mass, rel=1e-12)
+    assert end(felt.working[1]) == pytest.approx(3 * machine.m + 2 * machine.m_prime, rel=1e-12)
+    assert end(parting.working[0]) == pytest.approx(machine.normalized_frequency_squared**0.5, rel=1e-12)
 
 
 @pytest.mark.parametrize("seed", list("12345678"))
@@ -132,6 +217,8 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert question.text in key
         assert question.answer in key
         assert question.answer not in blank
+        assert all(line in key for line in question.working)
+    assert "mass ratio is ε = m′/m" in blank
 
 
 @pytest.mark.parametrize(

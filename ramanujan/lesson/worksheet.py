@@ -1,4 +1,4 @@
-"""A worksheet for one machine: some stops of the lesson and calculations with this machine, and the key to them.
+"""A worksheet for one machine: stops of the lesson, a guided derivation, calculations with this machine, and the key.
 
 The seed chooses: the same machine and seed give the same sheet, so that a key fits the questions that were handed out.
 All answers are worked out, the calculations exactly, by SymPy.
@@ -8,15 +8,18 @@ from __future__ import annotations
 
 import random
 import string
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
 
+from ramanujan.derivation import ROUTES
 from ramanujan.derivation.numbers import exact_values, unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import epsilon, k, m, m_prime
-from ramanujan.lesson import STOPS, Stop
+from ramanujan.lesson import CHAPTERS, Stop
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
@@ -24,35 +27,74 @@ from ramanujan.translation import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
+_TOLD = ("block",)
+"""Stops whose answer the derivation names: on which side X is positive."""
+_STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
+"""Of the route of Euler and Lagrange, those in which there is something to find."""
 SPACE = 3.0
 """Room to write an answer to a calculation [cm]."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """One question, as Markdown: its text, its options with letters, its answer; and the room to write [cm]."""
+    """One question, as Markdown.
+
+    Parameters
+    ----------
+    text, answer : what is asked, and what the key says
+    options : with letters, where there are any
+    working : the lines of a calculation that lead to the answer
+    space : room to write [cm]
+    """
 
     text: str
     answer: str
     options: tuple[str, ...] = ()
+    working: tuple[str, ...] = ()
     space: float = SPACE
 
 
-def questions(machine: Oscillator, seed: str) -> tuple[Question, ...]:
+def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Question, ...]:
     """Return the questions of a worksheet.
 
     Parameters
     ----------
     machine : the machine of the calculations
     seed : any text; it chooses the stops, the order of their options, and the frequency that is asked for
+    level : of the derivation: 1, a blank in each step; 2, every equation is to be completed; 3, a blank page
 
     >>> sheet = questions(Oscillator(), "1")
     >>> sheet == questions(Oscillator(), "1")
     True
     """
     draw = random.Random(seed)
-    chosen = sorted(draw.sample(range(len(STOPS)), _STOPS))
-    return (*(_predicted(STOPS[i], draw) for i in chosen), *_calculations(machine, draw.choice(_TARGETS)))
+    # Stops of one chapter would answer each other.
+    kept = [[stop for stop in chapter if stop.id not in _TOLD] for chapter in CHAPTERS]
+    chosen = [draw.choice(kept[i]) for i in sorted(draw.sample(range(len(kept)), _STOPS))]
+    asked = [_predicted(stop, draw) for stop in chosen]
+    return (*asked, *derivation(level), *_calculations(machine, draw.choice(_TARGETS)))
+
+
+def derivation(level: int) -> tuple[Question, ...]:
+    """Return the steps to Ω² by Lagrange’s equations as questions, with blanks for this level."""
+    return tuple(_guided(step, level) for step in ROUTES["euler_lagrange"].steps if step.key in _STEPS)
+
+
+def _guided(step: Step, level: int) -> Question:
+    """Return a step as a question: what is to be found is left blank."""
+    whole = [latex(equation) for equation in step.equations]
+    blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
+    shown = {1: [*whole[:-1], blanks[-1]], 2: blanks, 3: []}[level]
+    reason = "" if level == 3 else f" {step.reason}"
+    return Question(
+        f"**{step.heading}.**{reason}" + _displayed(shown),
+        _displayed(whole).strip(),
+        space=len(whole) + 1 if level == 3 else level + 1,
+    )
+
+
+def _displayed(formulas: Sequence[str]) -> str:
+    return "".join(f"\n\n$${formula}$$" for formula in formulas)
 
 
 def _predicted(stop: Stop, draw: random.Random) -> Question:
@@ -73,7 +115,9 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
     """Return the questions about this machine, with exact answers."""
     values = exact_values(machine.m, machine.m_prime, machine.k)
     ratio = sp.radsimp(values[m_prime] / values[m])
-    normalized = sp.radsimp(unit_frequency_condition().normalized_frequency_squared.subs(epsilon, ratio))
+    formula = unit_frequency_condition().normalized_frequency_squared
+    above, below = (sp.expand(part.subs(epsilon, ratio)) for part in sp.fraction(formula))
+    normalized = sp.radsimp(above / below)
     squared = sp.radsimp(normalized * values[k] / values[m])
     felt = sp.radsimp(values[k] / squared)
     a, b, c = BodyChoice(target=target).quadratic
@@ -82,11 +126,20 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
         Question(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
             f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
+            working=(
+                f"\\varepsilon=\\frac{{m'}}{{m}}=\\frac{{{latex(values[m_prime])}}}{{{latex(values[m])}}}",
+                f"\\frac{{\\Omega^2m}}{{k}}={latex(formula)}=\\frac{{{latex(above)}}}{{{latex(below)}}}",
+            ),
         ),
         Question(
             _("Calculate $\\Omega^2$ and the period."),
             _("$\\Omega^2={squared}\\,\\mathrm{{s^{{-2}}}}$, so the period is {period}.").format(
                 squared=latex(squared), period=quantity(machine.period, "s", 4)
+            ),
+            working=(
+                f"\\frac{{\\Omega^2m}}{{k}}\\cdot\\frac{{k}}{{m}}={latex(normalized)}\\cdot"
+                f"\\frac{{{latex(values[k])}}}{{{latex(values[m])}}}\\,\\mathrm{{s^{{-2}}}}",
+                f"T=\\frac{{2\\pi}}{{\\Omega}}=\\frac{{2\\pi}}{{{float(sp.sqrt(squared)):.5g}}}\\,\\mathrm{{s}}",
             ),
         ),
         Question(
@@ -94,15 +147,24 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             _("$M_x=k/\\Omega^2={felt}\\,\\mathrm{{kg}}$; all five bodies together have a mass of {total}.").format(
                 felt=latex(felt), total=quantity(3 * machine.m + 2 * machine.m_prime, "kg", 4)
             ),
+            working=(
+                f"M_x=\\frac{{k}}{{\\Omega^2}}=\\frac{{{latex(values[k])}}}{{{latex(squared)}}}\\;\\mathrm{{kg}}",
+                f"3m+2m'=3\\cdot{latex(values[m])}+2\\cdot{latex(values[m_prime])}\\;\\mathrm{{kg}}",
+            ),
         ),
         Question(
             _("Is the machine faster or slower than the plain mass? After how many periods are they one turn apart?"),
             _parting(normalized),
+            working=(f"\\frac{{\\Omega}}{{\\sqrt{{k/m}}}}=\\sqrt{{{latex(normalized)}}}",),
         ),
         Question(
             _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
             _("${quadratic}=0$, so $\\varepsilon={root}$.").format(
                 quadratic=latex(a * epsilon**2 + b * epsilon + c), root=with_decimal(root)
+            ),
+            working=(
+                f"{latex(formula)}={latex(sp.Rational(target))}",
+                f"b^2-4ac={latex(b)}^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(b * b - 4 * a * c)}",
             ),
             space=4.0,
         ),

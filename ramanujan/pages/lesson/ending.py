@@ -25,12 +25,12 @@ def draw(path: tuple[Stop, ...]) -> None:
     for stop in path:
         chosen, phase = progress.prediction(stop)
         if phase != progress.ANSWERED:
-            lines.append(_("{heading}: not answered yet.").format(heading=stop.heading))
+            lines.append(_("**{heading}** Not answered yet.").format(heading=stop.heading))
             continue
         solved = cache.solution(stop.id)
         answered, right = answered + 1, right + (chosen == solved.option)
         sign = ":green[:material/check_circle:]" if chosen == solved.option else ":red[:material/cancel:]"
-        lines.append(f"{sign} {stop.heading}: {solved.label}")
+        lines.append(f"{sign} **{stop.heading}** {solved.label}")
     said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     st.markdown(said.format(answered=answered, stops=len(path), right=right))
     st.markdown("\n".join(f"1. {line}" for line in lines))

@@ -13,28 +13,32 @@ from ramanujan.translation import _
 
 PAPER = address.Choice("paper", ("questions", "key"), "questions")
 SEED = address.Count("seed", 9999)
-KEYS = (PAPER, SEED)
+LEVEL = address.Choice("level", (1, 2, 3), 1)
+KEYS = (PAPER, SEED, LEVEL)
 PAPER_WORDS = {"questions": _("Questions"), "key": _("Key")}
+LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
+_LINE = "<span style='display:inline-block;width:35%;border-bottom:1px solid'></span>"
 
 
 def show() -> None:
     """Draw the page."""
     machine = sidebar.oscillator()
-    paper, seed = choose()
-    asked = questions(machine, str(seed))
-    calculations = [number for number, question in enumerate(asked, start=1) if not question.options]
+    paper, seed, level = choose()
+    asked = questions(machine, str(seed), level)
+    calculations = [number for number, question in enumerate(asked, start=1) if question.working]
     head(machine, paper, seed, calculations)
     for number, question in enumerate(asked, start=1):
         draw(number, question, paper == "key")
 
 
-def choose() -> tuple[str, int]:
-    """Draw the choice between questions and key, and the seed; none of it is printed."""
+def choose() -> tuple[str, int, int]:
+    """Draw the choice between questions and key, the sheet number and the level; none of it is printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
         paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
-        seed = widgets.count(SEED, _("Seed"), width=150)
-        st.caption(_("Another seed makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
-    return paper, seed
+        seed = widgets.count(SEED, _("Sheet number"), width=190)
+        level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=230)
+        st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
+    return paper, seed, level
 
 
 def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) -> None:
@@ -44,6 +48,8 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
         "key": _("Ramanujan’s oscillator: key {seed}"),
     }
     st.title(titles[paper].format(seed=seed), anchor=False)
+    if paper == "questions":
+        st.html(f"<p class='name'>{_('Name')} {_LINE} {_('Date')} {_LINE}</p>")
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
     with st.container(key="sheet_picture"):
         drawings.draw(
@@ -51,6 +57,14 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style="width:560px;max-width:100%;background:#fff",
         )
+    st.markdown(
+        _(
+            "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
+            "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is ε = m′/m. "
+            "“Plain mass” means a mass m that oscillates on an equal spring, with the angular frequency √(k/m). The "
+            "block is displaced by X to the left. The lower rollers turn clockwise by φ, the top cylinder by Φ."
+        )
+    )
     st.markdown(
         _("The machine of questions {first} to {last}: {values}.").format(
             first=calculations[0], last=calculations[-1], values=values
@@ -64,7 +78,7 @@ def draw(number: int, question: Question, with_key: bool) -> None:
     with st.container(key=f"question_{number}"):
         st.markdown(f"**{number}.** {question.text}\n{options}")
         if with_key:
-            st.markdown(question.answer)
+            st.markdown("".join(f"$${line}$$\n\n" for line in question.working) + question.answer)
         else:
             lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * round(question.space)
             st.html(f"<div class='room'>{lines}</div>")
