@@ -136,7 +136,7 @@ def filled(template: str, **values: object) -> str:
 
     Parameters
     ----------
-    template : as for `str.format`; a slot without digits takes a text, or a number that is a text already
+    template : as for `str.format`; any slot takes a text, and one without digits a number that is a text already
     values : by the names of the slots; a share is multiplied by 100 where its slot says %
 
     >>> filled("{n} periods take {t:3 s}, {share:2 %} more than {least:1}.", n=7, t=0.61, share=0.25, least=4.0)
@@ -148,7 +148,7 @@ def filled(template: str, **values: object) -> str:
 class _Sentences(string.Formatter):
     def format_field(self, value: object, format_spec: str) -> str:
         digits, _space, unit = format_spec.partition(" ")
-        if not digits:
+        if not digits or isinstance(value, str):
             return str(value)
         return percent(value, int(digits)) if unit == "%" else quantity(value, unit, int(digits))
 

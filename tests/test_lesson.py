@@ -407,6 +407,11 @@ def test_there_are_enough_tasks_and_each_has_hints_in_steps():
     assert all(len(task.hints) >= 2 for task in lesson.TASKS)
 
 
+def test_a_share_that_nothing_can_show_is_none():
+    sentence = lesson.task("half-energy").judge(setting(part=1 / 4)).sentence
+    assert sentence.startswith("At that moment the spring holds none of the energy.")
+
+
 def test_a_verdict_says_how_far_away_the_goal_is():
     def sentence(name, **values):
         return lesson.task(name).judge(setting(**values)).sentence

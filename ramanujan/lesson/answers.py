@@ -22,6 +22,8 @@ TOLERANCE, PERIODS = 1e-3, 10
 """Of the integrators' race: the largest error of the state over the amplitude, and the length of the run."""
 FEWEST_STEPS, MOST_STEPS = 4, 1000
 HALF = 0.005
+NOTHING = 1e-6
+"""A smaller share of the energy can be neither measured nor drawn: it is called none."""
 STOPWATCH = 0.01
 TOO_FAST = 0.7
 """Seconds: a shorter period is shown in slow motion, so that a stopwatch beside the stage measures nothing."""
@@ -40,7 +42,7 @@ def half_energy(setting: Setting) -> Verdict:
         _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too much."),
         _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too little."),
     )
-    return near(share - 0.5, HALF, sentences, "%", share=share)
+    return near(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
 
 
 def measured_period(setting: Setting) -> Verdict:
