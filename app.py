@@ -16,7 +16,6 @@ else:
         messages,
         navigation,
         parameters,
-        pending_updates,
         sidebar,
         theme,
     )
@@ -30,8 +29,7 @@ else:
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=folded)
     cache.warm_up()
     theme.dress(sidebar.BOXES)
-    sidebar.take_typed()
+    sidebar.take_wishes()
     messages.begin(said)
     sidebar.draw(page.withheld())
     runner.run()
-    pending_updates.drawn()

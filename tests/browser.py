@@ -106,7 +106,7 @@ def count_anew(page: Page) -> None:
 
 MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
   component.shadowRoot?.querySelector("style, section") ||
-  component.closest("[class*=_feed], [class*=_pick], .st-key-given_receipt, .st-key-keys"))"""
+  component.closest("[class*=_feed], [class*=_pick], .st-key-keys"))"""
 """Whether every component that shows something is there: until then nobody hears a key."""
 
 

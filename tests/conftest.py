@@ -11,9 +11,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 import pytest
-from streamlit.testing.v1 import AppTest
+from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
+from streamlit.runtime.scriptrunner import ScriptRunnerEvent
+from streamlit.testing.v1 import AppTest, app_test
+from streamlit.testing.v1.element_tree import ElementTree, parse_tree_from_messages
+from streamlit.testing.v1.local_script_runner import LocalScriptRunner
 from xdist.scheduler import LoadScopeScheduling
 
 from tests.browser import CHROMIUM, FLAGS, MOUNTED, ROOT, count_anew, listen, running, settle
@@ -118,3 +123,22 @@ def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable
         page.remove_listener("pageerror", note)
         page.goto("about:blank")
     assert errors == []
+
+
+class Page(LocalScriptRunner):
+    """Runs the script for AppTest, and keeps of the page what a fragment's run leaves alone, as a browser does."""
+
+    def run(self, *arguments: object, **options: object) -> ElementTree:
+        super().run(*arguments, **options)
+        starts = zip(self.events, self.event_data, strict=True)
+        begun = [data for event, data in starts if event == ScriptRunnerEvent.SCRIPT_STARTED]
+        messages = list(self.forward_msgs())
+        if redrawn := set(begun[-1]["fragment_ids_this_run"] or ()):
+            before = _pages.get(self.session_state, [])
+            messages = [each for each in before if each.delta.fragment_id not in redrawn] + messages
+        _pages[self.session_state] = messages
+        return parse_tree_from_messages(messages)
+
+
+_pages: WeakKeyDictionary[object, list[ForwardMsg]] = WeakKeyDictionary()
+app_test.LocalScriptRunner = Page

@@ -6,7 +6,6 @@ import re
 
 import pytest
 from playwright.sync_api import expect
-from streamlit.proto.BackMsg_pb2 import BackMsg
 
 from ramanujan import lesson
 from tests.browser import next_frame, settle
@@ -103,29 +102,6 @@ def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
     page.get_by_role("button", name="Back").click()
     settle(page)
     assert page.get_by_text("Right answer:").is_visible()
-
-
-def test_a_click_that_meets_a_receipt_turns_the_page(visit):
-    page = visit("lesson?stop=heavy-rollers")
-    page.evaluate(
-        """() => {
-          const soon = window.setTimeout;
-          window.setTimeout = (call, delay, ...more) => soon(call, delay || 1500, ...more);
-          const send = WebSocket.prototype.send;
-          window.sent = [];
-          WebSocket.prototype.send = function (data) {
-            window.sent.push([...new Uint8Array(data)]);
-            return send.call(this, data);
-          };
-        }"""
-    )
-    page.get_by_role("button", name="Back").click()
-    page.get_by_role("heading", name="2.").wait_for()
-    page.get_by_role("button", name="Back").click()
-    page.get_by_role("heading", name=f"1. {lesson.STOPS[0].heading}").wait_for()
-    # Streamlit sent the click and the receipt of the second machine as one, which it took for the receipt’s alone.
-    asked = [BackMsg.FromString(bytes(data)).rerun_script for data in page.evaluate("window.sent")]
-    assert [each for each in asked if each.fragment_id and "turn__events" in str(each.widget_states)]
 
 
 def test_the_full_page_shows_the_machine_of_the_stop(visit):

@@ -27,14 +27,14 @@ def values(app) -> dict[str, float]:
 
 
 def box(app, key: str) -> dict[str, object]:
-    """What the sidebar's feed tells the box of a slider."""
-    (feed,) = (e for e in app.get("bidi_component") if e.proto.id.endswith("-boxes_feed"))
-    return json.loads(feed.proto.json)[f"exact/{key}"]
+    """What the box of a slider is told: by the fragment that follows the machine, else by the sidebar's feed."""
+    feeds = (json.loads(e.proto.json) for e in app.get("bidi_component") if e.proto.id.endswith("_feed"))
+    return next(feed[f"exact/{key}"] for feed in feeds if f"exact/{key}" in feed)
 
 
 def type_in(app, key: str, text: str):
     """Type into a box, as its callback hears of it, and run the app."""
-    app.session_state["typed"] = {key: text}
+    app.session_state["wishes"].typed[key] = text
     return app.run()
 
 

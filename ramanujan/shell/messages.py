@@ -52,3 +52,8 @@ def run_again() -> None:
     """Run the page again by itself, to show what has come in; what has been said to the person stays."""
     st.session_state[_RUN_AGAIN] = True
     st.rerun()
+
+
+def runs_again() -> bool:
+    """Tell whether this run was asked for by the page itself, so that no message of the browser belongs to it."""
+    return bool(st.session_state.get(_RUN_AGAIN))

@@ -1,100 +1,85 @@
-"""Values that the app itself gives to its widgets: a preset, an exact entry, a released slab, a click on the curve.
+"""Values that the app sets itself: a preset, an exact entry, a click on the curve, the machine of a stop.
 
-Every message from the page carries the values of all its widgets. A message that was written before the page heard of
-a given value still carries the old one, and would take the new one back: on a slow network, or after a run that was
-broken off before it was delivered. So every given value has a number, the page sends a receipt for the highest number
-that it has seen, and until then the given value is given again, whatever the page reports.
+A message of the page carries what all widgets held when it was written. If the page had not yet heard of a value that
+the app has set, its message still carries the old one, and would take the new one back. This is the one protocol
+against that, for every widget:
+
+1. Each update has a number, and a hidden slider is set to the number of the last one.
+2. Streamlit's page puts into its widgets what the server sets, the hidden slider last, and sends it back with every
+   later message. So a message says by itself which updates the page had heard of when it was written.
+3. What it had not heard of is set again, under a new number. If the message shows that somebody has moved that very
+   widget meanwhile, the later wish counts: then that value is set.
 """
 
 from __future__ import annotations
 
-import time
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser import page
-
-_WAITING = "given_waiting"
-_NUMBER = "given_number"
-_RECEIPT = "given_receipt"
-_DRAWN = "given_drawn"
-"""Session state: what the widgets held when the whole page was last drawn to its end."""
-_PATIENCE = 20.0
-"""Seconds after which a value counts as received: a page that sends no receipt must not hold its sliders for ever."""
+_SEEN = "update_seen"
+"""The hidden slider."""
+_UPDATES = "updates"
 
 
-@dataclass(frozen=True)
-class _Given:
-    value: Any
-    number: int
-    at: float
+@dataclass
+class _Updates:
+    """What the page may not have heard of.
+
+    It is changed in place and first: each access to the session is a place where Streamlit may break off a run.
+    """
+
+    number: int = 0
+    waiting: dict[str, tuple[set, Any, int]] = field(default_factory=dict)
+    """Key of a widget → the values that it had before, the one that it has been set to, the number of the update."""
 
 
-def give(key: str, value: Any) -> None:
-    """Set the widget of this key, and hold the value until the page has received it."""
-    number = st.session_state.get(_NUMBER, 0) + 1
-    st.session_state[_NUMBER] = number
-    waiting = st.session_state.get(_WAITING, {})
-    st.session_state[_WAITING] = {**waiting, key: _Given(value, number, time.monotonic())}
-    st.session_state[key] = value
+def give(values: Mapping[str, Any]) -> None:
+    """Set widgets, key → value, and keep them so until the page has heard of it."""
+    held = {key: st.session_state.get(key) for key in values}
+    waiting = _updates().waiting
+    before = {key: {held[key]} | (waiting[key][0] | {waiting[key][1]} if key in waiting else set()) for key in values}
+    _set({key: (before[key], value) for key, value in values.items() if key in waiting or held[key] != value})
 
 
 def hold() -> None:
-    """Give again what the page had not received when it sent its last message.
+    """Set again what the page had not heard of when it wrote its last message.
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.
     """
-    received = st.session_state[_RECEIPT].received or 0 if _RECEIPT in st.session_state else 0
-    oldest = time.monotonic() - _PATIENCE
-    waiting = {
-        key: each
-        for key, each in st.session_state.get(_WAITING, {}).items()
-        if each.number > received and each.at > oldest and in_browser()
-    }
-    st.session_state[_WAITING] = waiting
-    for key, each in waiting.items():
-        st.session_state[key] = each.value
-
-
-def receipt() -> None:
-    """Let the page tell what it has received; a receipt reruns nothing but this."""
-    st.session_state.pop(_DRAWN, None)
-    _receipt()
+    updates, seen = _updates(), st.session_state.get(_SEEN, 0)
+    updates.number = max(updates.number, seen)
+    updates.waiting = {key: each for key, each in updates.waiting.items() if each[2] > seen}
+    now = {key: st.session_state.get(key) for key in updates.waiting}
+    _set(
+        {
+            key: (before, value if now[key] in before else now[key])
+            for key, (before, value, _number) in updates.waiting.items()
+        }
+    )
 
 
 def waits() -> bool:
-    """Tell whether the page has still to receive a value."""
-    return bool(st.session_state.get(_WAITING))
+    """Tell whether the page may not have heard of a value."""
+    return bool(_updates().waiting)
 
 
-def drawn() -> None:
-    """Note what the page was drawn with, while a receipt is expected; call it at the end of a run."""
+def draw() -> None:
+    """Draw the hidden slider; call it after all widgets that are set."""
     if waits():
-        st.session_state[_DRAWN] = _settings()
+        st.session_state[_SEEN] = _updates().number
+    st.slider("updates", 0, 2**31, key=_SEEN, on_change="ignore")
 
 
-@st.fragment
-def _receipt() -> None:
-    waiting = {key: each.value for key, each in st.session_state.get(_WAITING, {}).items()}
-    page.receipt(_RECEIPT, st.session_state.get(_NUMBER, 0), waiting)
-    # Streamlit sends what happens in one moment as one message, and as a fragment's if one part of it is: a click that
-    # meets a receipt would change the session and not the page.
-    if st.session_state.get(_DRAWN, settings := _settings()) != settings:
-        st.rerun()
+def _set(values: Mapping[str, tuple[set, Any]]) -> None:
+    updates = _updates()
+    updates.number += bool(values)
+    updates.waiting |= {key: (before, value, updates.number) for key, (before, value) in values.items()}
+    for key, (_before, value) in values.items():
+        st.session_state[key] = value
 
 
-def _settings() -> dict[str, Any]:
-    """Return what the session holds in plain values, apart from what stands here."""
-    plain = (bool, int, float, str, tuple, list, dict, type(None))
-    return {
-        key: value
-        for key, value in st.session_state.items()
-        if isinstance(value, plain) and not str(key).startswith("given_")
-    }
-
-
-def in_browser() -> bool:
-    """Tell whether a browser asks: it names its time zone. A test without one waits its turn, so no messages cross."""
-    return st.context.timezone is not None
+def _updates() -> _Updates:
+    return st.session_state.setdefault(_UPDATES, _Updates())

@@ -8,7 +8,9 @@ used, from wherever it comes, is answered with one sentence, and the last good v
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field
+from functools import partial
 
 import streamlit as st
 
@@ -18,9 +20,7 @@ from ramanujan.shell import address, cache, display_mode, messages, pending_upda
 from ramanujan.shell.parameters import QUANTITIES, Quantity, read_number
 from ramanujan.translation import _
 
-_STAGES = ("oscillator", "motion", "stage_bodies")
-"""Names of the stages whose slab can be dragged: while it is held, the box of x₀ follows it."""
-BOXES = {key: widgets.box(each, _STAGES if key == "compression" else ()) for key, each in QUANTITIES.items()}
+BOXES = {key: widgets.box(each) for key, each in QUANTITIES.items()}
 """What the page must know of the sliders' boxes."""
 
 PRESETS = {
@@ -32,14 +32,15 @@ PRESETS = {
 }
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
 _PRESET = "preset"
-_TYPED = "typed"
-"""Session state: key of a quantity → the text typed into its box, until the run that follows has judged it."""
+_WISHES = "wishes"
+"""Session state: what has been asked for by box, preset or button and waits for the run that follows.
+
+All of it is changed in place, so that a run that is broken off loses nothing.
+"""
 _JUDGED = "judged"
 _FIRST = "first_run"
 _FOLLOW = "follow"
 """Session state: the keys of the fragments that follow the machine, if the page was drawn to its end."""
-_MOVED = "moved"
-"""Session state: key of a quantity → the value of its slider, until what follows it is drawn."""
 _LINKED = "linked"
 """Session state: key of a quantity → its value when the session began."""
 
@@ -73,7 +74,7 @@ def draw(withheld: Collection[str] = ()) -> None:
         page.feed("boxes_feed", _boxes())
         page.link(address.PRIVATE)
         display_mode.switch()
-        pending_updates.receipt()
+        pending_updates.draw()
     # What the sliders show in the first run is what the link has set, without what it got wrong.
     st.session_state.setdefault(_LINKED, values)
 
@@ -89,8 +90,7 @@ def follow(*fragments: str) -> None:
 
 
 def followed() -> dict[str, object]:
-    """Take in what the sliders hold, and return what their boxes are told: topics of the page's bus."""
-    st.session_state.pop(_MOVED, None)
+    """Return what the sliders’ boxes are told: topics of the page’s bus."""
     return _boxes()
 
 
@@ -100,27 +100,42 @@ def _boxes() -> dict[str, object]:
     return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}
 
 
-def _moved(key: str) -> None:
+def _moved() -> None:
     """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due."""
     pending_updates.hold()
-    moved = {name: value for name, value in st.session_state.pop(_MOVED, {}).items() if name != key}
-    fragments = st.session_state.get(_FOLLOW)
-    # AppTest would lose sight of the rest of the page.
-    if fragments and pending_updates.in_browser() and not pending_updates.waits() and not messages.are_shown():
-        st.session_state[_MOVED] = {**moved, key: st.session_state[key]}
+    fragments, wishes = st.session_state.get(_FOLLOW), _wishes()
+    if fragments and not (wishes.typed or wishes.machines or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
 
-def take_typed() -> None:
-    """Judge what was typed into the boxes. Called once a run, before anything is drawn."""
+@dataclass
+class _Wishes:
+    typed: dict[str, str] = field(default_factory=dict)
+    """Key of a parameter → the text typed into its box."""
+    machines: list[Callable[[], None]] = field(default_factory=list)
+    """What gives the sliders a machine: a preset, a click on a curve, a stop."""
+
+
+def _wishes() -> _Wishes:
+    return st.session_state.setdefault(_WISHES, _Wishes())
+
+
+def take_wishes() -> None:
+    """Set what was asked for since the last run. Called once a run, before anything is drawn.
+
+    What was typed comes first: to press anything else, one leaves the box.
+    """
     st.session_state.pop(_FOLLOW, None)
     st.session_state[_FIRST] = _FIRST not in st.session_state
-    pending_updates.hold()
-    # If another message has asked for the whole page meanwhile, Streamlit takes the sliders from an old address.
-    for key, value in st.session_state.pop(_MOVED, {}).items():
-        pending_updates.give(key, value)
-    for key, text in st.session_state.pop(_TYPED, {}).items():
+    if not messages.runs_again():
+        pending_updates.hold()
+    wishes = _wishes()
+    for key, text in list(wishes.typed.items()):
         _take_exact(QUANTITIES[key], text)
+        wishes.typed.pop(key, None)
+    for wish in list(wishes.machines):
+        wish()
+        wishes.machines.remove(wish)
 
 
 def oscillator() -> Oscillator:
@@ -133,41 +148,35 @@ def compression() -> float:
     return QUANTITIES["compression"].in_si
 
 
-def set_compression(metres: float) -> None:
-    """Set x₀ [m] from the slab that was dragged."""
-    pending_updates.hold()
-    quantity = QUANTITIES["compression"]
-    # Ten digits are finer than any pointer, and keep 7.9 cm from turning into 7.900000000000001 cm.
-    pending_updates.give("compression", quantity.clamp(round(metres / quantity.scale, 10)))
-
-
 def enter(key: str, text: str) -> None:
-    """Take what was typed into the box of a quantity; the next run judges it."""
-    st.session_state[_TYPED] = {**st.session_state.get(_TYPED, {}), key: text}
+    """Take what was typed into the box of a parameter; the next run judges it."""
+    _wishes().typed[key] = text
 
 
 def take_ratio(ratio: float, digits: int = 17) -> None:
-    """Set m′ = εm; where m′ would leave its range, m gives way, and the page says so.
+    """Set m′ = εm in the run that follows; where m′ would leave its range, m gives way, and the page says so.
 
     Parameters
     ----------
     ratio : ε = m′/m
     digits : significant digits of m′ that are wanted, where round values matter more than the exact ratio
     """
-    pending_updates.hold()
+    _wishes().machines.append(partial(_set_ratio, ratio, digits))
+
+
+def _set_ratio(ratio: float, digits: int) -> None:
     rollers, others = QUANTITIES["m_prime"], QUANTITIES["m"]
     m = others.present
     m_prime = _times(ratio, m, digits)
     if rollers.least <= m_prime <= rollers.most:
-        pending_updates.give("m_prime", m_prime)
+        pending_updates.give({"m_prime": m_prime})
         return
     bound = rollers.clamp(m_prime)
     # The m nearest to the old one, on the slider's steps, with which the ratio can be had.
     steps = round(bound / ratio / others.step, 6)
     nearest = (math.floor if m_prime > bound else math.ceil)(steps) * others.step
     new_m = others.clamp(round(nearest, 10))
-    pending_updates.give("m", new_m)
-    pending_updates.give("m_prime", rollers.clamp(_times(ratio, new_m, digits)))
+    pending_updates.give({"m": new_m, "m_prime": rollers.clamp(_times(ratio, new_m, digits))})
     sentences = []
     if new_m != m:
         sentences.append(_gave_way(m, new_m, bound, too_heavy=m_prime > bound))
@@ -179,16 +188,8 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
 
 
 def take_machine(machine: Oscillator, metres: float) -> None:
-    """Set all sliders to a machine and its x₀ [m]. Call it in a callback, before the sliders are drawn."""
-    pending_updates.hold()
-    for key, value in _on_sliders(machine, metres).items():
-        pending_updates.give(key, value)
-
-
-def ask_for_machine(machine: Oscillator, metres: float) -> None:
     """Set all sliders to a machine and its x₀ [m] in the run that follows."""
-    for key, value in _on_sliders(machine, metres).items():
-        enter(key, repr(value))
+    _wishes().machines.append(partial(pending_updates.give, _on_sliders(machine, metres)))
 
 
 def linked() -> bool:
@@ -211,14 +212,12 @@ def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
     }
 
 
-def reset() -> None:
-    """Put every quantity back to what the link has set, or from there to its default; say so where the two differ."""
-    pending_updates.hold()
+def _reset() -> None:
+    """Put every parameter back to what the link has set, or from there to its default; say so where the two differ."""
     defaults = {quantity.key: quantity.default for quantity in QUANTITIES.values()}
     linked = st.session_state.get(_LINKED, defaults)
     there = all(QUANTITIES[key].present == value for key, value in linked.items())
-    for key, value in (defaults if there else linked).items():
-        pending_updates.give(key, value)
+    pending_updates.give(defaults if there else linked)
     if linked == defaults:
         return
     if there:
@@ -239,13 +238,14 @@ def _gave_way(old: float, new: float, bound: float, too_heavy: bool) -> str:
 
 
 def _take_preset() -> None:
-    """Do what was asked for, and leave no choice standing: the next slider would belie it."""
-    if preset := st.session_state[_PRESET]:
-        if preset in _RATIOS:
-            take_ratio(_RATIOS[preset])
-        else:
-            reset()
-    st.session_state[_PRESET] = None
+    """Note what is asked for, and leave no choice standing: the next slider would belie it."""
+    pending_updates.hold()
+    preset = st.session_state[_PRESET]
+    if preset in _RATIOS:
+        take_ratio(_RATIOS[preset])
+    elif preset:
+        _wishes().machines.append(_reset)
+    pending_updates.give({_PRESET: None})
 
 
 def _slider(quantity: Quantity) -> float:
@@ -258,7 +258,7 @@ def _take_exact(quantity: Quantity, text: str) -> None:
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
     number = read_number(text)
     if number is not None and quantity.least <= number <= quantity.most:
-        pending_updates.give(quantity.key, number)
+        pending_updates.give({quantity.key: number})
         return
     sentence = (
         _("Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept.")

@@ -13,13 +13,13 @@ LIMITS = QUANTITIES["compression"].limits
 """The least and the largest x₀ [m]."""
 
 
-def mount(payload: Mapping[str, Any] | None, **more: Any) -> Any:
+def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:
     """Put a stage on the page as `stage.mount` does, without what the link hides.
 
     It follows the sliders, and x₀ has their range, unless `limits` and `watch` say otherwise.
     """
     hidden = {*display_mode.on_stage(), *more.pop("hide", ())}
-    return stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)
+    stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)
 
 
 def tell(payload: Mapping[str, Any], **more: Any) -> None:

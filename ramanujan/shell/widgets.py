@@ -113,34 +113,27 @@ def page_slider(quantity: Quantity) -> float:
     return (value if quantity.least <= value <= quantity.most else quantity.default) * quantity.scale
 
 
-def slider_with_box(quantity: Quantity, enter: Callable[[str, str], None], moved: Callable[[str], None]) -> float:
+def slider_with_box(quantity: Quantity, enter: Callable[[str, str], None], moved: Callable[[], None]) -> float:
     """Draw a slider with the box that takes an exact number, and return its value in this quantity's unit.
 
     Parameters
     ----------
     quantity : what is set
     enter : called with the key and what was typed into the box
-    moved : called with the key when the slider was moved
+    moved : called when the slider was moved
     """
     page.exact(quantity.key, partial(enter, quantity.key))
     messages.show_note(quantity.key)
-    return slider(quantity, label_visibility="collapsed", on_change=moved, args=(quantity.key,))
+    return slider(quantity, label_visibility="collapsed", on_change=moved)
 
 
-def box(quantity: Quantity, stages: tuple[str, ...]) -> dict[str, Any]:
-    """Return what the page must know of the box of a slider.
-
-    Parameters
-    ----------
-    quantity : what is set
-    stages : names of the stages on which it can be dragged
-    """
+def box(quantity: Quantity) -> dict[str, Any]:
+    """Return what the page must know of the box of a slider."""
     return {
         "symbol": quantity.symbol,
         "unit": quantity.unit,
         "meaning": quantity.short,
         "label": _("Exact value: {quantity}").format(quantity=quantity.label),
         "longest": LONGEST,
-        "scale": quantity.scale,
-        "stages": stages,
+        "default": quantity.default,
     }

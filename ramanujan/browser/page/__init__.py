@@ -13,7 +13,7 @@ The topics of the bus, where NAME is the name of a stage:
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
-    compression/NAME  {value [m], held}: the slab's x₀ while it is held or moved by keys, before the server knows it
+    enter/KEY         a text that somebody else wants to be typed into the box of a slider
     box/KEY           what a slider's box must know of it, see `bring`; published by the library
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
     moment/NAME       {time [s], label}: the instant to which a button takes the stage, and what the button says
@@ -35,7 +35,7 @@ from ramanujan.translation import _
 def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     """Bring the scripts of all components to the page; call it before any of them is drawn.
 
-    With them come the page's one live region, which says what the topic `say` brings; the keyboard's access to boxes
+    With them come the page’s one live region, which says what the topic `say` brings; a notice while the server is away; the keyboard's access to boxes
     that scroll sideways; a new run of the page when the visitor switches the theme, so that figures follow; and a ring
     that follows the first page's machine on a curve. A figure has the ring if its layout's `meta` names the ring's
     colour; its axes are the mass ratio ε and Ω²m/k.
@@ -43,12 +43,13 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     Parameters
     ----------
     theme : the one that this run draws with, light or dark
-    boxes : key of a slider → what its box (`exact`) must know: symbol, unit and meaning; label of the box; scale to SI
-        units; longest text; stages whose slab moves the value
+    boxes : key of a slider → what its box (`exact`) must know: symbol, unit and meaning; label of the box;
+        longest text; default
     """
     data = {
         "theme": theme,
         "boxes": boxes,
+        "away": _("Reconnecting to the server. The page keeps everything that you set."),
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
@@ -148,20 +149,6 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
             on_picked(point)
 
     return _component("pick")(key=key, data={"figure": figure}, on_picked_change=picked)
-
-
-def receipt(key: str, number: int, values: Mapping[str, float]) -> Any:
-    """Let the page report the highest number that has reached it, as `received` in the state of this key.
-
-    Parameters
-    ----------
-    key : of the element
-    number : the number to be received
-    values : key of a slider → the value that it must show first
-    """
-    return _component("receipt")(
-        key=key, data={"number": number, "values": dict(values)}, on_received_change=lambda: None
-    )
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:

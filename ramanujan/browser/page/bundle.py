@@ -15,6 +15,7 @@ __all__ = ["ask", "library", "script", "style"]
 
 _HERE = Path(__file__).parent
 _PARTS = {
+    "connection": ("connection.js",),
     "cursor": ("marks.js", "cursor.js"),
     "exact": ("exact.js",),
     "feed": ("feed.js",),
@@ -24,7 +25,6 @@ _PARTS = {
     "pager": ("turning.js", "pager.js"),
     "pick": ("pick.js",),
     "reach": ("reach.js",),
-    "receipt": ("receipt.js",),
     "ring": ("marks.js", "ring.js"),
     "sheet": ("touch.js", "sheet.js"),
     "steps": ("turning.js", "steps.js"),

@@ -8,17 +8,55 @@ const hosts = {
   /** Whether a slider shows a value, rounded as its steps are; one that is not there is no hindrance. */
   shows: (slider, value) => !slider || Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step),
 
-  /** Which of these keys belongs to the slider that contains a node. */
-  sliderKey: (node, keys) => keys.find((key) => node.closest?.(`.st-key-${CSS.escape(key)}`)),
-
   /**
    * Move a slider's thumb on the page. React hears of it by the event, Streamlit draws the thumb, and sends nothing, since
    * only the end of a drag or a key stroke makes it send.
    */
   moveSlider(input, value) {
+    if (!input) return;
     Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(input, value);
     input.dispatchEvent(new Event("input", { bubbles: true }));
   },
+
+  /**
+   * Let a slider send a value: move it to the step before and on by an arrow key. Return false where it takes nothing, as
+   * while there is no server.
+   */
+  sendSlider(input, value) {
+    if (!input || input.disabled) return false;
+    const [by, key] = value - input.min < input.step ? [1, "ArrowLeft"] : [-1, "ArrowRight"];
+    hosts.moveSlider(input, value + by * input.step);
+    // React draws the slider in a microtask of its own, which is queued already.
+    queueMicrotask(() => input.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })));
+    return true;
+  },
+
+  /** Let the address say of a slider what it shows, unless that is its default. Streamlit's server writes there the whole of an address, which can be older than the slider. */
+  writeAddress(key, value, byDefault) {
+    const url = new URL(location.href), said = url.searchParams.get(key);
+    if (value === byDefault ? said === null : Number(said) === value && said !== null) return;
+    if (value === byDefault) url.searchParams.delete(key);
+    else url.searchParams.set(key, value);
+    history.replaceState(history.state, "", url);
+  },
+
+  /**
+   * Keep one entry of the history for whatever a person asks for. Streamlit adds one for every value that its server writes
+   * into the address: the way to another page would be several, with a mixture of two machines between.
+   */
+  keepOneEntry() {
+    let asked = false;
+    for (const type of ["pointerdown", "keydown"]) addEventListener(type, () => (asked = true), { capture: true });
+    const push = history.pushState.bind(history);
+    history.pushState = (...entry) => {
+      asked ? push(...entry) : history.replaceState(...entry);
+      asked = false;
+    };
+  },
+
+  /** Whether the page can reach its server; an observer is told of every change. */
+  isConnected: () => document.querySelector("[data-testid=stApp]")?.dataset.testConnectionState === "CONNECTED",
+  watchConnection: (observer) => observer.observe(document.querySelector("[data-testid=stApp]"), { attributeFilter: ["data-test-connection-state"] }),
 
   /** Whether a component's theme is light or dark, by the lightness of the colour that Streamlit gives it for the page. */
   theme(parentElement) {

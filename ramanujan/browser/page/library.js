@@ -16,6 +16,7 @@ bus.begin ??= (name, component) => {
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / hosts.contentWidth()));
 window.addEventListener("resize", fitPaper);
 fitPaper();
+bus.kept ??= hosts.keepOneEntry() ?? true;
 
 for (const begin of bus.waiting?.splice(0) ?? []) begin();
 
@@ -26,7 +27,7 @@ export default (component) => {
   const { data, parentElement } = component;
   for (const [key, box] of Object.entries(data.boxes)) bus.publish(`box/${key}`, box);
   if (!rooms.has(parentElement)) {
-    const own = ["theme", "voice", "reach", "ring"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
+    const own = ["theme", "voice", "reach", "ring", "connection"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
     rooms.set(parentElement, own);
   }
   const ends = rooms.get(parentElement).map(([name, room]) => bus.begin(name, { ...component, parentElement: room }));

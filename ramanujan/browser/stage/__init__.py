@@ -14,7 +14,7 @@ The contract, version 1. To the page, once:
     stage        the name under which the feed speaks to it
     limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the
                  same, it cannot be dragged
-    watch        key of a slider → {parameter, scale}: its value times scale is that parameter in SI units
+    watch        key of a slider → {parameter, scale, step}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
     layers       which of energy, arrows, traces, forces, coordinates are shown at first
     compact      only the picture and its label, without controls
@@ -37,7 +37,7 @@ and by the feed, at every change:
 
 Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.browser.page` lists them.
 
-From the page: the trigger `released`, the compression [m] at which the slab was let go.
+The page answers nothing: a slab that is let go moves its slider, see thumb.js.
 """
 
 from __future__ import annotations
@@ -175,15 +175,14 @@ def mount(
     periods: float | None = None,
     label: str | None = None,
     hide: Iterable[str] = (),
-    on_released: Callable[[float], None] | None = None,
-) -> Any:
-    """Put a stage on the page and return its result; `result.released` is the compression at which a hand let it go.
+) -> None:
+    """Put a stage on the page.
 
     Parameters
     ----------
     data : the payload; None where `tell` brings it
     limits : the range of x₀ that the slab can be dragged through [m]
-    watch : slider key → parameter and scale, for following a drag without the server
+    watch : slider key → parameter, scale and step, for following a drag without the server
     key : of the stage among the page's elements
     name : the stage's name on the page's bus, unique in the whole app; without it, the key
     clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
@@ -194,7 +193,6 @@ def mount(
     periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
     hide : the parts that are hidden, of `PARTS`; another run may hide others
-    on_released : called with the compression [m] at which the slab was let go
     """
     stage = _component()
     name = name or key
@@ -210,16 +208,9 @@ def mount(
         "periods": periods,
         "label": label,
     }
-
-    def released() -> None:
-        # Streamlit wants a callback for every trigger that is to be read.
-        if on_released:
-            on_released(st.session_state[key].released)
-
-    result = stage(key=key, data=fixed, on_released_change=released)
+    stage(key=key, data=fixed)
     if data is not None:
         tell(data, key=key, name=name, hide=hide)
-    return result
 
 
 def tell(

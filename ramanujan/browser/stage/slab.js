@@ -49,7 +49,7 @@ function listenToSlab(node, { picture, limits, stage, signal }) {
     const threshold = THRESHOLD[event.pointerType] ?? THRESHOLD.touch;
     if (Math.abs(event.clientX - grip.x) < threshold) return false;
     const deformation = stage.deformation();
-    if (!typing && !stage.take()) return false;
+    if (!typing) stage.take();
     clearTimeout(typing);
     typing = 0;
     // Where the slab swings beyond its bounds, it is taken where it is.
@@ -82,7 +82,7 @@ function listenToSlab(node, { picture, limits, stage, signal }) {
     const wanted = keyed(event.key, stage.compression(), limits);
     if (wanted === undefined || grip || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    if (!typing && !stage.take()) return;
+    if (!typing) stage.take();
     stage.compress(wanted);
     clearTimeout(typing);
     typing = setTimeout(() => endTyping(() => stage.letGo()), KEY_PAUSE); // one message for a run of key strokes
@@ -117,18 +117,15 @@ class Slab {
 
   take() {
     const { hand, playback, host } = this.stage;
-    const before = { compression: this.compression(), phase: playback.phase, plainPhase: playback.plainPhase };
-    if (!hand.take()) return false;
-    this.before = before;
+    this.before = { compression: this.stage.parameters.compression, text: hand.text(), phase: playback.phase, plainPhase: playback.plainPhase };
     host.classList.add("held");
-    return true;
   }
 
-  /** Hold the machine at rest with the spring compressed by so much, to a tenth of a millimetre unless `exact`. */
-  compress(wanted, slack = 0, exact = false) {
+  /** Hold the machine at rest with the spring compressed by so much, to a step of its slider. */
+  compress(wanted, slack = 0) {
     const { limits, hand, playback } = this.stage;
     const bound = clamp(wanted, ...limits), beyond = bound !== wanted;
-    this.value = exact ? bound : Math.round(bound * 1e4) / 1e4;
+    this.value = hand.rounded(bound);
     const drawn = beyond ? yielding(wanted, limits, slack) : this.value;
     this.stage.change(() => {
       hand.hold(this.value, drawn);
@@ -136,13 +133,11 @@ class Slab {
     });
     const [least, most] = limits.map(centimetres), value = centimetres(this.value);
     this.stage.voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.held, { value: withUnit(number(this.value * CM, 3), "cm") }));
-    this.publish(this.value, true);
   }
 
   letGo() {
     this.stage.change(() => this.stage.hand.drop(this.value));
-    this.end(this.value);
-    this.stage.sendReleased(this.value);
+    this.stage.host.classList.remove("held");
     this.last = this.before.compression;
     this.show(this.value);
   }
@@ -155,24 +150,14 @@ class Slab {
       Object.assign(playback, { phase, plainPhase });
     });
     this.stage.voice.note(fill(WORDS.kept, { value: centimetres(compression) }));
-    this.end(compression);
-  }
-
-  /** Take the x₀ from before the slab was last let go; return whether there was one. */
-  undo() {
-    if (this.button.hidden || !this.take()) return false;
-    this.compress(this.last, 0, true);
-    this.letGo();
-    return true;
-  }
-
-  end(value) {
     this.stage.host.classList.remove("held");
-    this.publish(value, false);
   }
 
-  publish(value, held) {
-    bus.publish(`compression/${this.stage.name}`, { value, held });
+  /** Set the x₀ from before the slab was last let go, with all of its digits; return whether there was one. */
+  undo() {
+    if (this.button.hidden) return false;
+    bus.publish(`enter/${this.stage.hand.slabKey}`, this.before.text);
+    return true;
   }
 
   /** Show x₀ to those who cannot see it, and the way back as long as nobody else has set another. */
@@ -186,7 +171,7 @@ class Slab {
       "aria-valuetext": withUnit(number(value * CM, 3), "cm"),
     });
     const back = this.last !== undefined && Math.abs(compression - this.value) < 1e-9 && Math.abs(this.last - this.value) > 1e-9;
-    this.button.hidden = !back || this.stage.hand.state === "held";
+    this.button.hidden = !back || this.stage.hand.isHolding;
     if (back) this.button.textContent = fill(WORDS.undo, { value: centimetres(this.last) });
   }
 }

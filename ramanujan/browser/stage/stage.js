@@ -5,11 +5,7 @@ const STEPS = 24; // steps of the step buttons in one period
 const TEXT_INTERVAL = 0.12; // s between two updates of running numbers; faster ones cannot be read
 const SHAPES = ["radius", "beta_hoop", "beta_cylinder", "beta_top"];
 
-export default function ({ data, parentElement, setTriggerValue }) {
-  const { begun, end } = live(parentElement, (signal) => new Stage(parentElement, data, signal));
-  begun.sendReleased = (compression) => setTriggerValue("released", compression);
-  return end;
-}
+export default ({ data, parentElement }) => live(parentElement, (signal) => new Stage(parentElement, data, signal)).end;
 
 class Stage {
   constructor(root, options, signal) {
@@ -22,7 +18,7 @@ class Stage {
     this.parts = makeParts(root);
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
-    this.hand = new Hand(watch, { shown: (name) => this.parameters[name], told: (name) => this.data.parameters[name] }, signal);
+    this.hand = new Hand(watch, (name) => this.data.parameters[name]);
     this.mendControls = listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.calmed(), { signal });
@@ -34,7 +30,7 @@ class Stage {
 
   dispose() {
     this.picture.dispose();
-    for (const topic of ["time", "present", "seek", "compression"]) bus.forget(`${topic}/${this.name}`);
+    for (const topic of ["time", "present", "seek"]) bus.forget(`${topic}/${this.name}`);
   }
 
   // ---- what comes from Python, and what changes
@@ -67,7 +63,8 @@ class Stage {
     const before = this.solution && this.playback.drawn();
     make();
     const { initial, samples } = this.data;
-    this.parameters = { ...this.data.parameters, ...this.hand.values() };
+    const set = this.hand.values();
+    this.parameters = { ...this.data.parameters, ...set };
     this.solution = solve(this.parameters, initial);
     const shapes = SHAPES.map((name) => this.parameters[name]).join();
     if (shapes !== this.shapes) this.picture.geometry(this.parameters);
@@ -79,7 +76,7 @@ class Stage {
     const { parameters } = this, normalized = this.parts.hides("numbers") ? undefined : this.solution.normalized;
     bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
     this.slab.show(this.parameters.compression);
-    if (this.hand.state !== "following") this.voice.describe(description(this.solution));
+    if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(this.solution));
     this.showSlowing();
     this.dirty = true;
   }
@@ -93,7 +90,7 @@ class Stage {
   advance(elapsed) {
     if (!this.solution) return;
     if (this.hand.look()) this.change(() => {});
-    const stands = this.hand.state === "held" || this.data.awaiting || this.parts.hides("motion");
+    const stands = this.hand.isHolding || this.data.awaiting || this.parts.hides("motion");
     const running = this.clock.playing && !stands;
     if (running) this.run(elapsed * this.clock.speed * this.clock.slowing);
     const fading = this.playback.fade(elapsed);
@@ -145,7 +142,7 @@ class Stage {
   }
 
   seek({ time }) {
-    if (this.solution && this.hand.state !== "held") this.stay((playback) => playback.goToTime(time));
+    if (this.solution && !this.hand.isHolding) this.stay((playback) => playback.goToTime(time));
   }
 
   /** Set the clock, { playing, speed }, for every stage on it. */

@@ -29,7 +29,7 @@ _LOADED = "lesson_loaded"
 
 
 def load(stop: Stop, runs: bool) -> None:
-    """Give the sliders the machine of a stop, in a callback."""
+    """Give the sliders the machine of a stop, in the run that follows."""
     st.session_state[_LOADED] = (stop.id, runs)
     sidebar.take_machine(stop.shown if runs else stop.machine, stop.compression)
 
@@ -41,7 +41,7 @@ def arrive(stop: Stop, runs: bool) -> None:
     st.session_state[_LOADED] = (stop.id, runs)
     machine = stop.shown if runs else stop.machine
     if not sidebar.linked() and not sidebar.holds(machine, stop.compression):
-        sidebar.ask_for_machine(machine, stop.compression)
+        sidebar.take_machine(machine, stop.compression)
         messages.run_again()
 
 
@@ -169,7 +169,7 @@ def observe(stop: Stop, running: bool) -> None:
     several = len(stop.runs) > 1
     hidden = [layer for layer in _LAYERS if layer not in stop.layers] if running else {*stop.hides, *_LAYERS}
     # Machines side by side belong to the stop; a single one follows the sliders.
-    own = {"watch": {}} if several else {"on_released": sidebar.set_compression}
+    own = {"watch": {}} if several else {}
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
         machine = run.machine if several else sidebar.oscillator()
         compression = run.compression if several else sidebar.compression()

@@ -71,7 +71,7 @@ def machine(task: Task, setting: Setting) -> None:
     with st.container(key="observed_dials"):
         if "release" not in task.fields:
             payload = stage.payload(setting.machine, setting.compression)
-            stages.mount(payload, on_released=sidebar.set_compression, **shown)
+            stages.mount(payload, **shown)
             return
         # How this machine starts is set beside it, and not with the slab.
         initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)

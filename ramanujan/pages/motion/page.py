@@ -77,7 +77,6 @@ def the_machine(motion: Record, friction: Friction) -> None:
         layers=("forces",),
         dials=False,
         periods=cache.PERIODS,
-        on_released=sidebar.set_compression,
     )
 
 

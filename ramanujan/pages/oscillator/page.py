@@ -18,7 +18,7 @@ KEYS = ()
 def show() -> None:
     """Draw the page."""
     opening()
-    stages.mount(None, name="oscillator", on_released=sidebar.set_compression)
+    stages.mount(None, name="oscillator")
     if not display_mode.hides("curve"):
         the_curve()
     steps = not display_mode.hides("steps")

@@ -52,7 +52,7 @@ def choose() -> None:
 
 def the_machine(story: cache.Story, chosen: list[str]) -> None:
     """Draw the machine with the chosen bodies in motion."""
-    stages.mount(None, key=STAGE, layers=(), on_released=sidebar.set_compression)
+    stages.mount(None, key=STAGE, layers=())
     tell_machine(f"1 ↔ √{story.machine.discriminant}", chosen)
 
 
