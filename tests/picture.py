@@ -104,6 +104,8 @@ class Picture:
         """Show a machine in place of the page's own, by the door through which the server's numbers come."""
         self.machine, self.compression, self.initial = machine, compression, initial or released(machine, compression)
         data = stage.payload(machine, compression, initial=initial)
+        # The stage follows the sliders where they show something else than it is told.
+        self.page.evaluate("document.querySelectorAll('.stSlider').forEach((slider) => slider.remove())")
         self.page.evaluate(f"(data) => ramanujan.publish('machine/{self.name}', data)", data)
         next_frame(self.page)
 

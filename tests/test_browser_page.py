@@ -37,7 +37,7 @@ def slab_over_block(page) -> float:
 
 def source(*files: str) -> str:
     """JavaScript files of the app, to be run inside a function."""
-    text = "\n".join((ROOT / "ramanujan" / file).read_text(encoding="utf-8") for file in files)
+    text = "\n".join((ROOT / "ramanujan" / "browser" / file).read_text(encoding="utf-8") for file in files)
     return text.replace("export default", "const exported =")
 
 
@@ -363,7 +363,7 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
           const holds = {{
             "slider: a range input with bounds, step and value": slider?.type === "range" && slider.min === "0.5"
               && slider.max === "5" && Number(slider.step) === 0.01 && slider.value === "1",
-            "sliderKey: the slider's nodes carry its key": hosts.sliderKey(slider, ["k", "m"]) === "m",
+            "isConnected: the page tells whether it has a server": hosts.isConnected(),
             "theme: components get the page's background colour": hosts.theme(theme) === "light",
             "graphs: Plotly marks its graphs and keeps data and layout on them": graphs.length === 2
               && graphs.every((graph) => graph.data.length && graph.layout.meta),
