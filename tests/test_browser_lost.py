@@ -52,7 +52,7 @@ def test_a_preset_wins_over_what_was_typed_before_it(profile, server, delay, lin
             expect(page.locator(BOX)).to_have_value("1.0")
             assert page.locator(".st-key-m_prime input[type=range]").input_value() == "1"
             assert "m_prime" not in address(page)
-            assert page.evaluate(TOLD.replace("oscillator", link and "beside" or "oscillator"))["m_prime"] == 1.0
+            assert page.evaluate(TOLD.replace("oscillator", "beside" if link else "oscillator"))["m_prime"] == 1.0
 
 
 @pytest.mark.parametrize("pause", [0, 150])

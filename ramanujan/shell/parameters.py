@@ -99,7 +99,8 @@ QUANTITIES = {
 KEYS = tuple(quantity.in_links for quantity in QUANTITIES.values())
 """What every page keeps in its address."""
 WATCH: dict[str, dict[str, Any]] = {
-    quantity.key: {"parameter": quantity.parameter, "scale": quantity.scale, "step": quantity.step} for quantity in QUANTITIES.values()
+    quantity.key: {"parameter": quantity.parameter, "scale": quantity.scale, "step": quantity.step}
+    for quantity in QUANTITIES.values()
 }
 """For the stage: which slider moves which parameter."""
 
