@@ -120,17 +120,18 @@ def extent(formula: str) -> int:
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
-def aligned(blocks: Iterable[Iterable[Row]], width: int) -> str:
+def aligned(blocks: Iterable[Iterable[Row]], width: int, gap: str = ".5em") -> str:
     """Return blocks of rows as one display: aligned at the equals signs or, where some say … = 0, at the left.
 
     Parameters
     ----------
     blocks : rows that belong together, with more room between one block and the next
     width : characters of a right side that fit into a line
+    gap : room between equations
     """
     made = [list(block) for block in blocks]
     to_zero = any(each.right == "0" for block in made for each in block)
-    shown = (r" \\[.5em] ".join(_marked(each, to_zero, width) for each in block) for block in made if block)
+    shown = (rf" \\[{gap}] ".join(_marked(each, to_zero, width) for each in block) for block in made if block)
     return r"\begin{aligned}" + r" \\[1.6em] ".join(shown) + r"\end{aligned}"
 
 

@@ -19,7 +19,7 @@ from ramanujan.derivation.numbers import exact_values, stated
 from ramanujan.derivation.parser import UnreadableError, parse
 from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import conserved_momenta, remarks
-from ramanujan.derivation.rows import Row, extent, row, side_terms
+from ramanujan.derivation.rows import Row, aligned, extent, row, side_terms
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
@@ -217,17 +217,11 @@ def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str |
 
 def _aligned(rows: list[Row]) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    if any(row.right == "0" for row in rows):
-        return _block((f"&{row.latex}" for row in rows), ".5em")
     broken = [row.lines(_LINE_WIDTH) for row in rows]
-    if len(rows) >= _MANY and all(len(right) == 1 and extent(right[0]) <= _HALF_WIDTH for right in broken):
+    fits = all(len(right) == 1 and extent(right[0]) <= _HALF_WIDTH for right in broken)
+    if len(rows) >= _MANY and fits and all(row.right != "0" for row in rows):
         return _block(_in_two_columns(rows), ".5em")
-    aligned = [
-        line
-        for row, (first, *others) in zip(rows, broken, strict=True)
-        for line in (f"{row.left} &= {first}", *(rf"&\quad {more}" for more in others))
-    ]
-    return _block(aligned, ".5em" if len(aligned) < _MANY else ".15em")
+    return aligned([rows], _LINE_WIDTH, ".5em" if sum(map(len, broken)) < _MANY else ".15em")
 
 
 def _in_two_columns(rows: list[Row]) -> Iterator[str]:

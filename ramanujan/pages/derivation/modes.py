@@ -35,13 +35,19 @@ def three_modes(masses: cache.Masses) -> None:
         (
             "glide",
             _("The whole machine glides"),
-            _("$\\omega=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved."),
+            _(
+                "$\\omega=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved. "
+                "$-p_X$ is the momentum of the whole machine, positive to the right."
+            ),
             spectrum.glide,
         ),
         (
             "roll",
             _("The top cylinder rolls freely"),
-            _("$\\omega=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved."),
+            _(
+                "$\\omega=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved. It is the "
+                "angular momentum of the top cylinder about its line of contact with the block."
+            ),
             spectrum.free_rolling,
         ),
     )
