@@ -57,7 +57,7 @@ def phone(server, profile):
 
 def test_only_a_horizontal_move_or_a_tap_is_meant_for_a_slider(phone):
     page = phone.open("", ".st-key-k input[type=range]")
-    page.locator(".st-key-sheet button").tap()
+    page.locator(".st-key-handle button").tap()
     page.wait_for_timeout(400)
     track = page.locator(".st-key-k .stSlider [role=group]")
     before = phone.sliders
@@ -77,7 +77,7 @@ def test_only_a_horizontal_move_or_a_tap_is_meant_for_a_slider(phone):
 
 def test_sliders_and_machine_are_seen_together_and_choosing_a_page_closes_the_sheet(phone):
     page = phone.open("", ".st-key-k input[type=range]")
-    handle = page.locator(".st-key-sheet button")
+    handle = page.locator(".st-key-handle button")
     # One who arrives reads the question first, with the machine below it.
     assert handle.get_attribute("aria-expanded") == "false"
     for words in ("When does this machine", "Take the lesson"):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import TimeoutError, expect
 
 from ramanujan import Oscillator
 from tests.browser import next_frame, settle
@@ -87,8 +88,9 @@ def test_a_machine_whose_motion_is_hidden_stands_still(visit, hide):
 SIZES = """(small) => {
   const inside = (node) => (node.shadowRoot ? all(node.shadowRoot) : []);
   const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...inside(node)]);
-  const around = ['.controls, .katex-mathml, .note, .pager, .bartext, [data-away]',
-    '.stSlider, label, button, style, .mtight, tspan[style*="font-size:70%"]'];
+  const around = ['.controls, .katex-mathml, .note, .pager, .bartext, [data-away], .st-key-lesson_head, .stSelectbox',
+    '.body, .coordinates',
+    '.stSlider, .cursor, label, button, style, .mtight, tspan[style*="font-size:70%"]'];
   const drawn = { visibilityProperty: true, opacityProperty: true };
   const seen = (node) => node.checkVisibility(drawn) && !node.closest(around);
   const size = (node) => {
@@ -101,121 +103,136 @@ SIZES = """(small) => {
     .filter((node) => words(node) && seen(node) && size(node) < small);
   return small_words.map((node) => `${size(node).toFixed(1)} px: ${node.textContent.trim().slice(0, 30)}`);
 }"""
-"""The words of the present picture that are smaller than this; an index or an exponent is smaller by nature."""
-TOO_HIGH = """() => {
+"""The words of the present sheet that are smaller than this; an index is smaller by nature, a name by its body."""
+LAID = """() => {
   const main = document.querySelector('[data-testid=stMain]');
-  return [main.scrollHeight - main.clientHeight, main.scrollWidth - main.clientWidth];
+  const sheets = [...document.querySelectorAll('[class*=st-key-sheet-]')];
+  const seen = sheets.filter((node) => !node.hasAttribute("data-away"));
+  const [sheet] = seen, { top, height } = sheet.getBoundingClientRect();
+  const drawn = [...sheet.children].map((node) => node.getBoundingClientRect()).filter((box) => box.height > 2);
+  return {
+    seen: seen.length,
+    over: Math.max(...[sheet, main].map((node) => node.scrollHeight - node.clientHeight)),
+    wide: Math.max(...[sheet, main].map((node) => node.scrollWidth - node.clientWidth)),
+    filled: (Math.max(...drawn.map((box) => box.bottom)) - top) / height,
+  };
 }"""
-PICTURES = """() => {
-  const pictures = [...document.querySelectorAll('.js-plotly-plot, [data-testid=stBidiComponentIsolated]')];
-  const drawn = pictures.filter((node) => !node.shadowRoot || node.shadowRoot.querySelector('svg.machine'));
-  return drawn.filter((node) => node.checkVisibility({ visibilityProperty: true })).length;
-}"""
-FIGURE = """() => {
+"""How the sheets are laid out: how many are seen, what is cut, how much of its height the sheet fills."""
+COVERED = """() => {
   const seen = (node) => node.checkVisibility({ visibilityProperty: true });
-  const figure = [...document.querySelectorAll('.js-plotly-plot')].find(seen);
-  if (!figure) return null;
-  const lines = [...figure.querySelectorAll('.main-svg :is(text:not(:has(.line)), .line)')];
-  const words = lines.filter((line) => seen(line) && line.textContent.trim());
-  // A line of letters is higher than its letters.
-  const boxes = words.map((text) => [text.textContent, text.getBoundingClientRect()])
-    .map(([text, { left, right, top, bottom }]) => ({ text, left, right, top: top + 4, bottom: bottom - 4 }));
-  const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
-  const cover = (a, b) => shared(a, b, "left", "right") > 1 && shared(a, b, "top", "bottom") > 1;
-  const covered = boxes.flatMap((a, i) =>
-    boxes.slice(i + 1).filter((b) => cover(a, b)).map((b) => `${a.text} / ${b.text}`));
-  return { height: figure.clientHeight / innerHeight, covered };
+  return [...document.querySelectorAll('.js-plotly-plot')].filter(seen).flatMap((figure) => {
+    const lines = [...figure.querySelectorAll('.main-svg :is(text:not(:has(.line)), .line)')];
+    const words = lines.filter((line) => seen(line) && line.textContent.trim());
+    // A line of letters is higher than its letters.
+    const boxes = words.map((text) => [text.textContent, text.getBoundingClientRect()])
+      .map(([text, { left, right, top, bottom }]) => ({ text, left, right, top: top + 4, bottom: bottom - 4 }));
+    const shared = (a, b, from, to) => Math.min(a[to], b[to]) - Math.max(a[from], b[from]);
+    const cover = (a, b) => shared(a, b, "left", "right") > 1 && shared(a, b, "top", "bottom") > 1;
+    return boxes.flatMap((a, i) =>
+      boxes.slice(i + 1).filter((b) => cover(a, b)).map((b) => `${a.text} / ${b.text}`));
+  });
 }"""
-"""The present figure: how much of the screen's height it takes, and which of its words cover each other."""
-PLACE = ".st-key-pager .place"
+"""Which words of the present figures cover each other."""
+BAR = """() => {
+  const pager = document.querySelector('.st-key-pager').getBoundingClientRect();
+  return [...document.querySelectorAll('header a, header button')].map((node) => node.getBoundingClientRect())
+    .filter((box) => box.width && box.right > pager.left && box.left < pager.right && box.bottom > pager.top).length;
+}"""
+"""How many names of pages the pager covers."""
+PLACE = ".st-key-pager select option:checked"
+HEIGHTS = "[...document.querySelectorAll('.js-plotly-plot')].map((figure) => figure.clientHeight / innerHeight)"
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
+SHEETS = {
+    "?m=3.7&m_prime=0.41&k=33.3&radius=20": 7,
+    "derivation?route=newton&step=4": 5,
+    "motion?spin=3&mu=0.01": 6,
+    "1729?left=sphere&top=shell": 8,
+    "speed?periods=1": 9,
+    "lesson": 1,
+}
+"""Page → how many sheets it has."""
 
 
-@pytest.mark.parametrize(
-    "path", ["?radius=5", "?radius=20", "derivation", "motion", "1729", "speed?periods=1", "lesson", "worksheet"]
-)
-def test_a_projector_shows_large_words_one_picture_at_a_time_and_no_scroll(visit, path):
-    page = visit(f"{path}{'&' if '?' in path else '?'}view=projector")
-    page.wait_for_selector(f"{PLACE}:not(:empty)")
-    # Before the figures are there, other pieces make other sheets.
+def projected(visit, path: str, **more):
+    page = visit(f"{path}{'&' if '?' in path else '?'}view=projector", **more)
+    page.wait_for_selector(PLACE, state="attached")
     page.wait_for_function(DRAWN)
     next_frame(page)
-    next_frame(page)
-    assert page.locator("[data-testid=stExpandSidebarButton]").is_visible()
-    now, count = map(int, page.locator(PLACE).inner_text().split("/"))
-    # What is asked in the lesson stands beside the machine, on one sheet; other pages take several.
-    assert (now, count > 1) == (1, path != "lesson")
-    for sheet in range(1, count + 1):
-        assert page.evaluate(SIZES, 23.9) == [], sheet
-        assert max(page.evaluate(TOO_HIGH)) <= 2, sheet
-        shown = page.evaluate(PICTURES)
-        assert shown <= 1, sheet
-        if figure := page.evaluate(FIGURE):
-            assert figure["covered"] == [], sheet
-            assert figure["height"] > 0.6, sheet
-        if sheet < count:
+    return page
+
+
+@pytest.mark.parametrize("path", SHEETS)
+def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrolling(visit, path):
+    page = projected(visit, path)
+    titles = page.locator(".st-key-pager select option").all_inner_texts()
+    assert len(titles) == SHEETS[path] == len(set(titles))
+    wrong = []
+    for sheet, title in enumerate(titles, start=1):
+        expect(page.locator(PLACE)).to_have_text(title)
+        with contextlib.suppress(TimeoutError):  # a figure that has come into view may be drawn once more
+            page.wait_for_function(f"({COVERED})().length === 0", timeout=3000)
+        laid = page.evaluate(LAID)
+        held = laid["seen"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
+        wrong += [(title, each) for each in page.evaluate(SIZES, 23.9) + page.evaluate(COVERED)]
+        wrong += [] if held else [(title, laid)]
+        if sheet < len(titles):
             page.locator(".st-key-pager .next").click()
             next_frame(page)
-    page.set_viewport_size({"width": 1920, "height": 1080})
-    next_frame(page)
-    assert page.evaluate(SIZES, 23.9) == []
+    assert wrong == []
+    for width, height in ((1400, 788), (1920, 1080)):
+        page.set_viewport_size({"width": width, "height": height})
+        next_frame(page)
+        assert page.evaluate(BAR) == 0
+        assert page.evaluate(SIZES, 23.9) == []
 
 
-def test_a_figure_grows_with_the_projector(visit):
-    page = visit("?view=projector", width=1920, height=1080)
-    page.wait_for_selector(f"{PLACE}:not(:empty)")
-    page.wait_for_function(DRAWN)
+def test_the_sheet_is_in_the_address_and_figures_grow_with_the_screen(visit):
+    page = projected(visit, "", width=1920, height=1080)
     page.keyboard.press("PageDown")
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 /"))
-    page.wait_for_function(f"({FIGURE})()?.height > 0.6")
+    page.wait_for_url("**sheet=curve*")
+    page.wait_for_function(f"Math.max(...{HEIGHTS}) > 0.6")
+    page = projected(visit, "?sheet=step_5")
+    expect(page.locator(PLACE)).to_have_text(re.compile("5. Read off"))
+    page.get_by_role("link", name="Motion").first.click()
+    expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 6"))
+    page.wait_for_url(lambda url: "sheet=" not in url)
     # Negative control: elsewhere a figure has a height of its own.
-    page = visit("", width=1920, height=1080)
-    page.wait_for_function(f"({FIGURE})()?.height < 0.4")
+    visit("", width=1920, height=1080).wait_for_function(f"Math.max(...{HEIGHTS}) < 0.4")
 
 
-def test_on_a_projector_the_machine_stands_beside_what_is_asked_of_it_again(visit):
-    page = visit("lesson?view=projector&chosen=two-clocks.ahead")
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"/\s*2$"))
-    page.get_by_role("button", name="Predict again").click()
-    settle(page)
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"/\s*1$"))
+def test_a_clicker_turns_the_sheets_of_a_stop_and_then_the_stop(visit):
+    page = projected(visit, "lesson?chosen=two-clocks.ahead")
+    stop = page.locator(".st-key-turn [data-testid=stBidiComponentIsolated] output")
+
+    def at(place: str, now: int) -> None:
+        expect(stop).to_have_text(re.compile(f"^{now}/"))
+        settle(page)
+        expect(page.locator(PLACE)).to_have_text(re.compile(f"^{place}"))
+
+    at("1 / 2", 1)
+    page.keyboard.press("PageDown")
+    at("2 / 2", 1)
+    page.keyboard.press("PageDown")
+    at("1 / ", 2)
+    page.keyboard.press("PageUp")
+    at("1 / 2", 1)
+    # What is asked stands beside the machine.
+    page = projected(visit, "lesson")
     assert page.locator("[data-away]").count() == 0
     words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-options button", "svg.machine"))
     assert words["x"] + words["width"] <= machine["x"]
     assert abs(words["y"] - machine["y"]) < machine["height"]
 
 
-def test_a_clicker_turns_the_sheets_of_a_stop_and_then_the_stop(visit):
-    page = visit("lesson?view=projector&chosen=two-clocks.ahead")
-    stop = page.locator(".st-key-turn [data-testid=stBidiComponentIsolated] output")
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"^1 / 2$"))
-    page.keyboard.press("PageDown")
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 / 2$"))
-    expect(stop).to_have_text(re.compile("^1/"))
-    page.keyboard.press("PageDown")
-    expect(stop).to_have_text(re.compile("^2/"))
-    settle(page)
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"^1 / "))
-    page.keyboard.press("PageUp")
-    expect(stop).to_have_text(re.compile("^1/"))
-    settle(page)
-    expect(page.locator(PLACE)).to_have_text(re.compile(r"^1 / 2$"))
-
-
-def test_without_a_projector_the_words_are_smaller_and_the_page_is_one(visit):
-    """Negative control."""
-    page = visit("motion")
-    assert page.evaluate(SIZES, 23.9)
-    assert page.evaluate(TOO_HIGH)[0] > 300
-    assert page.locator(PLACE).count() == 0
-
-
 def test_the_switch_puts_the_view_into_the_address_and_takes_it_out(visit):
     page = visit("motion")
+    # Negative control: without a projector the words are smaller, and the page is one.
+    assert page.evaluate(SIZES, 23.9)
+    assert page.locator(PLACE).count() == 0
     page.locator(".st-key-projector label").click()
     page.wait_for_url("**view=projector*")
-    page.wait_for_selector(f"{PLACE}:not(:empty)")
+    page.wait_for_selector(PLACE, state="attached")
     settle(page)
     page.keyboard.press("PageDown")
     expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 /"))

@@ -11,6 +11,7 @@ server. Streamlit's other bindings write labels, and break off the run where a v
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -151,7 +152,30 @@ class Several:
         ).format(name=self.name, options=", ".join(self.options))
 
 
-Key = Measure | Count | Choice | Several
+@dataclass(frozen=True)
+class Name:
+    """The name of something that only the drawn page knows; one that does not exist means the default."""
+
+    bound: ClassVar[bool] = False
+    name: str
+    default: str = ""
+
+    def read(self, text: str) -> str:
+        """Return the name; ValueError if it cannot be one."""
+        if not re.fullmatch(r"[a-z0-9_]{1,40}", text):
+            raise ValueError(self.name)
+        return text
+
+    def write(self, value: str) -> str:
+        """Return the name as the address has it."""
+        return value
+
+    def complaint(self) -> str:
+        """Return the sentence for a text that does not fit."""
+        return _("The value of {name} in the address was ignored: it must be a short name.").format(name=self.name)
+
+
+Key = Measure | Count | Choice | Several | Name
 
 
 def opened(page: str, keys: Sequence[Key]) -> list[str]:

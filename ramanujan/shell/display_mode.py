@@ -1,14 +1,17 @@
-"""How the app is shown: on a projector, and without the parts that a lecturer's link hides.
+"""How the app is shown: on a projector, one sheet at a time, and without the parts that a lecturer's link hides.
 
-Both stand in the address of every page, as `view=projector` and `hide=numbers,curve,clocks`, so that it can be passed
-on.
+All of it stands in the address of every page, as `view=projector`, `sheet=curve` and `hide=numbers,curve,clocks`, so
+that it can be passed on. A page declares its sheets where it draws them: `with sheet("curve", _("The curve")):`.
 """
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager, nullcontext
+from html import escape
+
 import streamlit as st
 
-from ramanujan.browser import stage
+from ramanujan.browser import page, stage
 from ramanujan.shell import address
 from ramanujan.translation import _
 
@@ -20,7 +23,8 @@ PARTS = {
 """Part that a link can hide → what it is."""
 VIEW = address.Choice("view", ("projector",))
 HIDE = address.Several("hide", tuple(PARTS))
-KEYS = (VIEW, HIDE)
+SHEET = address.Name("sheet")
+KEYS = (VIEW, HIDE, SHEET)
 """What every page keeps in its address beside the machine."""
 
 _SWITCH = "projector"
@@ -29,6 +33,39 @@ _SWITCH = "projector"
 def is_projector() -> bool:
     """Tell whether the app is shown on a projector: large words, one picture at a time, the sidebar folded."""
     return address.held(VIEW) == "projector"
+
+
+def sheet(name: str, title: str) -> AbstractContextManager:
+    """Return one sheet of the projector, for all that is drawn in a with-block; on another screen this changes nothing.
+
+    What a page draws outside of its sheets is seen beside each of them.
+
+    Parameters
+    ----------
+    name : of the sheet, as the address has it
+    title : in the list of sheets
+    """
+    if not is_projector():
+        return nullcontext()
+    drawn = st.container(key=f"sheet-{name}")
+    drawn.html(f'<i data-sheet="{escape(name)}" data-title="{escape(title)}"></i>')
+    return drawn
+
+
+def folded(name: str, title: str) -> AbstractContextManager:
+    """Return a sheet of the projector as `sheet` does; on another screen it is folded behind its title."""
+    return sheet(name, title) if is_projector() else st.expander(title)
+
+
+@st.fragment
+def pager() -> None:
+    """Draw what turns the sheets; a turn reruns nothing else."""
+    address.keep(SHEET)
+    page.pager(_turned)
+
+
+def _turned(name: str) -> None:
+    st.session_state[SHEET.name] = name
 
 
 def hides(*parts: str) -> bool:

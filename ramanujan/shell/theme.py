@@ -70,4 +70,4 @@ def dress(boxes: Mapping[str, Mapping[str, Any]]) -> None:
     st.html(f"<style>{own}{rules}{printed}</style>")
     page.bring(shown, boxes)
     if display_mode.is_projector():
-        page.pager()
+        display_mode.pager()

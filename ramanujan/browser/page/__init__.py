@@ -100,7 +100,7 @@ def give_back(*keys: str) -> None:
 
 def sheet() -> Any:
     """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
-    return _component("sheet")(key="sheet")
+    return _component("sheet")(key="handle")
 
 
 def link(private: Sequence[str] = ()) -> Any:
@@ -189,10 +189,20 @@ def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) ->
     return _component("turn")(key="turn", data=data, on_to_change=turned)
 
 
-def pager() -> Any:
-    """Show one picture of the page at a time, as a projector needs it, and put on the page what turns to the next."""
-    words = {"label": _("Pictures of this page"), "back": _("Back"), "next": _("Next"), "place": "{now} / {count}"}
-    return _component("pager")(key="pager", data=words)
+def pager(on_turned: Callable[[str], None]) -> Any:
+    """Show one sheet of the page at a time, as a projector needs it, and put on the page what turns to the next.
+
+    A sheet is a container whose key begins with "sheet-"; its first node with `data-sheet` and `data-title` names it.
+
+    Parameters
+    ----------
+    on_turned : called with the name of the sheet some time after the last turn, with "" for the first one
+    """
+
+    def turned() -> None:
+        on_turned(st.session_state["pager"].at)
+
+    return _component("pager")(key="pager", data={"place": "{now} / {count}  {title}"}, on_at_change=turned)
 
 
 def stopwatch(key: str) -> float | None:

@@ -39,6 +39,7 @@ _LOOKS = {"turn": "steps"}
 
 _TEXTS = {
     "cursor": {"cursor": _("Time cursor")},
+    "pager": {"sheets": _("Sheets of this page"), "back": _("Back"), "next": _("Next")},
     "link": {"copy": _("Copy link"), "link": _("Link")},
     "sheet": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},

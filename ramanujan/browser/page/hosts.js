@@ -126,7 +126,7 @@ const hosts = {
   /** Whether a good part of a node is on the screen. */
   inView(node) {
     const box = node?.getBoundingClientRect();
-    if (!box?.height) return false;
+    if (!box?.height || !node.checkVisibility({ visibilityProperty: true })) return false;
     const seen = Math.min(box.bottom, innerHeight) - Math.max(box.top, 0);
     return seen > 0.3 * Math.min(box.height, innerHeight);
   },
@@ -134,34 +134,15 @@ const hosts = {
   /** Where the sidebar is a sheet; page.css says the same. */
   NARROW: "(max-width: 768px)",
 
-  /** What stays together on one sheet of a projector: the lesson's words beside its machine, machines to compare, a row of controls. */
-  TOGETHER: ".stHorizontalBlock:has(.st-key-observed_one):not(:has(.st-key-class_result)), .st-key-class_result, .st-key-observed_several, .stHorizontalBlock:not(:has(> .stColumn))",
-
-  /** The pieces of a page in their order: elements, and the paragraphs and formulas of a text. */
-  pieces() {
-    const body = document.querySelector(".stMainBlockContainer"), whole = `.stElementContainer, [data-testid=stExpander], ${hosts.TOGETHER}`;
-    const elements = [...(body?.querySelectorAll(`${whole}, [role=tablist], .stPopover`) ?? [])];
-    const outer = elements.filter((node) => !node.parentElement.closest(whole));
-    return outer.flatMap((node) => {
-      const text = node.querySelector("[data-testid=stMarkdownContainer]");
-      return node.matches(".stElementContainer:has(> .stMarkdown)") && text ? [...text.children] : [node];
-    }).filter((node) => !node.matches(".st-key-pager"));
-  },
-
-  isHeading: (node) => node.matches("h1, h2, h3, h4, h5, h6, div:has(> :is(h3, h4, h5):only-child), [role=tablist], [class*=st-key-question_] > :first-child p:first-child") || Boolean(node.querySelector(":scope > .stHeading")),
-
-  isPicture: (node) => Boolean(node.querySelector(".js-plotly-plot, [data-testid=stPlotlyChart]")) || node.matches(".stElementContainer:has([data-testid=stBidiComponentIsolated]):is(.st-key-stage, [class*=stage_])"),
-
-  isLink: (node) => Boolean(node.querySelector(":scope > .stPageLink")),
+  /** The sheets of a projector that the page declares, in their order. */
+  sheets: () =>
+    [...document.querySelectorAll("[class*='st-key-sheet-']")].flatMap((node) => {
+      const mark = node.querySelector("[data-sheet]");
+      return mark ? [{ node, name: mark.dataset.sheet, title: mark.dataset.title }] : [];
+    }),
 
   /** How wide the content of a page is at most. */
   contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
-
-  /** How high a picture can be on the screen. */
-  roomForPictures() {
-    const body = document.querySelector(".stMainBlockContainer");
-    return innerHeight - (body ? parseFloat(getComputedStyle(body).paddingTop) : 0) - 16; // the last piece has a margin below
-  },
 
   /** What scrolls. */
   main: () => document.querySelector("[data-testid=stMain]"),

@@ -8,6 +8,7 @@ from ramanujan.browser import stage
 from ramanujan.motion import InitialState
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import sidebar, stages
+from ramanujan.shell.display_mode import is_projector
 from ramanujan.translation import _
 
 
@@ -56,7 +57,8 @@ def three_modes(masses: cache.Masses) -> None:
             stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title)
             st.markdown(words)
             st.latex(shape)
-    st.latex(spectrum.momenta)
+    if not is_projector():
+        st.latex(spectrum.momenta)
     tell_modes()
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan import Oscillator
 from ramanujan.browser import page, stage
@@ -15,6 +16,7 @@ from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
 from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
 LONGEST_ROUTE = 99
@@ -62,23 +64,42 @@ class Setting:
 def show() -> None:
     """Draw the page."""
     dress()
-    st.title(_("Five ways to one frequency"), anchor=False)
-    setting = choose()
-    choose_body_beside_machine(setting)
-    part = address.held(BODY)
-    the_steps(setting, part)
-    explain(setting)
-    take_home(setting)
-    compare()
-    three_modes(setting.masses)
-    margin()
-    try_it()
+    setting = the_route()
+    with sheet("results", _("The results")):
+        compare()
+    with sheet("modes", _("The modes")):
+        three_modes(setting.masses)
+    if not display_mode.is_projector():
+        margin()
+    with sheet("try", _("Try it yourself")):
+        try_it()
     page.give_back("route", "show", "values", "body")
     if not setting.in_numbers:
         sidebar.follow("beside", "results", "modes")
 
 
 # ---- what is shown, and how
+
+
+def the_route() -> Setting:
+    """Draw the choices and the steps; on a projector a lecture is one sheet, and who reads has one for each step."""
+    with sheet("machine", _("The machine")):
+        st.title(_("Five ways to one frequency"), anchor=False)
+        setting = choose()
+        turner = choose_body_beside_machine(setting)
+    part = address.held(BODY)
+    if setting.is_lecture:
+        lecture = sheet("lecture", _("The steps"))
+        with lecture if display_mode.is_projector() else turner:
+            turn_pages(setting.route, [step.heading for step in cache.route(setting.route).steps])
+        with lecture:
+            the_steps(setting, part)
+    else:
+        the_steps(setting, part)
+    if not display_mode.is_projector():
+        explain(setting)
+        take_home(setting)
+    return setting
 
 
 def choose() -> Setting:
@@ -94,21 +115,20 @@ def choose() -> Setting:
     return Setting(sidebar.oscillator(), route, how == "lecture", values == "numbers")
 
 
-def choose_body_beside_machine(setting: Setting) -> None:
-    """Draw the choice of a body, what turns the steps, and beside them the machine in motion."""
+def choose_body_beside_machine(setting: Setting) -> DeltaGenerator:
+    """Draw the choice of a body, and beside it the machine in motion; return the place below the choice."""
     # One who reads keeps the machine and the choice of a body in view; in a lecture they take no room from the step.
     with st.container(key="lectured" if setting.is_lecture else "reading"):
-        choice, picture = st.columns([3, 1], vertical_alignment="center")
-    with choice:
-        with st.container(horizontal=True, vertical_alignment="center", key="bodies"):
-            st.markdown(_("Highlight the terms of"), width="content")
-            label = _("Whose terms to highlight")
-            widgets.pills(BODY, label, PARTS, label_visibility="collapsed", wrap=True)
-        if setting.is_lecture:
-            turn_pages(setting.route, [step.heading for step in cache.route(setting.route).steps])
+        shares = [1, 2] if display_mode.is_projector() else [3, 1]
+        choice, picture = st.columns(shares, vertical_alignment="center")
+    with choice, st.container(horizontal=True, vertical_alignment="center", key="bodies"):
+        st.markdown(_("Highlight the terms of"), width="content")
+        label = _("Whose terms to highlight")
+        widgets.pills(BODY, label, PARTS, label_visibility="collapsed", wrap=True)
     with picture:
         stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
         tell_beside()
+    return choice
 
 
 @st.fragment(key="beside")
@@ -150,7 +170,8 @@ def the_steps(setting: Setting, part: str | None) -> None:
     address.keep(STEP)
     if not setting.is_lecture:
         for number in range(1, setting.steps + 1):
-            draw(setting, number, part)
+            with sheet(f"step_{number}", f"{number}. {cache.route(setting.route).steps[number - 1].heading}"):
+                draw(setting, number, part)
         return
     # Until the page decides which step is seen, it is the one of the address.
     now = address.held(STEP)

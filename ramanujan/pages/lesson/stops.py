@@ -10,6 +10,7 @@ import string
 from functools import partial
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan import Oscillator
 from ramanujan.browser import page, stage
@@ -17,7 +18,8 @@ from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.pages.lesson import cache, classroom, progress
-from ramanujan.shell import class_session, messages, sidebar, stages
+from ramanujan.shell import class_session, display_mode, messages, sidebar, stages
+from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import QUANTITIES
 from ramanujan.translation import _
@@ -65,32 +67,53 @@ def is_answered(stop: Stop) -> bool:
 def draw(stop: Stop, number: int) -> None:
     """Draw a stop, the one of that number."""
     chosen, phase = progress.prediction(stop)
-    st.title(f"{number}. {stop.heading}", anchor=False)
-    st.markdown(stop.question)
-    words, picture = st.columns([3, 2] if stop.size == "small" else [1, 1], gap="medium")
-    with words:
-        solved = classroom.panel(stop)
-        if solved is not None:
-            # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
-            phase = progress.ANSWERED if solved else progress.ASKED
-        elif chosen is None:
-            ask(stop)
-        else:
-            judge(stop, chosen, phase)
-        if phase == progress.ANSWERED:
+    seen = class_session.has_seen(stop)
+    if seen is not None:
+        # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
+        phase = progress.ANSWERED if seen else progress.ASKED
+    running = runs(phase)
+    # On a projector the picture has a sheet of its own with the reason, once it runs.
+    apart = display_mode.is_projector() and (running or seen is not None)
+    with sheet("question", stop.heading):
+        st.title(f"{number}. {stop.heading}", anchor=False)
+        st.markdown(stop.question)
+        words, picture = (st.container(), None) if apart else _places(stop, running)
+        with words:
+            if seen is not None:
+                classroom.panel(stop)
+            elif chosen is None:
+                ask(stop)
+            else:
+                judge(stop, chosen, phase)
+    reason = words
+    if apart:
+        with sheet("machine", _("The machine")):
+            reason, picture = _places(stop, running)
+    if phase == progress.ANSWERED:
+        with reason:
             why(stop)
-    arrive(stop, runs(phase))
+    arrive(stop, running)
     if stop.exhibit:
         picture.markdown(stop.exhibit)
         return
-    with words, st.container(key="lesson_caption"):
-        st.markdown(f":small[{_caption(stop, runs(phase))}]")
-    with picture, st.container(key=f"observed_{_arrangement(stop, runs(phase))}"):
-        observe(stop, runs(phase))
+    if not display_mode.is_projector():
+        with reason, st.container(key="lesson_caption"):
+            st.markdown(f":small[{_caption(stop, running)}]")
+    with picture, st.container(key=f"observed_{_arrangement(stop, running)}"):
+        observe(stop, running)
+
+
+def _places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator]:
+    """Return where the words and the picture stand; machines to compare need the width of a projector."""
+    arrangement, projector = _arrangement(stop, running), display_mode.is_projector()
+    if projector and arrangement == "several":
+        return st.container(), st.container()
+    shares = [2, 3] if projector and arrangement == "dials" else [3, 2] if stop.size == "small" else [1, 1]
+    return tuple(st.columns(shares, gap="medium"))
 
 
 def _arrangement(stop: Stop, running: bool) -> str:
-    """Return by what the style sheets know how much room the picture takes on a projector."""
+    """Return by what the style sheets know how much room the picture takes."""
     if len(stop.runs) > 1:
         return "several"
     return "dials" if stop.dials and running else "one"
@@ -148,6 +171,8 @@ def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
     st.markdown(cache.solution(stop.id).explanation)
+    if display_mode.is_projector():
+        return
     st.page_link(
         PAGES[stop.page].file, label=stop.link_label, icon=":material/open_in_full:", query_params=dict(stop.link)
     )
@@ -161,7 +186,7 @@ def hints(name: str, sentences: tuple[str, ...]) -> None:
         st.markdown(f":material/lightbulb: {plain(sentence)}")
     if left := len(sentences) - shown:
         label = _("Hint ({n} left)").format(n=left)
-        st.button(label, key=f"hint_{name}", on_click=partial(_show_hint, key, shown + 1), type="tertiary")
+        st.button(label, key=f"hint_{name}", on_click=partial(_show_hint, key, shown + 1))
 
 
 def observe(stop: Stop, running: bool) -> None:

@@ -12,6 +12,7 @@ from ramanujan.motion import pushed
 from ramanujan.number_theory import BODIES
 from ramanujan.pages.lesson import stops
 from ramanujan.shell import address, sidebar, stages, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.parameters import WATCH, Quantity, read_number
 from ramanujan.translation import _
 
@@ -42,20 +43,21 @@ _WIDTH = 160
 
 def draw(task: Task) -> None:
     """Draw a task."""
-    st.title(task.heading, anchor=False)
-    st.markdown(task.text)
-    words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
-    with words:
-        typed = {field: FIELDS[field]() for field in task.fields}
-        setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
-        if not task.fields:
-            st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
-        with st.container(key="task_verdict"):
-            verdict(task, setting)
-        stops.hints(f"task_{task.id}", task.hints)
-    if picture:
-        with picture:
-            machine(task, setting)
+    with sheet("task", task.heading):
+        st.title(task.heading, anchor=False)
+        st.markdown(task.text)
+        words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
+        with words:
+            typed = {field: FIELDS[field]() for field in task.fields}
+            setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
+            if not task.fields:
+                st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
+            with st.container(key="task_verdict"):
+                verdict(task, setting)
+            stops.hints(f"task_{task.id}", task.hints)
+        if picture:
+            with picture:
+                machine(task, setting)
 
 
 def verdict(task: Task, setting: Setting) -> None:

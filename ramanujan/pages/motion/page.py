@@ -8,17 +8,11 @@ import streamlit as st
 from ramanujan.browser import page, stage
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.numerals import quantity
-from ramanujan.pages.motion import cache
-from ramanujan.pages.motion.plots import (
-    Friction,
-    centimetres,
-    show_displacements,
-    show_energy,
-    show_forces,
-    show_momentum,
-)
+from ramanujan.pages.motion import cache, plots
+from ramanujan.pages.motion.plots import Friction, centimetres
 from ramanujan.record import Record, table
-from ramanujan.shell import address, sidebar, stages, theme, widgets
+from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.parameters import Quantity
 from ramanujan.translation import _
 
@@ -37,19 +31,27 @@ VIEW_WORDS = {
 
 def show() -> None:
     """Draw the page."""
-    st.title(_("Motion"), anchor=False)
-    scene = st.container(key="without_dials")
-    glide, spin, mu = the_sliders()
     machine, compression = sidebar.oscillator(), sidebar.compression()
-    setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
-    motion = cache.record(*setting)
-    largest = largest_compression(machine, mu, spacing=motion.spacing)
-    friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
-    with scene:
-        the_machine(motion, friction)
-    with st.container(key="verdict"):
-        verdict(friction, compression)
-    freeze(motion)
+    with sheet("machine", _("The machine")):
+        st.title(_("Motion"), anchor=False)
+        st.markdown(
+            _(
+                "What moves how far, where does the energy go, and which contact slips first? Give the machine an "
+                "initial velocity, or change the friction."
+            )
+        )
+        scene = st.container(key="without_dials")
+        glide, spin, mu = the_sliders()
+        setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
+        motion = cache.record(*setting)
+        largest = largest_compression(machine, mu, spacing=motion.spacing)
+        friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
+        with scene:
+            the_machine(motion, friction)
+        with st.container(key="verdict"):
+            verdict(friction, compression)
+        if not display_mode.is_projector():
+            freeze(motion)
     cursor_and_download(motion, mu)
     the_figures(motion, friction, setting)
 
@@ -126,6 +128,9 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 def cursor_and_download(motion: Record, mu: float) -> None:
     """Draw the time cursor over all figures, and the download of their numbers."""
+    if display_mode.is_projector():
+        page.cursor("motion")
+        return
     marker, download = st.columns([5, 1], vertical_alignment="center")
     with marker:
         page.cursor("motion")
@@ -142,17 +147,33 @@ def cursor_and_download(motion: Record, mu: float) -> None:
 
 
 def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) -> None:
-    """Draw the figures of the view that is open."""
+    """Draw the figures of the view that is open, or on a projector a sheet for each."""
     shows = {
-        "displacements": show_displacements,
-        "energy": show_energy,
-        "momentum": show_momentum,
-        "forces": lambda motion, drawn: show_forces(motion, drawn, friction),
+        "displacements": plots.show_displacements,
+        "energy": plots.show_energy,
+        "momentum": plots.show_momentum,
+        "forces": plots.forces_over_time,
     }
+
+    def drawn(view: str) -> tuple:
+        return cache.figures(view, theme.current(), *setting)
+
+    if display_mode.is_projector():
+        for view, title in VIEW_WORDS.items():
+            with sheet(view, title):
+                shows[view](motion, drawn(view))
+                if view == "forces":
+                    plots.about_forces(motion)
+        with sheet("friction", _("Friction needed")):
+            plots.friction_needed(motion, friction)
+        return
     for view, tab in widgets.tabs(FIGURE, VIEW_WORDS).items():
         if tab.open:
             with tab:
-                shows[view](motion, cache.figures(view, theme.current(), *setting))
+                if view == "forces":
+                    plots.show_forces(motion, drawn(view), friction)
+                else:
+                    shows[view](motion, drawn(view))
 
 
 if __name__ == "__main__":

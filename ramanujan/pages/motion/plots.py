@@ -125,21 +125,29 @@ def show_momentum(motion: Record, drawn: tuple) -> None:
 
 def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
     """Draw contact forces over time beside the friction that each contact needs."""
-    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
-    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
     time, bars = st.columns([3, 2])
     with time:
-        chart(
-            drawn[0],
-            "contact_forces",
-            _(
-                "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts "
-                "between the rollers. Greatest friction: {forces}."
-            ).format(forces=listed(cache.CONTACTS, strongest, "N")),
-        )
+        forces_over_time(motion, drawn)
     with bars:
-        draw_friction_needed(needed, friction.coefficient)
-        st.metric(_("Largest compression without slip"), centimetres(friction.largest))
+        friction_needed(motion, friction)
+    about_forces(motion)
+
+
+def forces_over_time(motion: Record, drawn: tuple) -> None:
+    """Draw contact forces over time."""
+    strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
+    chart(
+        drawn[0],
+        "contact_forces",
+        _(
+            "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts "
+            "between the rollers. Greatest friction: {forces}."
+        ).format(forces=listed(cache.CONTACTS, strongest, "N")),
+    )
+
+
+def about_forces(motion: Record) -> None:
+    """Say what the forces mean, and the bars of the friction that is needed."""
     note(
         _(
             "Forces on the rollers, positive to the right. A contact does not slip while its friction stays "
@@ -150,8 +158,10 @@ def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
     )
 
 
-def draw_friction_needed(needed: dict[str, float], mu: float) -> None:
-    """Draw the friction that each contact needs as bars beside the present μ."""
+def friction_needed(motion: Record, friction: Friction) -> None:
+    """Draw the friction that each contact needs as bars beside the present μ, and the largest compression."""
+    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
+    mu = friction.coefficient
     colors = theme.colors()
     chart(
         friction_bars(
@@ -165,6 +175,7 @@ def draw_friction_needed(needed: dict[str, float], mu: float) -> None:
             "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
         ).format(mu=f"{mu:.2f}", needed=listed(cache.CONTACTS, needed, "")),
     )
+    st.metric(_("Largest compression without slip"), centimetres(friction.largest))
 
 
 def chart(figure: object, name: str, alt: str) -> None:

@@ -10,6 +10,7 @@ from ramanujan import Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.pages.oscillator import cache
 from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages, theme
+from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
 KEYS = ()
@@ -17,16 +18,16 @@ KEYS = ()
 
 def show() -> None:
     """Draw the page."""
-    opening()
-    stages.mount(None, name="oscillator")
+    with sheet("machine", _("The machine")):
+        opening()
+        stages.mount(None, name="oscillator")
     if not display_mode.hides("curve"):
-        the_curve()
+        with sheet("curve", _("The curve")):
+            the_curve()
     steps = not display_mode.hides("steps")
-    if steps:
-        st.header(_("The derivation in six steps"), anchor=False)
     with st.container(key="steps"):
         what_follows(steps)
-    if steps:
+    if steps and not display_mode.is_projector():
         st.page_link(
             navigation.PAGES["derivation"].file,
             label=_("The whole derivation, in five ways"),
@@ -45,17 +46,23 @@ def what_follows(steps: bool) -> None:
 
 
 def opening() -> None:
-    """Say what this is, what it asks and what to do first; beside it, the way into the lesson."""
-    words, lesson = st.container(key="opening").columns([4, 1], vertical_alignment="bottom")
-    with words:
+    """Say what this is, what it asks and what to do first; on a reader's screen also where to learn more."""
+    with st.container(gap="xsmall"):
         st.title(_("Ramanujan’s oscillator"), anchor=False)
         first = _("Drag the slab and let go.")
         if not display_mode.hides("clocks"):
             first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
         question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
         st.markdown(f"**{question}** {first}")
-    with lesson:
-        st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), icon=":material/school:")
+    if not display_mode.is_projector():
+        with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
+            st.markdown(_("New to this? Predict, watch and explain, step by step:"), width="content")
+            st.page_link(
+                navigation.PAGES["lesson"].file,
+                label=_("Take the lesson"),
+                icon=":material/school:",
+                width="content",
+            )
 
 
 def the_curve() -> None:
@@ -95,15 +102,22 @@ def take_clicked(point: dict[str, float]) -> None:
 def six_steps(machine: Oscillator) -> None:
     """Draw the derivation in short, in symbols and with the present numbers."""
     numbers = None if display_mode.hides("numbers") else (machine.m, machine.m_prime, machine.k)
-    steps = "\n\n".join(
+    summary = cache.summary(numbers)
+    texts = [
         f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
-        for number, step in enumerate(cache.summary(numbers), start=1)
-    )
-    # One text: each element of a page costs the server a message.
-    if numbers:
+        for number, step in enumerate(summary, start=1)
+    ]
+    projected = display_mode.is_projector()
+    if not projected:
         said = _("Each step appears in symbols, then with your numbers.")
-        steps = f":small[{said} {cache.numbers_stated(*numbers)}]\n\n{steps}"
-    st.markdown(steps)
+        stated = f":small[{said} {cache.numbers_stated(*numbers)}]\n\n" if numbers else ""
+        heading = _("The derivation in six steps")
+        texts[0] = f"## {heading}\n\n{stated}{texts[0]}"
+    # One text: each element of a page costs the server a message.
+    starts = (0, 2, 3, 4, 5) if projected else (0,)
+    for first, end in zip(starts, (*starts[1:], len(texts)), strict=True):
+        with sheet(f"step_{first + 1}", f"{first + 1}. {summary[first].heading}"):
+            st.markdown("\n\n".join(texts[first:end]))
 
 
 if __name__ == "__main__":

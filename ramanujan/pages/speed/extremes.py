@@ -22,8 +22,8 @@ SWEEP_WORDS = {
 }
 
 
-def forms_at_extremes() -> None:
-    """Draw the forms of Ω² over the range of floating point."""
+def forms_at_extremes() -> str:
+    """Draw the forms of Ω² over the range of floating point; return where each of them fails."""
     st.header(
         _("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)),
         anchor=False,
@@ -47,6 +47,11 @@ def forms_at_extremes() -> None:
             count=len(FORMS), findings=sentence.replace("**", "").replace("- ", "")
         ),
     )
+    return sentence
+
+
+def where_forms_fail(sentence: str) -> None:
+    """Say where each form fails, and which formulas they are."""
     st.markdown(sentence)
     st.caption(
         _(
@@ -84,6 +89,11 @@ def general_solver() -> None:
         )
     )
     st.markdown(verdicts.zero_modes(sweeps))
+
+
+def solvers() -> None:
+    """Draw the table of the general solvers."""
+    _forms, sweeps = cache.sweeps()
     verdicts.show_table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 

@@ -11,10 +11,11 @@ from ramanujan.browser import stage
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number, quantity
-from ramanujan.pages.speed import cache, downsampling, verdicts
+from ramanujan.pages.speed import cache, downsampling, extremes, verdicts
 from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
-from ramanujan.pages.speed.extremes import SWEEP, forms_at_extremes, general_solver, many_periods, what_the_app_uses
-from ramanujan.shell import address, drawings, sidebar, stages, theme, widgets
+from ramanujan.pages.speed.extremes import SWEEP
+from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
 METHOD = address.Choice("method", tuple(METHODS), "velocity_verlet")
@@ -28,6 +29,32 @@ PRECISION_WORDS = {"float64": _("float64"), "float32": _("float32")}
 
 def show() -> None:
     """Draw the page, then take its experiments."""
+    with sheet("motion", _("Exact and computed")):
+        the_question()
+        method, steps, periods, precision = choose()
+        run = two_stages(method, steps, periods, precision)
+    with sheet("errors", _("How the errors grow")):
+        growing_errors(run)
+    with sheet("costs", _("What accuracy costs")):
+        costs_on_this_server = costs(periods)
+    with sheet("forms", _("Extreme values")):
+        failures = extremes.forms_at_extremes()
+    with sheet("failures", _("Where each form fails")):
+        extremes.where_forms_fail(failures)
+    with sheet("periods", _("Very many periods")):
+        extremes.many_periods(sidebar.oscillator())
+    with sheet("solver", _("A general eigen-solver")):
+        extremes.general_solver()
+    with sheet("solvers", _("The solvers compared")):
+        extremes.solvers()
+    with sheet("choices", _("What this app uses")):
+        extremes.what_the_app_uses()
+    # What may take long comes when all else is drawn.
+    costs_on_this_server()
+
+
+def the_question() -> None:
+    """Draw the title, and what the page asks."""
     st.title(_("Speed and accuracy"), anchor=False)
     st.html("<style>[class*=st-key-table_]{overflow:auto hidden}</style>")
     st.markdown(
@@ -37,16 +64,6 @@ def show() -> None:
             "error can be seen and measured."
         )
     )
-    method, steps, periods, precision = choose()
-    run = two_stages(method, steps, periods, precision)
-    growing_errors(run)
-    costs_on_this_server = costs(periods)
-    forms_at_extremes()
-    many_periods(sidebar.oscillator())
-    general_solver()
-    what_the_app_uses()
-    # What may take long comes when all else is drawn.
-    costs_on_this_server()
 
 
 def choose() -> tuple[str, int, int, str]:
@@ -67,6 +84,8 @@ def two_stages(method: str, steps: int, periods: int, precision: str) -> downsam
     """Draw the exact machine and the computed one on one clock; return the run that is shown."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
     shared = {"clock": "speed", "compact": True}
+    if display_mode.is_projector():
+        shared["layers"] = ()
     left, right = st.columns(2, gap="small")
     with left:
         stages.mount(stage.payload(machine, compression), key="exact", label=_("Exact: the closed form"), **shared)

@@ -11,6 +11,7 @@ from ramanujan.browser import stage
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.pages.taxicab import cache, emblems
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
 PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
@@ -23,22 +24,25 @@ FOLLOWERS = ("bodies_machine", "bodies_numbers")
 
 def other_bodies() -> None:
     """Draw choosers, stage, numbers and the table of all machines."""
-    st.header(_("Other bodies, other numbers"), anchor=False)
-    st.markdown(
-        _(
-            "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ has "
-            "the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor $\\beta$."
+    with sheet("bodies", _("Other bodies")):
+        st.header(_("Other bodies, other numbers"), anchor=False)
+        st.markdown(
+            _(
+                "Does 1729 come from the machine or from these bodies? Try others. A body of mass $M$ and radius $R$ "
+                "has the moment of inertia $I=\\beta MR^2$; the farther out its mass, the larger its shape factor "
+                "$\\beta$."
+            )
         )
-    )
-    choose()
-    chosen = [address.held(key) for key in KEYS]
-    story = cache.story(*chosen)
-    the_machine(story, chosen)
-    table, words = st.columns([1, 1], gap="medium")
-    with words:
-        told(story)
-    with table:
-        forty_machines(story.machine)
+        choose()
+        chosen = [address.held(key) for key in KEYS]
+        story = cache.story(*chosen)
+        the_machine(story, chosen)
+    with sheet("forty", _("All machines")):
+        table, words = st.columns([1, 1], gap="medium")
+        with words:
+            told(story)
+        with table:
+            forty_machines(story.machine)
 
 
 def choose() -> None:
@@ -52,7 +56,9 @@ def choose() -> None:
 
 def the_machine(story: cache.Story, chosen: list[str]) -> None:
     """Draw the machine with the chosen bodies in motion."""
-    stages.mount(None, key=STAGE, layers=())
+    # On a projector the pickers need the height of the clocks.
+    dials = not display_mode.is_projector()
+    stages.mount(None, key=STAGE, layers=(), dials=dials)
     tell_machine(f"1 ↔ √{story.machine.discriminant}", chosen)
 
 

@@ -14,6 +14,7 @@ from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.other_bodies import PAPER, factored, pair
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
 P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
@@ -104,26 +105,27 @@ def the_curve() -> None:
 
 def open_question(facts: cache.Condition) -> None:
     """Say what has a reason, what was measured, and what stays a coincidence."""
-    st.header(_("Is there a reason?"), anchor=False)
-    st.markdown(
-        _(
-            "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
-            "{number}”? This much can be said."
-        ).format(number=facts.number)
-    )
-    what_has_a_reason(facts.number)
+    with sheet("reason", _("Is there a reason?")):
+        st.header(_("Is there a reason?"), anchor=False)
+        st.markdown(
+            _(
+                "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
+                "{number}”? This much can be said."
+            ).format(number=facts.number)
+        )
+        what_has_a_reason()
+    with sheet("norm", _("{number} as a norm").format(number=facts.number)):
+        the_number_as_a_norm(facts.number)
     pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
-    tallies = _counted(pairs)
-    count_of_cubes(tallies, pairs.index(BodyChoice().bodies[:2]))
-    what_stays(facts.number, tallies[pairs.index(BodyChoice().bodies[:2])])
+    paper = pairs.index(BodyChoice().bodies[:2])
+    with sheet("counts", _("A count")):
+        tallies = _counted(pairs)
+        count_of_cubes(tallies, paper)
+        what_stays(facts.number, tallies[paper])
 
 
-def what_has_a_reason(discriminant: int) -> None:
-    """Say why the discriminant is a norm, and what follows."""
-    x, y = number_theory.norm_form()
-    ways = number_theory.represent_x2_plus_3y2(discriminant)
-    primes = [prime for prime, _power in BodyChoice().factorization]
-    norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
+def what_has_a_reason() -> None:
+    """Say why the discriminant is a norm."""
     st.markdown(
         _(
             "**What has a reason.** For the target $p/q$, the discriminant of the paper’s machine is, up to a square "
@@ -140,6 +142,14 @@ def what_has_a_reason(discriminant: int) -> None:
     st.latex(cache.norm_multiplied_out())
     st.markdown(_("The norm of a product is the product of the norms, $N(\\alpha\\beta)=N(\\alpha)\\,N(\\beta)$:"))
     st.latex(cache.product_of_norms())
+
+
+def the_number_as_a_norm(discriminant: int) -> None:
+    """Say what follows from the norm for the paper's number."""
+    x, y = number_theory.norm_form()
+    ways = number_theory.represent_x2_plus_3y2(discriminant)
+    primes = [prime for prime, _power in BodyChoice().factorization]
+    norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
     st.markdown(
         ngettext(
             "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There is {n} way to write it so: ${written}$.",

@@ -13,6 +13,7 @@ from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.shell import address, drawings, sidebar, theme, widgets
+from ramanujan.shell.display_mode import folded, sheet
 from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
@@ -22,6 +23,20 @@ KEYS = (*other_bodies.KEYS, *other_targets.KEYS, DIGITS)
 def show() -> None:
     """Draw the page."""
     facts = cache.condition()
+    with sheet("in_step", _("In step")):
+        the_number(facts)
+        exactly_in_step(facts)
+    with folded("digits", _("The exact ratio in up to a thousand digits, and as fractions for the workshop")):
+        digits_and_fractions()
+    with sheet("cubes", _("Two stacks of cubes")):
+        two_stacks()
+    other_bodies.other_bodies()
+    other_targets.open_question(facts)
+    sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
+
+
+def the_number(facts: cache.Condition) -> None:
+    """Draw the title, and the story of the taxicab."""
     st.title(str(facts.number), anchor=False)
     st.markdown(
         _(
@@ -30,15 +45,10 @@ def show() -> None:
             "oscillators stay in step."
         ).format(number=facts.number)
     )
-    exactly_in_step(facts)
-    two_stacks()
-    other_bodies.other_bodies()
-    other_targets.open_question(facts)
-    sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
 
 
 def exactly_in_step(facts: cache.Condition) -> None:
-    """The unit condition on the curve and as algebra; folded: other targets on the same curve, the ratio's digits."""
+    """The unit condition on the curve and as algebra; folded: other targets on the same curve."""
     st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
     picture, algebra = st.columns([3, 2], gap="medium")
     with algebra:
@@ -54,8 +64,6 @@ def exactly_in_step(facts: cache.Condition) -> None:
     with picture:
         other_targets.the_curve()
     other_targets.another_target()
-    with st.expander(_("The exact ratio in up to a thousand digits, and as fractions for the workshop")):
-        digits_and_fractions()
 
 
 @st.fragment

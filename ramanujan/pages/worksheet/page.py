@@ -8,6 +8,7 @@ from ramanujan import Oscillator
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, questions
 from ramanujan.shell import address, drawings, sidebar, widgets
+from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import QUANTITIES
 from ramanujan.translation import _
 
@@ -23,12 +24,14 @@ _LINE = "<span style='display:inline-block;width:35%;border-bottom:1px solid'></
 def show() -> None:
     """Draw the page."""
     machine = sidebar.oscillator()
-    paper, seed, level = choose()
-    asked = questions(machine, str(seed), level)
-    calculations = [number for number, question in enumerate(asked, start=1) if question.working]
-    head(machine, paper, seed, calculations)
+    with sheet("machine", _("The machine")):
+        paper, seed, level = choose()
+        asked = questions(machine, str(seed), level)
+        calculations = [number for number, question in enumerate(asked, start=1) if question.working]
+        head(machine, paper, seed, calculations)
     for number, question in enumerate(asked, start=1):
-        draw(number, question, paper == "key")
+        with sheet(f"question_{number}", _("Question {number}").format(number=number)):
+            draw(number, question, paper == "key")
 
 
 def choose() -> tuple[str, int, int]:
@@ -79,7 +82,7 @@ def draw(number: int, question: Question, with_key: bool) -> None:
         st.markdown(f"**{number}.** {question.text}\n{options}")
         if with_key:
             st.markdown("".join(f"$${line}$$\n\n" for line in question.working) + question.answer)
-        else:
+        elif not is_projector():
             lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * round(question.space)
             st.html(f"<div class='room'>{lines}</div>")
 
