@@ -11,6 +11,7 @@ from ramanujan import Oscillator
 from ramanujan.contact import first_to_slip, largest_compression, required_friction
 from ramanujan.numerals import quantity
 from ramanujan.pages.motion import cache
+from ramanujan.pages.motion.page import greatest_friction
 from ramanujan.record import record
 from ramanujan.sampling import points_for_half_pixel
 
@@ -190,3 +191,13 @@ def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does()
         closed[push] = {name for name, (first, last) in ends.items() if abs(first - last) < 1e-5}
     assert len(closed[0.0]) == 3
     assert closed[0.1] == {"slab, relative to the block"}
+
+
+@pytest.mark.parametrize(("compression", "end"), [(0.08, 0.0), (-0.08, 0.5)])
+def test_friction_is_greatest_where_the_hoop_carries_least(compression, end):
+    # Released from a stretched spring, the slab relieves the hoop half a period later.
+    machine = Oscillator(1.3, 0.7, 25.0, 0.12)
+    motion = record(machine, compression, spacing=0.338, periods=2, points=401)
+    instant, contact = greatest_friction(motion)
+    assert contact == first_to_slip(machine, compression, 0.338)
+    assert instant == pytest.approx(end * machine.period, abs=1e-9)

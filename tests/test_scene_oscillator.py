@@ -191,3 +191,12 @@ def test_a_good_link_is_taken_to_the_last_digit(app):
 @pytest.mark.parametrize("text", [*HOSTILE[:2], "1/2/3", "--1", "1_000", "１", "½", "1 2", "\x00", "0b1", "1e1000"])
 def test_what_is_no_number_is_none(text):
     assert read_number(text) is None
+
+
+@pytest.mark.parametrize("quantity", QUANTITIES.values(), ids=QUANTITIES)
+def test_a_slider_shows_every_step_that_it_takes(quantity):
+    steps = (quantity.most - quantity.least) / quantity.step
+    assert steps == pytest.approx(round(steps))
+    for n in range(5):
+        value = quantity.least + n * quantity.step
+        assert float(quantity.format % value) == pytest.approx(value)

@@ -246,3 +246,8 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
         # Less the margins, the plot is 270 px high; a label of two lines reaches 20 px beyond its middle.
         height = 270 * (w - low) / (high - low) - label.ay
         assert 20 <= height <= 270 - 10
+
+
+def test_no_equation_stands_twice():
+    equations = cache.condition().equations
+    assert len(set(equations)) == len(equations) > 3
