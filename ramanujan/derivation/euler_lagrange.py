@@ -127,9 +127,8 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> 
             "elimination",
             _("Eliminate the block and the top cylinder"),
             _(
-                "The potential energy depends on $\\varphi$ alone, so the equations of $X$ and $\\Phi$ contain only "
-                "accelerations. Multiply the equation of $X$ so that its term in $\\ddot\\Phi$ can be replaced by the "
-                "equation of $\\Phi$. Then solve for $\\ddot X$, and insert it into the first line for $\\ddot\\Phi$."
+                "The equations of $X$ and $\\Phi$ contain accelerations alone. Multiply that of $X$ so that the one of "
+                "$\\Phi$ replaces its term in $\\ddot\\Phi$. Then solve for $\\ddot X$ and insert it into the first."
             ),
             *result.merged,
             equation(X_ddot, result.X_from_phi),

@@ -79,9 +79,12 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         (unit.completed_square, equation(epsilon, unit.root)),
     )
 
+    leaves = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in (two_terms, quadratic))
+
     def residual(values: Mapping[sp.Symbol, sp.Expr]) -> Step:
         """Return the condition with what its left side leaves for one machine."""
-        difference = (values[m_prime] / values[m] - unit.root).expand()
+        present = values[m_prime] / values[m]
+        difference = unit.quadratic.eval(present) if present.is_Rational else (present - unit.root).expand()
         if difference == 0:
             reason = _(
                 "For your $\\varepsilon$ the two terms cancel each other: the machine is in step with a plain mass."
@@ -96,9 +99,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
                 "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
                 "too small, and your machine oscillates faster than a plain mass."
             )
-        left = (two_terms, quadratic)
-        equations = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in left)
-        return replace(exactly_one, reason=reason, equations=equations)
+        return replace(exactly_one, reason=reason, equations=leaves)
 
     distance = replace(
         root,
