@@ -15,6 +15,8 @@ from playwright.sync_api import Error, Page, WebSocket
 from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
+from ramanujan.browser import modules
+
 ROOT = Path(__file__).parent.parent
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
@@ -138,3 +140,8 @@ def next_frame(page: Page) -> None:
 def inside(page: Page, expression: str) -> object:
     """Evaluate a JavaScript expression with `root` as the stage's own document."""
     return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
+
+
+def module(name: str) -> str:
+    """Return the JavaScript expression that imports a module of the app, such as stage/motion."""
+    return f"import('/{modules.place()}/{name}.js')"

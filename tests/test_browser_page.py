@@ -6,7 +6,7 @@ import os
 
 import pytest
 
-from tests.browser import ROOT, STAGE, inside, next_frame, settle
+from tests.browser import STAGE, inside, module, next_frame, settle
 from tests.test_browser_access import switch
 
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "2"))
@@ -33,12 +33,6 @@ def slab_over_block(page) -> float:
     place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
     slab, block = inside(page, f"['.slab', '.block'].map({place})")
     return slab - block
-
-
-def source(*files: str) -> str:
-    """JavaScript files of the app, to be run inside a function."""
-    text = "\n".join((ROOT / "ramanujan" / "browser" / file).read_text(encoding="utf-8") for file in files)
-    return text.replace("export default", "const exported =")
 
 
 # ---- theme, pages, motion
@@ -354,10 +348,9 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
     """Each function of hosts.js finds what it promises; whichever assumption breaks is named here."""
     page = visit("motion?figure=Displacements", height=1400)
     page.wait_for_selector(".time-cursor", state="attached")
-    hosts = source("page/hosts.js")
     broken = page.evaluate(
-        f"""() => {{
-          {hosts}
+        f"""async () => {{
+          const {{ hosts }} = await {module("page/hosts")};
           const graphs = hosts.graphs(), panel = hosts.panels(graphs[0])[0], slider = hosts.slider("m");
           const theme = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
           const holds = {{
@@ -377,47 +370,10 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
     assert broken == []
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
     sent = len(page.frames_sent)
-    page.evaluate(f"() => {{ {hosts} hosts.moveSlider(hosts.slider('compression'), 5); }}")
+    page.evaluate(f"{module('page/hosts')}.then(({{ hosts }}) => hosts.moveSlider(hosts.slider('compression'), 5))")
     page.wait_for_timeout(400)
     assert page.locator(".st-key-compression [data-testid=stSliderThumbValue]").inner_text() == "5.0"
     assert len(page.frames_sent) == sent
-
-
-def test_the_bus(visit):
-    """Publish, subscribe until aborted, the last value; two scripts share one bus; a life begins and ends once."""
-    heard = visit().evaluate(
-        f"""() => {{
-          const kept = globalThis.ramanujan;
-          delete globalThis.ramanujan;
-          const first = (() => {{ {source("page/bus.js")} return {{ bus, live }}; }})();
-          const second = (() => {{ {source("page/bus.js")} return {{ bus, live }}; }})();
-          const heard = [], stop = new AbortController(), {{ bus, live }} = first;
-          bus.publish("a", 1);
-          bus.subscribe("a", (value) => heard.push(["early", value]), {{ signal: stop.signal }});
-          second.bus.publish("a", 2);
-          stop.abort();
-          bus.publish("a", 3);
-          bus.subscribe("a", (value) => heard.push(["aborted", value]), {{ signal: stop.signal }});
-          bus.forget("a");
-          bus.subscribe("a", (value) => heard.push(["forgotten", value]));
-          const element = {{}};
-          const begin = (signal) => {{
-            heard.push(["begun"]);
-            signal.addEventListener("abort", () => heard.push(["ended"]));
-          }};
-          const [one, two] = [live(element, begin), live(element, begin)];
-          one.end(); // a clean-up that comes late
-          heard.push(["still there"]);
-          two.end();
-          globalThis.ramanujan = kept;
-          return {{ heard, same: first.bus === second.bus, census: bus.census() }};
-        }}"""
-    )
-    assert heard == {
-        "same": True,
-        "census": {"a": 1},
-        "heard": [["early", 1], ["early", 2], ["begun"], ["still there"], ["ended"]],
-    }
 
 
 SHOWN = """() => {

@@ -11,7 +11,7 @@ import sympy as sp
 from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
-from ramanujan.browser import stage
+from ramanujan.browser.stage.formulas import formulas as of_the_stage
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
@@ -99,7 +99,7 @@ def flat(formulas: dict, prefix: str = "") -> dict[str, sp.Expr]:
 
 def test_the_javascript_of_every_formula_agrees_with_numpy(visit):
     """One expression, three printers: the browser and NumPy get the same numbers from the same names."""
-    formulas = flat(stage.formulas())
+    formulas = flat(of_the_stage())
     names = dict(zip((*VELOCITIES, *COORDINATES), ("X_dot", "phi_dot", "Phi_dot", "X", "phi", "Phi"), strict=True))
     plain = set().union(*(formula.free_symbols for formula in formulas.values())) - {t, R}
     # An initial value is a symbol of its own with the name of its coordinate: one number serves both.

@@ -6,6 +6,7 @@ import gzip
 import os
 import random
 import re
+import urllib.error
 import urllib.request
 from collections.abc import Iterator
 
@@ -71,7 +72,10 @@ def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) ->
     _, page = get(hall.address)
     scripts = re.findall(r"static/js/[^\"]+\.js", page.decode())
     assert len(scripts) > 1
-    for script in scripts[:3]:
+    module, rules = (
+        re.search(end, page.decode())[0] for end in (r"modules/\w+/begin\.js", r"modules/\w+/page/page\.css")
+    )
+    for script in (*scripts[:3], module, rules):
         headers, body = get(f"{hall.address}/{script}", Accept_Encoding="gzip")
         _, plain = get(f"{hall.address}/{script}")
         assert gzip.decompress(body) == plain
@@ -79,6 +83,10 @@ def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) ->
         assert "immutable" in headers["Cache-Control"]
     # An address that is no file gets the page, which must not be kept.
     assert "no-cache" in get(f"{hall.address}/static/js/nothing.js", Accept_Encoding="gzip")[0]["Cache-Control"]
+    # A module of another version of the app is not there.
+    for wrong in (re.sub(r"/\w+/", "/0000/", module), module.replace("begin", "nothing")):
+        with pytest.raises(urllib.error.HTTPError, match="404"):
+            get(f"{hall.address}/{wrong}")
 
 
 def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> None:
@@ -103,8 +111,7 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     sent = {number: answer for number, answer in answers.items() if answer["url"].startswith("https")}
     scripts = [answer for answer in sent.values() if answer["url"].endswith(".js")]
     assert len(scripts) > 20
-    # What is very small is sent as it is.
-    assert {answer["headers"].get("content-encoding") for answer in scripts} == {"br", None}
+    assert {answer["headers"].get("content-encoding") for answer in scripts} == {"br"}
     # A class of thirty loads it over one Wi-Fi.
     assert sum(sizes.get(number, 0) for number in sent) < 2.5e6
 

@@ -10,7 +10,6 @@ import gc
 
 import streamlit as st
 
-from ramanujan.browser import stage
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.translation import _
@@ -26,7 +25,6 @@ def warm_up() -> bool:
     from ramanujan.pages.oscillator import cache
     from ramanujan.shell import theme
 
-    stage.warm_up()
     cache.curve()
     cache.summary((1.0, 1.0, 1.0))
     # Plotly loads what checks a figure when the first one is drawn.

@@ -1,39 +1,57 @@
-"""What the server does before any visitor comes, and for all of them alike: warm up, dress the page, compress scripts.
+"""What the server does before any visitor comes, and for all of them alike: warm up, offer modules, compress files.
 
 The scripts of Streamlit's page are 8 MB. Streamlit leaves it to a proxy to compress them, and a laptop in a classroom
 has none. What a script of the app says about styles is read after the first headings are drawn, on a slow machine
-seconds later; so the page's rules stand in the page itself, and nothing jumps.
+seconds later; so Streamlit's start page asks for the page's rules and modules itself, and nothing jumps.
 """
 
 from __future__ import annotations
 
 import gc
+import gzip
 import importlib
 import pkgutil
 import re
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
-from typing import Any
 
 import streamlit as st
+from starlette.concurrency import run_in_threadpool
+from starlette.exceptions import HTTPException
 from starlette.middleware import Middleware
-from starlette.middleware.gzip import GZipMiddleware
+from starlette.middleware.base import BaseHTTPMiddleware, RequestResponseEndpoint
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route
 
 import ramanujan
-from ramanujan.browser.page import bundle
+from ramanujan.browser import modules
 
-__all__ = ["Compressed", "Dressed", "Middleware", "warm_up", "warmed_up"]
+try:
+    import brotli
+except ImportError:
+    brotli = None
 
-_SCRIPTS = "/static/"
-_LEVEL = 6
-_QUALITY = 9
-"""Of Brotli: as quick as gzip; one more takes thirty times as long, for a tenth of the bytes."""
-_SMALLEST = 1000
-"""Bytes from which on a file gets smaller."""
+__all__ = ["MIDDLEWARE", "routes", "warm_up", "warmed_up"]
+
+_PACKERS: dict[str, Callable[[bytes], bytes]] = {"gzip": lambda content: gzip.compress(content, 6)}
+if brotli:
+    # A quarter smaller. With this quality it is as quick as gzip; one more takes thirty times as long, for a tenth.
+    _PACKERS = {"br": lambda content: brotli.compress(content, quality=9), **_PACKERS}
 _FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 """Asks for a font before it is known to be needed; page.css brings one that is smaller."""
-_ANOTHER = (b"accept-encoding", b"if-none-match", b"if-modified-since", b"range")
+_ANOTHER = {b"accept-encoding", b"if-none-match", b"if-modified-since", b"range"}
 """Headers by which a browser asks for less than the whole file as it is."""
+_KEPT: dict[tuple[str, str], Response] = {}
+"""Path of a file (nothing for the start page, which is found under any), content coding → answer."""
+_TYPES = {"js": "text/javascript", "css": "text/css", "woff2": "font/woff2"}
+_FOR_GOOD = "public, immutable, max-age=31536000"
+
+
+def routes() -> list[Route]:
+    """Return what the server offers besides Streamlit's own: the page's modules, below the app's address."""
+    base = st.get_option("server.baseUrlPath").strip("/")
+    return [Route(f"{base and '/'}{base}/modules/{{hash}}/{{name:path}}", _module)]
 
 
 @asynccontextmanager
@@ -52,117 +70,53 @@ def warm_up() -> None:
     for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan."):
         if not module.name.endswith("__main__"):
             importlib.import_module(module.name)
+    modules.place()
     gc.collect()
     gc.freeze()
 
 
-class Compressed:
-    """Middleware that compresses the scripts and styles of Streamlit's page, each once for all visitors."""
-
-    def __init__(self, app: Any) -> None:
-        self.app, self.compressing = app, _compressing(_Whole(app))
-        self.kept: dict[tuple[str, bool], list[dict[str, Any]]] = {}
-
-    async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        if not _may_be_kept(scope):
-            await self.app(scope, receive, send)
-            return
-        file = scope["path"], b"br" in dict(scope["headers"])[b"accept-encoding"]
-        if file not in self.kept:
-            answer: list[dict[str, Any]] = []
-
-            async def keep(message: dict[str, Any]) -> None:
-                answer.append(message)
-                await send(message)
-
-            await self.compressing(scope, receive, keep)
-            if _is_file(answer[0]):
-                self.kept[file] = answer
-            return
-        for message in self.kept[file]:
-            await send(message)
+async def _module(request: Request) -> Response:
+    """Answer with one of the page's modules."""
+    name = request.path_params["name"]
+    if name not in modules.contents() or not modules.place().endswith(request.path_params["hash"]):
+        raise HTTPException(404)
+    headers = {"Cache-Control": _FOR_GOOD}
+    return Response(modules.contents()[name], media_type=_TYPES[name.rpartition(".")[2]], headers=headers)
 
 
-def _compressing(app: Any) -> Any:
-    """Return the middleware that compresses: with Brotli, a quarter smaller, where it is installed and understood."""
-    try:
-        from brotli_asgi import BrotliMiddleware
-    except ImportError:
-        return GZipMiddleware(app, minimum_size=_SMALLEST, compresslevel=_LEVEL)
-    return BrotliMiddleware(app, minimum_size=_SMALLEST, quality=_QUALITY)
+async def _once(request: Request, call_next: RequestResponseEndpoint) -> Response:
+    """Make the start page and what a browser may keep for good as small as it can be, once for everybody."""
+    path = request.url.path
+    if request.method != "GET" or "/_stcore/" in path or "/media/" in path:
+        return await call_next(request)
+    accepted = request.headers.get("accept-encoding", "")
+    coding = next((name for name in _PACKERS if name in accepted), "identity")
+    if (path, coding) in _KEPT:
+        return _KEPT[path, coding]
+    request.scope["headers"] = [(name, value) for name, value in request.scope["headers"] if name not in _ANOTHER]
+    answer = await call_next(request)
+    is_page = answer.headers.get("content-type", "").startswith("text/html")
+    if answer.status_code != 200 or not (is_page or "immutable" in answer.headers.get("cache-control", "")):
+        return answer
+    file = "" if is_page else path, coding
+    content = b"".join([part async for part in answer.body_iterator])
+    if file not in _KEPT:
+        packed = await run_in_threadpool(_PACKERS.get(coding, bytes), _dressed(content) if is_page else content)
+        # What Streamlit says of its file's length and age is not true of this one.
+        headers = {name: answer.headers[name] for name in ("content-type", "cache-control")}
+        _KEPT[file] = Response(packed, headers={**headers, "content-encoding": coding, "vary": "accept-encoding"})
+    return _KEPT[file]
 
 
-class Dressed:
-    """Middleware that puts the rules of page.css into Streamlit's page."""
-
-    def __init__(self, app: Any) -> None:
-        self.app, self.whole = app, _Whole(app)
-        self.compressing = GZipMiddleware(self._insert, minimum_size=_SMALLEST)
-
-    async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        await (self.compressing if _may_be_page(scope) else self.app)(scope, receive, send)
-
-    async def _insert(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        headers = [(name, value) for name, value in scope["headers"] if name not in _ANOTHER]
-        start: dict[str, Any] = {}
-
-        async def dress(message: dict[str, Any]) -> None:
-            if message["type"] == "http.response.start" and _is_page(message):
-                start.update(message)
-            elif not start:
-                await send(message)
-            else:
-                # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
-                rules = f"<style>{bundle.style()}</style></body>".encode()
-                body = _FONT.sub(b"", message["body"]).replace(b"</body>", rules, 1)
-                # What Streamlit says of its file is not true of this one.
-                other = (b"content-length", b"etag", b"last-modified", b"accept-ranges")
-                kept = [(name, value) for name, value in start["headers"] if name not in other]
-                await send({**start, "headers": [*kept, (b"content-length", str(len(body)).encode())]})
-                await send({**message, "body": body})
-
-        await self.whole({**scope, "headers": headers}, receive, dress)
+def _dressed(page: bytes) -> bytes:
+    """Return Streamlit's start page with the app's own fonts, rules and modules."""
+    place = f"./{modules.place()}"
+    names = sorted(modules.contents())
+    fonts = (f'<link rel="preload" as="font" crossorigin href="{place}/{name}">' for name in names if "fonts/" in name)
+    scripts = (f'<script type="module" async src="{place}/{name}"></script>' for name in names if name.endswith(".js"))
+    # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
+    end = f'<link rel="stylesheet" href="{place}/page/page.css">{"".join(scripts)}</body>'
+    return _FONT.sub("".join(fonts).encode(), page, count=1).replace(b"</body>", end.encode(), 1)
 
 
-class _Whole:
-    """Middleware that hands on an answer's parts in one piece."""
-
-    def __init__(self, app: Any) -> None:
-        self.app = app
-
-    async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        parts: list[bytes] = []
-
-        async def gather(message: dict[str, Any]) -> None:
-            parts.append(message.get("body", b""))
-            if message["type"] != "http.response.body":
-                await send(message)
-            elif not message.get("more_body"):
-                await send({**message, "body": b"".join(parts)})
-
-        await self.app(scope, receive, gather)
-
-
-def _may_be_page(scope: dict[str, Any]) -> bool:
-    return (
-        scope["type"] == "http" and scope["method"] == "GET" and not scope["path"].startswith((_SCRIPTS, "/_stcore/"))
-    )
-
-
-def _is_page(start: dict[str, Any]) -> bool:
-    return start["status"] == 200 and dict(start["headers"]).get(b"content-type", b"").startswith(b"text/html")
-
-
-def _is_file(start: dict[str, Any]) -> bool:
-    """Tell whether an answer is a compressed file: there are some hundred, but any number of other addresses."""
-    headers = dict(start["headers"])
-    immutable = b"immutable" in headers.get(b"cache-control", b"")
-    return start["status"] == 200 and immutable and headers.get(b"content-encoding") in (b"gzip", b"br")
-
-
-def _may_be_kept(scope: dict[str, Any]) -> bool:
-    if scope["type"] != "http" or scope["method"] != "GET" or not scope["path"].startswith(_SCRIPTS):
-        return False
-    headers = dict(scope["headers"])
-    conditional = {b"range", b"if-none-match", b"if-modified-since"}
-    return b"gzip" in headers.get(b"accept-encoding", b"") and not conditional & headers.keys()
+MIDDLEWARE = [Middleware(BaseHTTPMiddleware, dispatch=_once)]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import streamlit as st
 
 from ramanujan.browser import page
-from ramanujan.browser.page import bundle
 from ramanujan.shell import display_mode
 
 BODY_COLORS = {
@@ -22,6 +22,7 @@ BODY_COLORS = {
 }
 """Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
 
+_PROJECTOR = Path(page.__file__).with_name("projector.css")
 _OPTIONS = {
     "ink": "textColor",
     "paper": "backgroundColor",
@@ -63,7 +64,11 @@ def dress(boxes: Mapping[str, Mapping[str, Any]]) -> None:
     under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
     kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
     own = f":root{{{kept}--under:{under}}}"
-    rules = bundle.style("projector.css") if display_mode.is_projector() else ""
+    rules = (
+        (Path(page.__file__).with_name("projector.css")).read_text(encoding="utf-8")
+        if display_mode.is_projector()
+        else ""
+    )
     # On paper, which is white, the light lines of a dark figure would not be seen.
     printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
     # Markdown with HTML in it loads a script first, and comes later than the headings.

@@ -4,8 +4,8 @@ bus.js carries messages between the components, hosts.js holds every selector in
 rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
 component each. No physics here.
 
-Streamlit sends a component's HTML, CSS and script with every run of the page. So all of them travel together, in one
-message that is large enough for the page to keep (`bring`); each component brings a few lines that ask for it.
+Streamlit sends a component's HTML, CSS and script with every run of the page. So a component brings only two lines that
+import its module, which the server offers as a file (`ramanujan.browser.modules`).
 
 The topics of the bus, where NAME is the name of a stage:
 
@@ -28,12 +28,12 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser.page import bundle
+from ramanujan.browser import modules
 from ramanujan.translation import _
 
 
 def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
-    """Bring the scripts of all components to the page; call it before any of them is drawn.
+    """Bring what every page has; call it before anything else is drawn.
 
     With them come the page’s one live region, which says what the topic `say` brings; a notice while the server is
     away; the keyboard's access to boxes that scroll sideways; a new run of the page when the visitor switches the
@@ -53,7 +53,7 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
-    _library()(key="library", data=data, on_switched_change=lambda: None)
+    _component("library")(key="library", data=data, on_switched_change=lambda: None)
 
 
 def feed(key: str, topics: Mapping[str, Any]) -> Any:
@@ -218,10 +218,5 @@ def stopwatch(key: str) -> float | None:
 
 @cache
 def _component(name: str) -> Any:
-    """Return a component of this folder, which asks the page's library for its part."""
-    return st.components.v2.component(f"ramanujan_{name}", js=bundle.ask(name))
-
-
-@cache
-def _library() -> Any:
-    return st.components.v2.component("ramanujan_library", js=bundle.library())
+    """Return a component of this folder."""
+    return st.components.v2.component(f"ramanujan_{name}", js=modules.begin(f"page/{name}"))

@@ -1,5 +1,8 @@
 // Says that the server is away and that nothing is lost. Streamlit itself only disables its widgets until the server is back.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+
 const PAUSE = 300; // ms without a server before it is said
 
 export default function ({ data, parentElement }) {

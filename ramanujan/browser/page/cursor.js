@@ -3,6 +3,11 @@
 // time/NAME), and where a hand puts the cursor, the stage goes (topic seek/NAME). A hand moves it by the slider, by the
 // line itself, or by a click on a figure over time.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+import { draw, erase, place } from "./marks.js";
+import { fill, fixed, withUnit } from "./sentences.js";
+
 const CURSOR = "time-cursor";
 const GRIP = 14; // px, the width in which a pointer gets hold of the line
 const STILL = 5; // px that a click may move

@@ -2,6 +2,9 @@
 // The slider is the only holder of the value. The box shows what the slider holds, also while it moves, and hands a typed
 // text to the server as one message; it sends no value of its own. The address follows slider and server where they agree.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+
 export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => exactBox(parentElement, data.key, signal));
   begun.send = (text) => setTriggerValue("typed", text);

@@ -1,5 +1,7 @@
 // Carries news from Python to the bus: topics and their values. It has no content of its own, and is forgotten with its page.
 
+import { bus, live } from "./bus.js";
+
 export default function ({ data, parentElement }) {
   const { begun, end } = live(parentElement, (signal) => {
     const told = new Map();

@@ -1,7 +1,7 @@
 // What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file. Where an
 // assumption breaks, a function here returns null or nothing, and what depends on it stays still without an error.
 
-const hosts = {
+export const hosts = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 

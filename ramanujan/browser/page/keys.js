@@ -1,6 +1,8 @@
 // The arrow keys of a lecture: after a click on a choice they go back to the page, where they turn the steps. Without
 // this the clicked choice keeps them, as it must for people who choose by keyboard.
 
+import { live } from "./bus.js";
+
 export default function ({ data, parentElement }) {
   return live(parentElement, (signal) => {
     const giveBack = (event) => {

@@ -1,6 +1,8 @@
 // The button that copies the address of the page. Browsers keep the clipboard from pages that are not served securely:
 // there the text itself is offered.
 
+import { bus } from "./bus.js";
+
 /** The address as others may have it. */
 function shared(secret) {
   const url = new URL(location.href);

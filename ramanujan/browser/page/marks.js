@@ -1,9 +1,9 @@
 // Marks laid over Plotly's figures, so that they move without a redrawing.
 
-const place = ([from, to], value) => (value - from) / (to - from);
+export const place = ([from, to], value) => (value - from) / (to - from);
 
 /** Put the i-th mark of a name on the graph, or hide it where x lies beside the panel. */
-function draw(graph, name, i, x, style) {
+export function draw(graph, name, i, x, style) {
   const marks = graph.querySelectorAll(`.${name}`);
   const node = marks[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
   Object.assign(node.style, { position: "absolute", pointerEvents: "none", ...style });
@@ -12,4 +12,4 @@ function draw(graph, name, i, x, style) {
 }
 
 /** Take the marks of a name off a graph. */
-const erase = (graph, name) => graph.querySelectorAll(`.${name}`).forEach((node) => node.remove());
+export const erase = (graph, name) => graph.querySelectorAll(`.${name}`).forEach((node) => node.remove());

@@ -1,6 +1,9 @@
 // A button that takes a stage, and with it every figure over time, to one instant and holds them there. Which instant and what
 // the button says come by the topic moment/NAME.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+
 export default function ({ data, parentElement }) {
   return live(parentElement, (signal) => {
     const button = parentElement.querySelector("button");

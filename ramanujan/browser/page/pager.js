@@ -1,6 +1,11 @@
 // One sheet of the page at a time, for a projector. Python declares the sheets (shell/display_mode.py) and projector.css lays
 // them out; here it is decided which one is seen.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+import { fill } from "./sentences.js";
+import { turnOf } from "./turning.js";
+
 const AWAY = "data-away"; // projector.css takes such a sheet out of sight; it keeps its size
 const TELL = 400; // ms from the last turn to the message that keeps the sheet in the address
 

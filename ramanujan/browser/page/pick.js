@@ -1,6 +1,9 @@
 // A click on a point of a figure, as one message for each click: Streamlit reports a selection, and a second click on the
 // same point changes none.
 
+import { live } from "./bus.js";
+import { hosts } from "./hosts.js";
+
 export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => {
     const told = {};

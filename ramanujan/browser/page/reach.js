@@ -1,6 +1,9 @@
 // What is wider than its place scrolls by itself: a formula, a table. Such a box must take the focus, or nobody could move
 // it by key. Boxes come, go and change their width with the page, so that the page is observed.
 
+import { live } from "./bus.js";
+import { hosts } from "./hosts.js";
+
 const PAUSE = 250; // ms from a change of the page to the next look at its boxes
 
 export default function ({ data, parentElement }) {

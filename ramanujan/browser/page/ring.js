@@ -1,6 +1,11 @@
 // The ring around the present machine on a curve. It follows the stage by the topic present/NAME; the contract with the
 // figure is in __init__.py, the drawing in marks.js.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+import { draw, erase, place } from "./marks.js";
+import { fill, number } from "./sentences.js";
+
 const RING = "present-machine";
 const SIZE = 22;
 

@@ -4,17 +4,17 @@
 const THIN = "\u202f";
 
 /** Put values into the slots of a template. */
-const fill = (template, values) => template.replace(/\{(\w+)\}/g, (_, name) => values[name]);
+export const fill = (template, values) => template.replace(/\{(\w+)\}/g, (_, name) => values[name]);
 
 /** A number with so many decimal places. */
-const fixed = (value, places) => {
+export const fixed = (value, places) => {
   const [whole, decimals] = Math.abs(value).toFixed(places).split(".");
   const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;
   return `${value < 0 ? "−" : ""}${grouped}${decimals ? `.${decimals}` : ""}`;
 };
 
 /** A number with so many significant digits. */
-const number = (value, precision = 2) => {
+export const number = (value, precision = 2) => {
   if (!value) return "0";
   const [mantissa, exponent] = Math.abs(value).toExponential(precision - 1).split("e"), power = Number(exponent);
   if (power >= -4 && power < 6) return fixed(Number(`${value < 0 ? "-" : ""}${mantissa}e${power}`), Math.max(precision - 1 - power, 0));
@@ -24,4 +24,4 @@ const number = (value, precision = 2) => {
 };
 
 /** A number that is text already with its unit. */
-const withUnit = (text, unit) => `${text}${THIN}${unit}`;
+export const withUnit = (text, unit) => `${text}${THIN}${unit}`;

@@ -1,6 +1,10 @@
 // On a narrow screen the sidebar is a sheet at the bottom (page.css): this is its handle, which opens and closes it. With the
 // sheet open, sliders and machine are seen together; choosing a page closes it.
 
+import { live } from "./bus.js";
+import { hosts } from "./hosts.js";
+import { deferSliders } from "./touch.js";
+
 const PULL = 16; // px that the handle must be pulled to open or close the sheet; less is a tap
 
 export default function ({ parentElement }) {

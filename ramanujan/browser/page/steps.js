@@ -1,6 +1,10 @@
 // The steps of a lecture, turned on the page itself: all of them are there, and one is shown. No press waits for the server,
 // which is told afterwards where the lecture has come to, so that the address holds the place.
 
+import { live } from "./bus.js";
+import { hosts } from "./hosts.js";
+import { showPlace, turnOf } from "./turning.js";
+
 const TELL = 300; // ms without a press after which the server is told
 
 export default function ({ data, parentElement, setStateValue }) {

@@ -1,5 +1,8 @@
 // A stopwatch: started and stopped by hand, it runs on the page and tells the server the time between.
 
+import { bus, live } from "./bus.js";
+import { fill } from "./sentences.js";
+
 export default function ({ data, parentElement, setStateValue }) {
   const { begun, end } = live(parentElement, (signal) => watch(parentElement, signal));
   begun.receive(data, (seconds) => setStateValue("seconds", seconds));

@@ -1,6 +1,9 @@
 // Notices that the theme has been switched, and asks for a run of the page: figures take their colours on the server.
 // Streamlit calls this function again whenever the theme changes.
 
+import { live } from "./bus.js";
+import { hosts } from "./hosts.js";
+
 const PAUSE = 400; // ms until the question, since Streamlit's own messages learn of the new theme later than its components
 const TIMES = 5; // that a switch is asked about: a server that does not follow is not asked for ever
 

@@ -1,9 +1,11 @@
 // A finger on a slider: only a horizontal move or a tap is meant for the slider, everything else scrolls. The touch is kept
 // from Streamlit until it is known which of them it is; the browser itself ends it where the page scrolls.
 
+import { hosts } from "./hosts.js";
+
 const INTENT = 8; // px along the slider after which a touch is a drag
 
-function deferSliders(signal) {
+export function deferSliders(signal) {
   let waiting = null; // the touch that is not yet known to be a drag
   let replayed = false;
   const on = (type, handler) => window.addEventListener(type, handler, { capture: true, signal });

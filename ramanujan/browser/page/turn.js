@@ -1,6 +1,10 @@
 // Back and forward through the stops of a lesson, by two buttons, a slider and the keys. The server draws one stop at a time,
 // so that nothing of the others is on the page. Until it has answered, the stop that was asked for counts.
 
+import { bus, live } from "./bus.js";
+import { hosts } from "./hosts.js";
+import { showPlace, turnOf } from "./turning.js";
+
 const PATIENCE = 5000; // ms after which an answer that did not come is no longer waited for
 
 export default function ({ data, parentElement, setTriggerValue }) {

@@ -1,6 +1,8 @@
 // The one live region of a page: it says one sentence, once, when things have come to rest after a change. What happened by
 // itself (urgent) comes before a description of what a person has just set.
 
+import { bus, live } from "./bus.js";
+
 const REST = 500; // ms without news before a sentence is said
 
 export default function ({ parentElement }) {

@@ -1,10 +1,9 @@
 """The animated scene: a Components v2 component that draws the machine and listens to the sliders.
 
-This file holds what crosses from Python to the page (`payload`, `formulas`) and the mounting; words.py holds the texts.
-The page's side is stage.html, stage.css, and one JavaScript module for each concern, put together in the order of
-`_MODULES`: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
-what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript:
-its formulas are printed by SymPy from the derivation.
+This file holds what crosses from Python to the page (`payload`) and the mounting; words.py holds the texts, formulas.py
+the physics, which SymPy prints to JavaScript. The page's side is stage.html, stage.css, and one JavaScript module for
+each concern: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
+what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript.
 
 The stage itself is mounted with constant arguments, so that Streamlit sends it once in a session. After a change only a
 small feed of the page (`page.feed`) is sent, which carries the numbers.
@@ -42,27 +41,17 @@ The page answers nothing: a slab that is let go moves its slider, see thumb.js.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import streamlit as st
-import sympy as sp
 
-from ramanujan.browser import page
-from ramanujan.browser.page import bundle
-from ramanujan.browser.stage.words import BODIES, SENTENCES, SLIPS, filled
-from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.newton import contact_forces
-from ramanujan.derivation.numbers import unit_frequency_condition
-from ramanujan.derivation.printers import javascript
-from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
+from ramanujan.browser import modules, page
+from ramanujan.browser.stage.formulas import SHAPE_FACTORS
 from ramanujan.motion import InitialState
-from ramanujan.oscillator import DRAWN_SPACING, Oscillator
+from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
 VERSION = 1
@@ -78,44 +67,6 @@ PARTS = {
     "coordinates": "the coordinates, with their button",
 }
 """Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
-SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
-"""β of the paper's rollers."""
-
-_HERE = Path(__file__).parent
-_PICTURE = ("parts", "motion", "drawing", "coordinates", "layers", "dial", "picture")
-_MODULES = (*_PICTURE, "clock", "words", "playback", "slab", "thumb", "toolbar", "stage")
-
-
-def formulas() -> dict[str, Any]:
-    """Return every expression that the stage evaluates, by name, for rollers of any shape; `javascript` prints them."""
-    shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
-    bodies = machine(**shape_factors)
-    frequency_squared = eliminate(bodies).natural_frequency_squared
-    Omega = sp.Symbol("Omega", positive=True)
-    per_radius, gap = map(sp.Rational, DRAWN_SPACING)
-    # φ has no drift, so that φ̈ = −Ω²φ at every moment.
-    forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
-    return {
-        "natural_frequency": sp.sqrt(frequency_squared),
-        "plain_frequency": sp.sqrt(k / m),
-        "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
-        "mass_ratio": m_prime / m,
-        "normalized_limit": sp.limit(unit_frequency_condition().normalized_frequency_squared, epsilon, 0),
-        "motion": {
-            str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
-            for q, parts in coefficients(bodies).items()
-        },
-        "spacing": per_radius * R + gap,
-        "deformation": bodies.deformation,
-        "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
-        "mass": {body.name: body.mass for body in bodies.bodies},
-        "displacement": {body.name: body.displacement for body in bodies.bodies},
-        "angle": {body.name: body.angle for body in bodies.bodies},
-        "velocity": {body.name: body.velocity for body in bodies.bodies},
-        "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
-        "potential_energy": bodies.potential_energy,
-        "contact_force": forces,
-    }
 
 
 def payload(
@@ -235,16 +186,6 @@ def tell(
     page.feed(f"{key}_feed", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})})
 
 
-def warm_up() -> None:
-    """Derive and print the stage's formulas before the first visitor asks for them."""
-    _component()
-
-
 @cache
 def _component() -> Callable[..., Any]:
-    html, css = ((_HERE / name).read_text(encoding="utf-8") for name in ("stage.html", "stage.css"))
-    unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
-    words = {**SENTENCES, "slips": SLIPS, "bodies": BODIES, "unity": unity}
-    given = f"const FORMULAS = {javascript(formulas())};\nconst WORDS = {json.dumps(words, ensure_ascii=False)};\n"
-    script = bundle.script(*(_HERE / f"{module}.js" for module in _MODULES))
-    return st.components.v2.component("ramanujan_stage", html=filled(html), css=css, js=given + script)
+    return st.components.v2.component("ramanujan_stage", js=modules.begin("stage/stage"))

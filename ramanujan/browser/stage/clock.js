@@ -1,6 +1,8 @@
 // Time: one animation loop for every stage on the page, and clocks, which stages share that run and pause together.
 
-const EYE = 0.7; // s, the shortest period that an eye can follow; what is faster is slowed
+import { clamp } from "./motion.js";
+
+export const EYE = 0.7; // s, the shortest period that an eye can follow; what is faster is slowed
 
 const running = new Set(); // stages on the page
 const clocks = new Map(); // name → { playing, speed, slowing, stages }
@@ -8,7 +10,7 @@ let frame = 0;
 let lastTick = 0;
 
 /** Put a stage on the clock of that name until the signal aborts, and return the clock. */
-function joinClock(name, stage, playing, signal) {
+export function joinClock(name, stage, playing, signal) {
   if (!clocks.has(name)) clocks.set(name, { playing, speed: 1, slowing: 1, stages: new Set() });
   const clock = clocks.get(name);
   clock.stages.add(stage);

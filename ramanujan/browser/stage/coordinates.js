@@ -1,6 +1,12 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and what the lower rollers share. Lengths in centimetres
 // of the picture, y UP.
 
+import { CM, ROLLERS, headOf, velocityArrow } from "./drawing.js";
+import { FORMULAS } from "./formulas.js";
+import { TURN, mapValues } from "./motion.js";
+import { element, set } from "./svg.js";
+import { WORDS } from "./texts.js";
+
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
 const SENSE = { from: 44, to: 74, label: 68, at: 1.12 }; // the arrow of the positive sense outside the rim: degrees and radii
 
@@ -77,7 +83,7 @@ function sharedMarks(moved, g) {
 const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", shared_label: WORDS.each };
 
 /** Put the marks under a node; `frame` moves them. */
-function makeCoordinates(root) {
+export function makeCoordinates(root) {
   const nodes = {};
   const node = (name) => (nodes[name] ??= nodeOf(name, root));
   return {

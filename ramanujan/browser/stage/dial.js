@@ -1,6 +1,13 @@
 // What compares the machine with the plain mass: two clock hands, the sentences below them, the gauge, the readouts. When the
 // two are in step, all of these light up together.
 
+import { fill, fixed, number, withUnit } from "../page/sentences.js";
+import { FORMULAS } from "./formulas.js";
+import { TURN } from "./motion.js";
+import { finder } from "./parts.js";
+import { element, set } from "./svg.js";
+import { WORDS } from "./texts.js";
+
 const LEAST = 0.01; // of a turn: the smallest angle between the hands that an eye can tell
 const IN_STEP = LEAST / 1e6; // turns in a period: not even a million periods would show a difference
 const NEARLY = 1 / 500; // turns in a period: close enough that the next step of a slider would only lose it
@@ -37,7 +44,7 @@ function sector(phase, plainPhase, r) {
   return `M0 0L${point(plainPhase)}A${r} ${r} 0 ${Math.abs(lead) > Math.PI ? 1 : 0} ${lead > 0 ? 1 : 0} ${point(phase)}z`;
 }
 
-function makeDial(root) {
+export function makeDial(root) {
   const find = finder(root);
   const reads = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
   const write = (node, text) => node.textContent === text || (node.textContent = text);

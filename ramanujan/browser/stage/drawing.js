@@ -1,14 +1,19 @@
 // The drawing, pure: from a machine and its state to lengths, outlines and attributes. No page, no clock, no listening.
 // All lengths here are centimetres of the picture, x to the right and y UP from the floor.
 
-const CM = 100; // per metre
-const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
-const ROLLERS = ["hoop", "cylinder", "top"];
+import { fill } from "../page/sentences.js";
+import { FORMULAS } from "./formulas.js";
+import { TURN, clamp, mapValues } from "./motion.js";
+import { WORDS } from "./texts.js";
+
+export const CM = 100; // per metre
+export const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
+export const ROLLERS = ["hoop", "cylinder", "top"];
 const RING = 0.78; // inner radius of a hoop over its outer one
 const ASPECT = 2; // width of every picture over its height; stage.css keeps the same room for it
 
 /** Where things stand at φ = 0, to scale, with room for the largest travel, in a view of one shape for every radius. */
-function layout({ radius }, [, largest]) {
+export function layout({ radius }, [, largest]) {
   const R = radius * CM;
   const travel = largest * CM; // of the slab over the block, to either side
   const roll = travel / 2;
@@ -40,7 +45,7 @@ function centresOfMass(g) {
 }
 
 /** Where a velocity arrow begins, at φ = 0. */
-function anchors(g) {
+export function anchors(g) {
   return {
     block: [(g.riser + g.right) / 2, g.upper * 0.35],
     slab: [0.7 * g.slab.left + 0.3 * g.slab.right, g.slab.bottom + g.thick + 2.5], // its head stays clear of x₀
@@ -51,17 +56,17 @@ function anchors(g) {
 const SHORTEST = 0.05; // of an arrow
 
 /** How long an arrow's head is at most: in proportion to a roller, so that it never reaches the letter on it. */
-const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
+export const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
 
 /** A velocity: a slender arrow with an open head. Its length is signed, its head never longer than itself. */
-function velocityArrow(x, y, length, longest) {
+export function velocityArrow(x, y, length, longest) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longest);
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
 /** A force: a broad, filled arrow. */
-function forceArrow(x, y, length, longest) {
+export function forceArrow(x, y, length, longest) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longest), shaft = length - head;
   const [thick, wide] = [0.22 * head, 0.62 * head];
@@ -70,14 +75,14 @@ function forceArrow(x, y, length, longest) {
 }
 
 /** The largest of 1, 2, 5, 10, 20, … that is not above a value. */
-function roundBelow(value) {
+export function roundBelow(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   const factor = [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9));
   return factor * power;
 }
 
 /** Where a contact lies over its roller's centre, in radii. */
-const CONTACTS = {
+export const CONTACTS = {
   hoop_slab: ["hoop", 1],
   cylinder_slab: ["cylinder", 1],
   hoop_block: ["hoop", -1],
@@ -86,7 +91,7 @@ const CONTACTS = {
 };
 
 /** A spring between two points at one height: a zigzag whose ends are straight. */
-function coil(from, to, y, height) {
+export function coil(from, to, y, height) {
   const turns = 10, lead = clamp((to - from) / 8, 0, 3);
   const pitch = (to - from - 2 * lead) / turns;
   const wave = `l${pitch / 4} ${-height}l${pitch / 2} ${2 * height}l${pitch / 4} ${-height}`;
@@ -94,13 +99,13 @@ function coil(from, to, y, height) {
 }
 
 /** Heavier looks heavier: nearly empty for the lightest body that the sliders allow, nearly full for the heaviest. */
-const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
+export const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 
 /** What a roller of shape factor β = I/(mass·R²) is. */
-const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
+export const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
 
 /** A roller's outline, and the marks that show how it turns. */
-function rollerPaths(shape, R) {
+export function rollerPaths(shape, R) {
   const circle = (r, sweep = 1) => `M0 ${-r}A${r} ${r} 0 1 ${sweep} 0 ${r}A${r} ${r} 0 1 ${sweep} 0 ${-r}z`;
   const meridian = `M0 ${-R}A${0.4 * R} ${R} 0 1 1 0 ${R}A${0.4 * R} ${R} 0 1 1 0 ${-R}z`;
   return {
@@ -112,7 +117,7 @@ function rollerPaths(shape, R) {
 }
 
 /** What the bodies are called, the two lower rollers by their sides where their shapes do not tell them apart. */
-function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
+export function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
   const words = WORDS.bodies;
   const [left, right, top] = [beta_hoop, beta_cylinder, beta_top].map((beta) => words[shapeOf(beta)]);
   const at = (place, body) => (left === right ? fill(words[place], { body }) : body);
@@ -126,7 +131,7 @@ function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
 }
 
 /** Where the coordinates put every body and the spring: the attribute `transform` of each, `d` of the spring. */
-function placed(known, g, shift = 0) {
+export function placed(known, g, shift = 0) {
   const x = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
   const home = { block: [0, 0], slab: [0, 0], ...g.centre };
   return {
@@ -137,7 +142,7 @@ function placed(known, g, shift = 0) {
 }
 
 /** Where the centre of mass of the whole machine lies in a view that has moved by `shift` [m]. */
-function centreOfMass(known, g, shift) {
+export function centreOfMass(known, g, shift) {
   const home = centresOfMass(g);
   let moment = 0, total = 0;
   for (const name of BODIES) {
@@ -149,7 +154,7 @@ function centreOfMass(known, g, shift) {
 }
 
 /** How a roller's rim travels over the floor through these states: the path of the mark on it. */
-function rimTrace(name, states, g) {
+export function rimTrace(name, states, g) {
   const [x, y] = g.centre[name];
   const points = states.map((known) => {
     const angle = FORMULAS.angle[name](known);
@@ -159,7 +164,7 @@ function rimTrace(name, states, g) {
 }
 
 /** What has left its place, if anything has: the top roller over an edge, or the slab into the block. */
-function leftPlace(known, g) {
+export function leftPlace(known, g) {
   const over = (FORMULAS.displacement.top(known) - FORMULAS.displacement.block(known)) * CM + g.centre.top[0];
   if (over < g.riser || over > g.right) return "edge";
   return Math.abs(FORMULAS.deformation(known)) * CM > g.travel + 8 ? "struck" : null;

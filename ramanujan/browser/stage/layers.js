@@ -1,9 +1,20 @@
 // The layers that can be chosen: energy bars by body, velocity arrows, contact forces, traces of the rims, coordinates.
 
+import { fill, fixed, number, withUnit } from "../page/sentences.js";
+import { makeCoordinates } from "./coordinates.js";
+import {
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, headOf, rimTrace, roundBelow, velocityArrow,
+} from "./drawing.js";
+import { FORMULAS } from "./formulas.js";
+import { mapValues, onePeriod } from "./motion.js";
+import { finder } from "./parts.js";
+import { element, set } from "./svg.js";
+import { WORDS } from "./texts.js";
+
 const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // in which the greatest speed and force of a period are looked for
 
-function makeLayers(root) {
+export function makeLayers(root) {
   const find = finder(root);
   let shown = new Set(), place = null, peak = { speed: 0, force: 0 }, data = {};
 

@@ -1,13 +1,15 @@
 // The motion of a machine, evaluated: pure functions of FORMULAS, which SymPy prints. SI units; no page, no clock.
 
-const TURN = 2 * Math.PI;
+import { FORMULAS } from "./formulas.js";
+
+export const TURN = 2 * Math.PI;
 const COORDINATES = ["X", "phi", "Phi"];
 
-const mapValues = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
-const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
+export const mapValues = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
+export const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
 
 /** Ω, √(k/m), Ω²m/k, a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, and the velocity of the centre of mass. */
-function solve(parameters, initial) {
+export function solve(parameters, initial) {
   const Omega = FORMULAS.natural_frequency(parameters);
   const start = initial ?? { X: 0, phi: FORMULAS.released_angle(parameters), Phi: 0, X_dot: 0, phi_dot: 0, Phi_dot: 0 };
   const known = { ...parameters, ...start, Omega };
@@ -34,7 +36,7 @@ function driftOf(parameters, motion) {
 }
 
 /** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. */
-function stateAt({ Omega, motion }, phase, time) {
+export function stateAt({ Omega, motion }, phase, time) {
   const [cosine, sine] = [Math.cos(phase), Math.sin(phase)];
   const state = {};
   for (const [name, { a, b, c, d }] of Object.entries(motion)) {
@@ -45,7 +47,7 @@ function stateAt({ Omega, motion }, phase, time) {
 }
 
 /** The same from samples at equal steps, straight between two of them: an integrator's idea of the motion. */
-function sampleAt(samples, time) {
+export function sampleAt(samples, time) {
   const last = samples.phi.length - 2;
   const i = clamp(Math.floor(time / samples.step), 0, last);
   const part = clamp(time / samples.step - i, 0, 1);
@@ -59,11 +61,11 @@ function sampleAt(samples, time) {
 }
 
 /** The still of someone who asked for less motion: half a period in five exposures. */
-const exposures = (parameters, solution) =>
+export const exposures = (parameters, solution) =>
   [0, 1, 2, 3, 4].map((i) => ({ ...parameters, ...stateAt(solution, (Math.PI * i) / 4, 0) }));
 
 /** The states of one period, from release on, with what the formulas need besides. */
-function onePeriod(parameters, solution, points) {
+export function onePeriod(parameters, solution, points) {
   return Array.from({ length: points + 1 }, (_, i) => {
     const phase = (TURN * i) / points;
     return { ...parameters, ...stateAt(solution, phase, phase / solution.Omega), Omega: solution.Omega };

@@ -18,10 +18,10 @@ const PART_NODES = {
 const stores = new WeakMap(); // root → where its hidden nodes are kept
 
 /** Find a node of a stage, also one that is hidden at present. */
-const finder = (root) => (selector) => root.querySelector(selector) ?? stores.get(root)?.querySelector(selector);
+export const finder = (root) => (selector) => root.querySelector(selector) ?? stores.get(root)?.querySelector(selector);
 
 /** The parts under a root: `hide(names)` hides these and shows all others, `hides(name)` tells what is hidden. */
-function makeParts(root) {
+export function makeParts(root) {
   const owners = new Map(); // node → the parts to which it belongs
   for (const [name, selector] of Object.entries(PART_NODES))
     for (const node of root.querySelectorAll(selector)) owners.set(node, [...(owners.get(node) ?? []), name]);

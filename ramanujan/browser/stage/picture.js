@@ -1,15 +1,14 @@
 // The picture of one stage: puts the drawing's attributes on the nodes of stage.html, and is the only one that does. The
 // layers that can be chosen are in layers.js, the clock hands, gauge and readouts in dial.js.
 
-const set = (node, attributes) => {
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
-};
-const element = (name, attributes = {}, parent) => {
-  const node = document.createElementNS("http://www.w3.org/2000/svg", name);
-  set(node, attributes);
-  parent?.append(node);
-  return node;
-};
+import { fixed, withUnit } from "../page/sentences.js";
+import { makeDial } from "./dial.js";
+import { BODIES, CM, ROLLERS, centreOfMass, coil, layout, placed, rollerPaths, shapeOf, weight } from "./drawing.js";
+import { FORMULAS } from "./formulas.js";
+import { makeLayers } from "./layers.js";
+import { finder } from "./parts.js";
+import { element, set } from "./svg.js";
+import { pictured } from "./words.js";
 
 /**
  * The picture under a root.
@@ -24,7 +23,7 @@ const element = (name, attributes = {}, parent) => {
  * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
  * dispose()
  */
-function makePicture(root, { compact, dials, narrow, limits, label }) {
+export function makePicture(root, { compact, dials, narrow, limits, label }) {
   const find = finder(root);
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
   const parts = movingParts(moving), layers = makeLayers(root), dial = makeDial(root);

@@ -1,10 +1,12 @@
 // Where a machine is on its way: the two phases, what is left of a jump, and where the way ends. Pure, without a page.
 
+import { TURN, mapValues, sampleAt, stateAt } from "./motion.js";
+
 const SMOOTHING = 0.07; // s, the time in which a change of parameters fades into the picture
 const SCAN = TURN / 48; // step of phase in which the end of the way is looked for
 const NO_OFFSET = { X: 0, phi: 0, Phi: 0, plain: 0, shift: 0 };
 
-class Playback {
+export class Playback {
   phase = 0; // of the machine, Ωt: it stays when parameters change, so that the picture does not jump
   plainPhase = 0; // of the plain mass
   offset = NO_OFFSET;

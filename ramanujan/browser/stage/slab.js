@@ -1,5 +1,14 @@
 // The slab in a hand: dragged by the pointer or moved by the keys, within bounds that give way softly.
 
+import { bus } from "../page/bus.js";
+import { fill, number, withUnit } from "../page/sentences.js";
+import { CM } from "./drawing.js";
+import { FORMULAS } from "./formulas.js";
+import { clamp } from "./motion.js";
+import { set } from "./svg.js";
+import { WORDS } from "./texts.js";
+import { centimetres } from "./words.js";
+
 const THRESHOLD = { mouse: 4, pen: 6, touch: 9 }; // px that a pointer must move before a click becomes a drag
 const GIVE = 0.02; // m, the most by which the slab gives way beyond its bounds
 const KEY_STEP = 0.005; // m
@@ -95,7 +104,7 @@ function listenToSlab(node, { picture, limits, stage, signal }) {
 }
 
 /** What a hand on the slab does to its stage, and how the last x₀ is had back. */
-class Slab {
+export class Slab {
   constructor(node, stage, signal) {
     // Where x₀ has no room, there is nothing to drag.
     const fixed = stage.compact || stage.limits[0] === stage.limits[1];

@@ -1,5 +1,19 @@
-// The machine on the page, put together: clock, playback, picture, hand and words. Before this text stand FORMULAS (all
-// physics, printed by SymPy), WORDS and the other modules. The contract with Python is in __init__.py.
+// The machine on the page, put together: clock, playback, picture, hand and words. All physics is in formulas.js, which SymPy
+// prints; texts.js holds the words. The contract with Python is in __init__.py.
+
+import { bus, live } from "../page/bus.js";
+import { EYE, joinClock } from "./clock.js";
+import { leftPlace } from "./drawing.js";
+import { FORMULAS } from "./formulas.js";
+import { TURN, exposures, solve } from "./motion.js";
+import { makeParts } from "./parts.js";
+import { makePicture } from "./picture.js";
+import { Playback } from "./playback.js";
+import { Slab } from "./slab.js";
+import { WORDS } from "./texts.js";
+import { Hand } from "./thumb.js";
+import { listenToControls, showControls } from "./toolbar.js";
+import { description, makeVoice, moment } from "./words.js";
 
 const STEPS = 24; // steps of the step buttons in one period
 const TEXT_INTERVAL = 0.12; // s between two updates of running numbers; faster ones cannot be read

@@ -3,7 +3,10 @@
 // it there, and the server is still to answer. A hand on the slab moves the slider of x₀ along; when it lets go, that slider
 // sends its value as after a key stroke, or as soon as the server is there again.
 
-class Hand {
+import { bus } from "../page/bus.js";
+import { hosts } from "../page/hosts.js";
+
+export class Hand {
   held = null; // m, x₀ as it is drawn while the slab is in a hand, and until its slider has sent it
   due = null; // m, x₀ that the slider has still to send
   isHolding = false;

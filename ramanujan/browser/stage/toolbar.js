@@ -1,10 +1,13 @@
 // The controls under the picture: what each does, and how the keyboard goes from one to the next.
 
+import { finder } from "./parts.js";
+import { WORDS } from "./texts.js";
+
 /**
  * Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name),
  * slab.undo(). Return a function to be called when controls have been hidden or shown.
  */
-function listenToControls(root, stage, signal) {
+export function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
   const actions = {
@@ -69,7 +72,7 @@ function rove(all, { signal, choose }) {
 }
 
 /** Show what is set: whether the machine plays, its speed, its layers, how far it is in its period. */
-function showControls(root, { playing, speed, layers }) {
+export function showControls(root, { playing, speed, layers }) {
   root.querySelector(".stage").classList.toggle("playing", playing);
   finder(root)("[data-do=play]").setAttribute("aria-label", playing ? WORDS.pause : WORDS.play);
   for (const button of root.querySelectorAll("[data-speed]")) {

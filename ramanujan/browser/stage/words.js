@@ -1,18 +1,24 @@
 // What a stage says: sentences from WORDS, the note over the picture, news for the page's live region.
 
+import { bus } from "../page/bus.js";
+import { fill, fixed, number, withUnit } from "../page/sentences.js";
+import { ROLLERS, shapeOf } from "./drawing.js";
+import { TURN } from "./motion.js";
+import { WORDS } from "./texts.js";
+
 const NOTE_TIME = 3000; // ms that a note stays
 
 /** A length to a tenth of a millimetre at most, without zeros at its end. */
-const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/\.?0+$/, ""), "cm");
+export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/\.?0+$/, ""), "cm");
 
 /** The picture in one sentence, with the bodies that are there. */
-function pictured(parameters) {
+export function pictured(parameters) {
   const [left, right, top] = ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
   return fill(WORDS.picture, { left, right, top });
 }
 
 /** The two periods, and how fast the clocks part. */
-function description({ Omega, plain }) {
+export function description({ Omega, plain }) {
   const apart = Math.abs(Omega / plain - 1);
   const period = withUnit(number(TURN / Omega, 3), "s");
   if (apart < 1e-12) return fill(WORDS.together, { period });
@@ -20,7 +26,7 @@ function description({ Omega, plain }) {
 }
 
 /** Where the machine is, for those who cannot see it. */
-const moment = (phase, time, { hides }) =>
+export const moment = (phase, time, { hides }) =>
   fill(hides("numbers") ? WORDS.turned : WORDS.moment, {
     turns: fixed(phase / TURN, 2),
     time: withUnit(fixed(time, 2), "s"),
@@ -30,7 +36,7 @@ const moment = (phase, time, { hides }) =>
  * The voice of one stage. `note` shows something for a few seconds, `slowed` as long as it holds, `describe` and `tell`
  * are for the page's live region, which says a sentence once; what the machine does by itself comes before descriptions.
  */
-function makeVoice(root, { compact, parts, signal }) {
+export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
   let message = null, slowing = "", noting = 0, described = "", told = "";
   const show = () => (node.textContent = message ?? slowing);

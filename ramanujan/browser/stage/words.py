@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from html import escape
-
 from ramanujan.translation import _
 
 SENTENCES = {
@@ -119,8 +117,3 @@ TEXTS = {
     "coordinates": _("Coordinates"),
 }
 """Slot of stage.html → its text."""
-
-
-def filled(html: str) -> str:
-    """Return stage.html with its texts in their slots."""
-    return html.format(**{slot: escape(text) for slot, text in TEXTS.items()})

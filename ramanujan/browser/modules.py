@@ -1,0 +1,68 @@
+"""The JavaScript modules of the page, with what they need: the files of this folder, and three that Python writes.
+
+The server offers them under an address with the hash of their contents, so that a browser may keep them for good. The
+browser itself resolves their imports. looks.js holds each component's HTML and CSS: Streamlit would send these again
+with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.js holds the stage's words.
+"""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from hashlib import sha256
+from html import escape
+from pathlib import Path
+
+from ramanujan.browser.page.words import TEXTS
+from ramanujan.browser.stage import words
+from ramanujan.browser.stage.formulas import formulas
+from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.printers import javascript
+
+__all__ = ["begin", "contents", "place"]
+
+_HERE = Path(__file__).parent
+_LOOKS = {"turn": "steps"}
+"""Component of page/ → the one that it looks like."""
+
+
+@cache
+def contents() -> dict[str, bytes]:
+    """Return path → content of all that the server offers: modules, page.css and its fonts."""
+    offered = [path for pattern in ("**/*.js", "page/page.css", "**/*.woff2") for path in sorted(_HERE.glob(pattern))]
+    looks = {"stage/stage": _look("stage/stage", words.TEXTS)}
+    for name in (path.stem for path in offered if path.match("page/*.js")):
+        looks[f"page/{name}"] = _look(f"page/{_LOOKS.get(name, name)}", TEXTS.get(name, {}))
+    unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
+    sentences = {**words.SENTENCES, "slips": words.SLIPS, "bodies": words.BODIES, "unity": unity}
+    written = {
+        "looks.js": f"export const LOOKS = {json.dumps(looks, ensure_ascii=False)};",
+        "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
+        "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};",
+    }
+    files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
+    return files | {name: text.encode() for name, text in written.items()}
+
+
+@cache
+def place() -> str:
+    """Return the address below which `contents` are offered, relative to the app's own."""
+    return f"modules/{sha256(repr(sorted(contents().items())).encode()).hexdigest()[:12]}"
+
+
+def begin(name: str) -> str:
+    """Return the script of a component: it has begin.js load the module of this name."""
+    # Short, since Streamlit sends it with every run of the page; of one line alone it would think a file's name.
+    address = f'new URL("{place()}/begin.js", document.baseURI)'
+    return f'export default async (c) =>\n(await import({address})).begin("{name}", c)'
+
+
+def _look(name: str, texts: dict[str, str]) -> str:
+    """Return a component's style sheet and HTML, with texts in its slots; either may be missing."""
+    style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
+    html = html.format(**{slot: escape(text) for slot, text in texts.items()})
+    return f"<style>{style}</style>{html}" if style else html
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8") if path.exists() else ""

@@ -1,0 +1,16 @@
+"""The texts for the slots of the components' HTML; what the components say besides comes with their data."""
+
+from __future__ import annotations
+
+from ramanujan.translation import _
+
+TEXTS = {
+    "cursor": {"cursor": _("Time cursor")},
+    "link": {"copy": _("Copy link"), "link": _("Link")},
+    "pager": {"sheets": _("Sheets of this page"), "back": _("Back"), "next": _("Next")},
+    "sheet": {"handle": _("Sliders and presets")},
+    "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
+    "stopwatch": {"stopwatch": _("Stopwatch")},
+    "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},
+}
+"""Component → slot of its HTML → text."""

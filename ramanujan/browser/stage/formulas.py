@@ -1,0 +1,49 @@
+"""Every expression that the stage evaluates, taken from the derivation."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from ramanujan.derivation.elimination import eliminate
+from ramanujan.derivation.newton import contact_forces
+from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.solution import coefficients
+from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
+from ramanujan.oscillator import DRAWN_SPACING
+
+SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
+"""β of the paper's rollers."""
+
+
+def formulas() -> dict[str, Any]:
+    """Return every expression that the stage evaluates, by name, for rollers of any shape; `javascript` prints them."""
+    shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
+    bodies = machine(**shape_factors)
+    frequency_squared = eliminate(bodies).natural_frequency_squared
+    Omega = sp.Symbol("Omega", positive=True)
+    per_radius, gap = map(sp.Rational, DRAWN_SPACING)
+    # φ has no drift, so that φ̈ = −Ω²φ at every moment.
+    forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
+    return {
+        "natural_frequency": sp.sqrt(frequency_squared),
+        "plain_frequency": sp.sqrt(k / m),
+        "normalized_frequency_squared": sp.factor(frequency_squared * m / k),
+        "mass_ratio": m_prime / m,
+        "normalized_limit": sp.limit(unit_frequency_condition().normalized_frequency_squared, epsilon, 0),
+        "motion": {
+            str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
+            for q, parts in coefficients(bodies).items()
+        },
+        "spacing": per_radius * R + gap,
+        "deformation": bodies.deformation,
+        "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
+        "mass": {body.name: body.mass for body in bodies.bodies},
+        "displacement": {body.name: body.displacement for body in bodies.bodies},
+        "angle": {body.name: body.angle for body in bodies.bodies},
+        "velocity": {body.name: body.velocity for body in bodies.bodies},
+        "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
+        "potential_energy": bodies.potential_energy,
+        "contact_force": forces,
+    }

@@ -1,0 +1,211 @@
+"""The pure modules of the page, each imported alone by the browser: bus, sentences, motion, playback, clock."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from ramanujan import Oscillator, released
+from ramanujan.motion import motion
+from ramanujan.numerals import number
+from tests.browser import module
+
+MACHINE = {"m": 1.3, "m_prime": 4.7, "k": 21.0, "radius": 0.07}
+PARAMETERS = {**MACHINE, "compression": 0.06, "beta_hoop": 1.0, "beta_cylinder": 0.5, "beta_top": 0.5}
+
+
+@pytest.fixture(scope="module")
+def page(profile: object, server: str) -> object:
+    """A page of the server that holds nothing."""
+    page = profile.new_page()
+    page.goto(f"{server}/_stcore/health")
+    yield page
+    page.close()
+
+
+def run(page: object, name: str, body: str, argument: object = None) -> object:
+    """Return what a function's body returns, to which `it` is the module of this name and `given` the argument."""
+    return page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
+
+
+def test_the_bus(page):
+    """Publish, subscribe until aborted, the last value; one bus for all; a life begins and ends once."""
+    heard = run(
+        page,
+        "page/bus",
+        """
+        const { bus, live } = it, heard = [], stop = new AbortController();
+        bus.publish("a", 1);
+        bus.subscribe("a", (value) => heard.push(["early", value]), { signal: stop.signal });
+        bus.publish("a", 2);
+        stop.abort();
+        bus.publish("a", 3);
+        bus.subscribe("a", (value) => heard.push(["aborted", value]), { signal: stop.signal });
+        bus.forget("a");
+        bus.subscribe("a", (value) => heard.push(["forgotten", value]));
+        const element = {};
+        const begin = (signal) => {
+          heard.push(["begun"]);
+          signal.addEventListener("abort", () => heard.push(["ended"]));
+        };
+        const [one, two] = [live(element, begin), live(element, begin)];
+        one.end(); // a clean-up that comes late
+        heard.push(["still there"]);
+        two.end();
+        return { heard, same: bus === ramanujan, census: bus.census() };
+        """,
+    )
+    assert heard == {
+        "same": True,
+        "census": {"a": 1},
+        "heard": [["early", 1], ["early", 2], ["begun"], ["still there"], ["ended"]],
+    }
+
+
+def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
+    heard = run(
+        page,
+        "page/bus",
+        """
+        const heard = [], stop = new AbortController(), { signal } = stop;
+        const errors = new Promise((done) => addEventListener("error", (event) => {
+          event.preventDefault();
+          done(event.message);
+        }, { once: true }));
+        it.bus.subscribe("b", () => { throw Error("broken"); }, { signal });
+        it.bus.subscribe("b", (value) => heard.push(value), { signal });
+        it.bus.publish("b", 7);
+        stop.abort();
+        return [heard, await errors];
+        """,
+    )
+    assert heard[0] == [7]
+    assert "broken" in heard[1]
+
+
+def test_numbers_are_written_as_python_writes_them(page):
+    values = [0, 1, -1.5, 0.00012345, 123456.7, -98765432.1, 1e-5, 9.99996e5, 0.1, 2e300, 5e-324]
+    for digits in (1, 3, 7):
+        written = run(page, "page/sentences", "return given[0].map((x) => it.number(x, given[1]))", [values, digits])
+        assert written == [number(float(value), digits) for value in values]
+
+
+def test_sentences_take_values_into_their_slots(page):
+    assert run(page, "page/sentences", "return it.fill('{a} of {b}, {a}', { a: '{b}', b: 2 })") == "{b} of 2, {b}"
+
+
+def test_the_motion_is_that_of_the_numeric_core(page):
+    times = [0.0, 0.1, 1.7, 123.4]
+    states = run(
+        page,
+        "stage/motion",
+        """const solution = it.solve(given[0]);
+        return given[1].map((t) => it.stateAt(solution, solution.Omega * t, t));""",
+        [PARAMETERS, times],
+    )
+    machine = Oscillator(**MACHINE)
+    q, q_dot = motion(machine, released(machine, PARAMETERS["compression"]), np.array(times))
+    for row, name in enumerate(("X", "phi", "Phi")):
+        np.testing.assert_allclose([state[name] for state in states], q[row], rtol=1e-11, atol=1e-14)
+        np.testing.assert_allclose([state[f"{name}_dot"] for state in states], q_dot[row], rtol=1e-11, atol=1e-12)
+
+
+def test_samples_are_joined_by_straight_lines_and_stay_at_their_ends(page):
+    samples = {"step": 0.5, "X": [0, 1, 4], "phi": [0, 2, 2], "Phi": [1, 1, 1]}
+    states = run(page, "stage/motion", "return [-1, 0.25, 0.75, 9].map((t) => it.sampleAt(given, t))", samples)
+    assert [state["X"] for state in states] == [0, 0.5, 2.5, 4]
+    assert states[2]["X_dot"] == 6
+
+
+PLAYBACK = """
+  const { solve } = await MOTION;
+  const playback = new it.Playback();
+  const leaves = (state) => (state.X > given[1] ? "edge" : null);
+  const take = (parameters) => playback.take({ parameters, solution: solve(parameters), leaves });
+  take(given[0]);
+"""
+
+
+def playback(page, body: str, bound: float = math.inf) -> object:
+    start = PLAYBACK.replace("MOTION", module("stage/motion"))
+    return run(page, "stage/playback", start + body, [PARAMETERS, bound])
+
+
+def test_a_change_of_parameters_keeps_the_phase_and_fades(page):
+    before, after, faded = playback(
+        page,
+        """playback.advance(0.4);
+        const before = playback.drawn(), { phase } = playback;
+        take({ ...given[0], k: 5 });
+        playback.flowFrom(before);
+        const after = playback.drawn();
+        for (let i = 0; i < 100 && playback.fade(0.05); i++);
+        return [{ ...before, phase }, { ...after, phase: playback.phase }, playback.fade(0.05)];""",
+    )
+    for name in ("X", "phi", "Phi", "plain", "phase"):
+        assert after[name] == pytest.approx(before[name], abs=1e-12)
+    assert faded is False
+
+
+def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):
+    first, second = playback(
+        page,
+        """playback.advance(3);
+        const first = playback.phase - playback.plainPhase;
+        take({ ...given[0], m_prime: 1 });
+        return [first, playback.phase - playback.plainPhase];""",
+    )
+    assert first != 0
+    assert second == 0
+
+
+def test_a_step_beyond_the_end_of_the_way_stops_there(page):
+    """A machine that drifts: it is pushed, and X grows until it leaves its place."""
+    reason, now, seen = playback(
+        page,
+        """const initial = { X: 0, phi: 0, Phi: 0, X_dot: 0.1, phi_dot: 0, Phi_dot: 0 };
+        playback.take({ parameters: given[0], solution: solve(given[0], initial), leaves });
+        const reason = playback.goToTime(100);
+        return [reason, playback.now().X, playback.phase > playback.exit];""",
+        bound=0.5,
+    )
+    assert (reason, seen) == ("edge", True)
+    assert now == pytest.approx(0.5, abs=1e-6)
+
+
+def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
+    result = run(
+        page,
+        "stage/clock",
+        """
+        const stops = [new AbortController(), new AbortController()], ticks = [[], []];
+        const stage = (i, period) => ({ period: () => period, advance: (elapsed) => ticks[i].push(elapsed) });
+        const clocks = [0.35, 1e9].map((period, i) => it.joinClock("c", stage(i, period), true, stops[i].signal));
+        const frames = async (n) => { for (let i = 0; i < n; i++) await new Promise(requestAnimationFrame); };
+        await frames(4);
+        const shared = clocks[0] === clocks[1], { slowing } = clocks[0];
+        const each = ticks.map((list) => list.length);
+        stops[0].abort();
+        await frames(3);
+        const alone = ticks.map((list, i) => list.length - each[i]);
+        const quick = clocks[1].slowing;
+        stops[1].abort();
+        await frames(3);
+        const last = ticks[1].length;
+        await frames(3);
+        const fresh = it.joinClock("c", stage(0, 1), false, AbortSignal.abort());
+        return { shared, slowing, each, alone, quick, ended: ticks[1].length === last, another: fresh !== clocks[0],
+          least: Math.min(...ticks.flat()), most: Math.max(...ticks.flat()) };
+        """,
+    )
+    assert result["shared"]
+    # The shortest period that an eye can follow is 0.7 s.
+    assert result["slowing"] == pytest.approx(0.5)
+    assert result["quick"] == 1
+    assert result["each"][0] == result["each"][1] > 0
+    assert result["alone"][0] == 0 < result["alone"][1]
+    assert result["ended"]
+    assert result["another"]
+    assert 0 <= result["least"] <= result["most"] <= 0.1
