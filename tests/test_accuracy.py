@@ -226,7 +226,7 @@ def sweeps():
     return all_sweeps()
 
 
-@pytest.mark.parametrize("form", ["scaled", "effective_mass", "partial_fractions"])
+@pytest.mark.parametrize("form", ["scaled", "effective_mass", "partial_fractions", "integers"])
 @pytest.mark.parametrize("dtype", ["float32", "float64"])
 @pytest.mark.parametrize("along", ["ratio", "scale"])
 def test_good_forms_are_right_everywhere(sweeps, form, dtype, along):
@@ -234,6 +234,19 @@ def test_good_forms_are_right_everywhere(sweeps, form, dtype, along):
     assert set(sweep.verdict) == {"right"}
     assert len(sweep.stretches) == 1
     assert sweep.value.dtype == dtype
+
+
+@pytest.mark.parametrize("dtype", ["float32", "float64"])
+def test_a_machines_frequency_is_the_nearest_float_for_machines_drawn_by_lot(sweeps, dtype):
+    drawn = sweeps["integers", dtype, "machines"]
+    assert drawn.x.size > 300
+    assert set(drawn.verdict) == {"right"}
+    # float32 is rounded twice: to float64 first.
+    assert drawn.worst_right_ulp <= 0.5 + (1e-6 if dtype == "float32" else 0)
+    # Negative control: k/m varies here, so the form that draws the curve loses digits, or the ratio itself.
+    curve = sweeps["partial_fractions", dtype, "machines"]
+    assert curve.worst_right_ulp > 1
+    assert "overflow" in curve.verdict
 
 
 @pytest.mark.parametrize(("dtype", "decades"), [("float64", 300), ("float32", 37)])

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import time
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from functools import partial
 from itertools import islice
 
@@ -17,13 +19,14 @@ from hypothesis import strategies as strategy
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import Timing, cheapest, error_history, extremes, phase_errors
+from ramanujan.accuracy import FORMS, Timing, cheapest, error_history, extremes, phase_errors
 from ramanujan.accuracy.work_precision import WorkPrecision
 from ramanujan.figures import speed as figures
+from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.motion import motion, released
 from ramanujan.numerals import duration, number, power_of_ten
-from ramanujan.pages.speed import cache, costs, downsampling, verdicts
+from ramanujan.pages.speed import cache, costs, downsampling, own_choices, verdicts
 from ramanujan.shell import theme
 from tests.test_scene_motion import numbers
 
@@ -305,3 +308,18 @@ def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
     before, after = math.floor(math.log10(lost)), math.ceil(math.log10(lost))
     sentence = verdicts.how_phases_grow(phase_errors(machine))
     assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence
+
+
+def test_what_is_said_of_the_app_s_own_frequency_holds_for_a_machine_far_out():
+    """The curve's form is wrong by 2 ulp here, and has no value at all for the second machine."""
+    said = own_choices.what_the_app_uses(cache.choices(), extremes(samples_per_decade=1))
+    machine, curve = (line for line in said.splitlines() if "Ω²" in line.partition("**:")[0])
+    claimed = float(re.search(r"at most ([\d.]+) ulp", machine)[1])
+    for m, m_prime, k in ((1.8732999652319045, 7.5490236095328624, 7.557978417122431), (1e-200, 1e200, 1e200)):
+        exact = frequency_squared(*map(Fraction, (m, m_prime, k)))
+        value = Oscillator(m, m_prime, k).natural_frequency_squared
+        assert abs(Fraction(value) - exact) <= Fraction(claimed) * Fraction(math.ulp(value))
+    assert FORMS["partial_fractions"].formula in curve
+    assert FORMS["partial_fractions"].formula not in machine
+    # Both times stand there, and integers are the faster way to the same digits.
+    assert re.search(r"A value takes [\d.]+\u202f(ns|µs). Fractions give the same digits in [\d.]+\u202fµs", machine)

@@ -51,6 +51,7 @@ _KINDS = {
     "float32": _("float32"),
     "float64": _("float64"),
     "array": _("float64, one of {n} values in an array"),
+    "integers": _("exact integers, rounded once"),
     "fraction": _("exact fraction"),
     "mpmath": _("mpmath, {n} digits"),
 }
@@ -165,6 +166,7 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
         [
             (FORMS[sweep.form].title, sweep.dtype, _ALONG[sweep.along], *_stretch_cells(stretch), sweep.worst_right_ulp)
             for sweep in extremes(dtypes=_dtypes(options))
+            if sweep.along in _ALONG
             for stretch in sweep.stretches
         ],
     )

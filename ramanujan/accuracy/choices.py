@@ -16,7 +16,7 @@ import numpy as np
 
 from ramanujan.accuracy.measurement import Timing, measure
 from ramanujan.accuracy.phase import largest_phase_error
-from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared, normalized_frequency_squared
+from ramanujan.frequency import UNIT_MASS_RATIO, frequency_ratio, frequency_squared, normalized_frequency_squared
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 from ramanujan.validation import instance, integer, real, sequence
@@ -68,7 +68,7 @@ class ClosedForm:
 class Arithmetic:
     """One evaluation of Ω²m/k in one kind of arithmetic: its relative error and the seconds it takes.
 
-    kind : "float32", "float64", "array" (one of ARRAY values in float64), "fraction", or "mpmath"
+    kind : "float32", "float64", "array" (one of ARRAY values in float64), "integers", "fraction", or "mpmath"
     digits : decimal digits that mpmath carries; None for the other kinds
     """
 
@@ -175,6 +175,7 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
         ("float32", None, lambda: normalized_frequency_squared(few), 1),
         ("float64", None, lambda: normalized_frequency_squared(epsilon), 1),
         ("array", None, lambda: normalized_frequency_squared(many), ARRAY),
+        ("integers", None, lambda: _by_integers(epsilon), 1),
         ("fraction", None, lambda: _at(Fraction(epsilon)), 1),
     ]
     cases += [("mpmath", n, _with_digits(n, epsilon), 1) for n in wholes]
@@ -234,6 +235,13 @@ def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
     """Return Ω²m/k in the arithmetic of ε."""
     one = type(epsilon)(1)
     return frequency_squared(one, epsilon, one)
+
+
+def _by_integers(epsilon: float) -> float:
+    """Return Ω²m/k as `Oscillator` does: one quotient of integers."""
+    m_prime, m = epsilon.as_integer_ratio()
+    numerator, denominator = frequency_ratio(m, m_prime, m)
+    return numerator / denominator
 
 
 def _with_digits(digits: int, epsilon: float) -> Callable[[], mpmath.mpf]:

@@ -1,8 +1,8 @@
 """Ω² for very large and very small numbers: the error of each formula in ulp, and its value where it fails.
 
-The FORMS of Ω² are algebraically equal, so all of them are exact in exact arithmetic. Two sweeps cover the range of
-floating point. "ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s. The
-reference value is computed with 50 digits from the same floats.
+The FORMS of Ω² are algebraically equal, so all of them are exact in exact arithmetic. Three sweeps cover the range of
+floating point. "ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s; "machines"
+draws m, m′ and k by lot, from the whole range. The reference value is computed with 50 digits from the same floats.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ramanujan.accuracy.measurement import REFERENCE, exact_frequency_squared, float_type
 from ramanujan.frequency import frequency_squared, normalized_frequency_squared
+from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 from ramanujan.validation import integer, sequence, some_of
 
@@ -27,6 +28,10 @@ PLAUSIBLE_ERROR = 1e-2
 """Relative error from which a finite nonzero value counts as wrong, although it looks like an answer."""
 DECADES = {"float32": 37, "float64": 300}
 """The sweeps run from 10^−d to 10^d, so that m′ = ε and Ω² stay normal numbers."""
+
+MACHINES = 1000
+"""Machines drawn by lot; those whose Ω² leaves the range of the sweeps are left out."""
+SWEPT = ("ratio", "scale", "machines")
 
 Values = NDArray[np.floating]
 
@@ -57,8 +62,8 @@ class Sweep:
 
     Parameters
     ----------
-    form, dtype, along : name in FORMS; "float32" or "float64"; "ratio" or "scale"
-    x : ε or s
+    form, dtype, along : name in FORMS; "float32" or "float64"; one of SWEPT
+    x : ε, s, or the number of the machine
     value : Ω² as the form returns it
     error_ulp : |value − truth| in units of the truth's last place; NaN or ∞ where the value is
     verdict : RIGHT, INACCURATE, OVERFLOW, ZERO or PLAUSIBLE
@@ -107,18 +112,18 @@ def extremes(
     ------
     ValueError : an argument is outside its range.
 
-    >>> sweep, _ = extremes(["paper"], ["float32"], 1)
+    >>> sweep, *_ = extremes(["paper"], ["float32"], 1)
     >>> [stretch.verdict for stretch in sweep.stretches]
     ['right', 'zero']
     """
     names = list(FORMS) if forms is None else some_of("forms", forms, FORMS)
-    kinds = [(dtype, float_type("dtypes", dtype)) for dtype in sequence("dtypes", dtypes)]
+    kinds = {dtype: float_type("dtypes", dtype) for dtype in sequence("dtypes", dtypes)}
     density = integer("samples_per_decade", samples_per_decade, 1, 20)
     return [
         sweep
-        for along in ("ratio", "scale")
-        for dtype, kind in kinds
-        for sweep in _sweeps(names, along, dtype, powers_of_ten(dtype, kind, density))
+        for along in SWEPT
+        for dtype, kind in kinds.items()
+        for sweep in _sweeps(names, along, dtype, kind, density)
     ]
 
 
@@ -137,8 +142,16 @@ def _effective_mass(m: Values, m_prime: Values, k: Values) -> Values:
     return k / (3 * m_prime / 8 + m / 2 * ((8 * m + 7 * m_prime) / (7 * m + 6 * m_prime)))
 
 
-def _app(m: Values, m_prime: Values, k: Values) -> Values:
-    return k / m * normalized_frequency_squared(m_prime / m)
+def _partial_fractions(m: Values, m_prime: Values, k: Values) -> Values:
+    value, ratio = np.full_like(m, np.nan), m_prime / m
+    finite = np.isfinite(ratio)
+    value[finite] = (k / m)[finite] * normalized_frequency_squared(ratio[finite])
+    return value
+
+
+def _integers(m: Values, m_prime: Values, k: Values) -> Values:
+    machines = zip(m.tolist(), m_prime.tolist(), k.tolist(), strict=True)
+    return np.array([Oscillator(*machine).natural_frequency_squared for machine in machines]).astype(m.dtype)
 
 
 FORMS: dict[str, Form] = {
@@ -150,20 +163,38 @@ FORMS: dict[str, Form] = {
         _scaled,
     ),
     "effective_mass": Form(_("effective mass"), "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
-    "partial_fractions": Form(_("the app’s form"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _app),
+    "partial_fractions": Form(
+        _("partial fractions"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _partial_fractions
+    ),
+    "integers": Form(
+        _("exact integers"), "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in integers of any length, rounded once", _integers
+    ),
 }
-"""The forms of Ω² by name; `normalized_frequency_squared` evaluates the last one."""
+"""The forms of Ω² by name; `normalized_frequency_squared` evaluates the last but one, `Oscillator` the last one."""
 
 
-def _sweeps(names: list[str], along: str, dtype: str, x: np.ndarray) -> Iterator[Sweep]:
-    one = np.ones_like(x)
-    m, m_prime, k = (one, x, one) if along == "ratio" else (x, x, x)
+def _sweeps(names: list[str], along: str, dtype: str, kind: type[np.floating], density: int) -> Iterator[Sweep]:
+    x, m, m_prime, k = _swept(along, dtype, kind, density)
     truth = list(map(exact_frequency_squared, m, m_prime, k))
     for name in names:
         with np.errstate(all="ignore"):
             value = FORMS[name].evaluate(m, m_prime, k)
-        error_ulp, relative = ulp_errors(value, truth, x.dtype.type)
+        error_ulp, relative = ulp_errors(value, truth, kind)
         yield Sweep(name, dtype, along, x, value, error_ulp, _verdicts(value, error_ulp, relative))
+
+
+def _swept(along: str, dtype: str, kind: type[np.floating], density: int) -> tuple[Values, Values, Values, Values]:
+    """Return x of a sweep, and m, m′ and k there."""
+    if along == "machines":
+        decades = DECADES[dtype]
+        exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))
+        m, m_prime, k = exponents
+        within = np.abs(k - np.maximum(m, m_prime)) < decades - 1
+        m, m_prime, k = (10.0 ** exponents[:, within]).astype(kind)
+        return np.arange(m.size, dtype=kind), m, m_prime, k
+    x = powers_of_ten(dtype, kind, density)
+    one = np.ones_like(x)
+    return (x, one, x, one) if along == "ratio" else (x, x, x, x)
 
 
 def powers_of_ten(dtype: str, kind: type[np.floating], density: int) -> np.ndarray:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from ramanujan.accuracy import FORMS
 from ramanujan.accuracy.choices import STATES, Arithmetic, ClosedForm, Comparison, CurveSampling
-from ramanujan.accuracy.extremes import Sweep
+from ramanujan.accuracy.extremes import RIGHT, Sweep
 from ramanujan.numerals import duration, number
 from ramanujan.pages.speed.downsampling import FIGURE_HEIGHT, SCREEN_HEIGHT
 from ramanujan.translation import _
@@ -19,7 +19,7 @@ def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
     kinds = [f for f in found if isinstance(f, Arithmetic)]
     items = [
         _motion([f for f in found if isinstance(f, ClosedForm)]),
-        _frequency(kinds, [s for s in sweeps if s.form == list(FORMS)[-1] and s.dtype == "float64"]),
+        *_frequency(kinds, {s.form: s for s in sweeps if (s.along, s.dtype) == ("machines", "float64")}),
         _formulas(kinds),
         _curves([f for f in found if isinstance(f, CurveSampling)]),
         _bytes(),
@@ -44,15 +44,31 @@ def _only(kinds: Sequence[Arithmetic], name: str) -> Arithmetic:
     return next(each for each in kinds if each.kind == name)
 
 
-def _frequency(kinds: Sequence[Arithmetic], form: Sequence[Sweep]) -> str:
-    return _(
-        "**Ω²**: {formula}. It is right to {error} ulp over the whole range of float64. A value takes {many} in an "
-        "array and {one} by itself."
-    ).format(
-        formula=FORMS[list(FORMS)[-1]].formula,
-        error=number(max(s.worst_right_ulp for s in form)),
-        many=duration(_only(kinds, "array").seconds.median),
-        one=duration(_only(kinds, "float64").seconds.median),
+def _frequency(kinds: Sequence[Arithmetic], drawn: Mapping[str, Sweep]) -> tuple[str, str]:
+    machine, curve = drawn["integers"], drawn["partial_fractions"]
+    right = curve.verdict == RIGHT
+    return (
+        _(
+            "**Ω² of a machine**: {formula}. For {count} machines drawn by lot over the whole range of float64, the "
+            "error is at most {error} ulp. A value takes {integers}. Fractions give the same digits in {fractions}."
+        ).format(
+            formula=FORMS["integers"].formula,
+            count=machine.x.size,
+            error=number(machine.worst_right_ulp),
+            integers=duration(_only(kinds, "integers").seconds.median),
+            fractions=duration(_only(kinds, "fraction").seconds.median),
+        ),
+        _(
+            "**The curve of Ω²m/k**: {formula}, for k = m. It computes whole arrays: a value takes {many} in an array "
+            "and {one} by itself. For the same machines its error is up to {error} ulp, and it fails for {failed} of "
+            "them."
+        ).format(
+            formula=FORMS["partial_fractions"].formula,
+            many=duration(_only(kinds, "array").seconds.median),
+            one=duration(_only(kinds, "float64").seconds.median),
+            error=number(curve.worst_right_ulp),
+            failed=int(np.count_nonzero(~right)),
+        ),
     )
 
 
