@@ -1,4 +1,4 @@
-"""The judge of a student's formula: right in any spelling, typical mistakes named, and never an exception."""
+"""The judge of a student's formula, through its own door: right in any spelling, mistakes named, never an exception."""
 
 from __future__ import annotations
 
@@ -15,20 +15,15 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from ramanujan.derivation import ROUTES, altered, mistakes, questions
-from ramanujan.derivation.answers import QUESTIONS, judge, question
-from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.expansion import NormalForm
-from ramanujan.derivation.expressions import SPELLING, spelled, typeset
-from ramanujan.derivation.normal_form import normal_form
-from ramanujan.derivation.parser import MAX_WEIGHT, UnreadableError, parse
-from ramanujan.derivation.symbols import k, m, m_prime, machine, phi
-from ramanujan.derivation.units import unit_text, units
+from ramanujan.answers import QUESTIONS, judge, machines, question
+from ramanujan.answers.grammar import MAX_WEIGHT, UnreadableError, parse, typeset
+from ramanujan.answers.values import unit
+from ramanujan.derivation.elimination import eliminate, phi_ddot
+from tests.test_wrong_answers import RIGHT_RATIO
 
 OMEGA, RATIO, POTENTIAL = "natural_frequency_squared", "unit_mass_ratio", "potential_energy"
 BLOCK, HOOP, CYLINDER, SLAB, TOP = (f"kinetic_energy_{body}" for body in ("block", "hoop", "cylinder", "slab", "top"))
 EXAMPLES = 20_000 if os.environ.get("RAMANUJAN_DEEP") else 250
-KINDS = {"right", "unsimplified", "wrong", "unreadable"}
 
 RIGHT = {
     BLOCK: ["1/2 m X'^2", "½mX'²", "m*X'**2/2", "0.5 m Ẋ²", "½ m (-X')²", "mX'X'/2"],
@@ -37,12 +32,13 @@ RIGHT = {
         "m'/2*((R phi' - X')^2 + R^2 phi'^2)",
         "m'(2R²φ'² - 2RX'φ' + X'²)/2",
         "½ m′ (Ẋ − Rφ̇)² + ½ m′ (R φ̇)²",
+        r"\frac12 m'\left(R\,\dot{\varphi}-\dot X\right)^{2} + \tfrac{1}{2}m^{\prime} R^2\dot\varphi^2",
     ],
     CYLINDER: ["½m'(Rφ'-X')² + ¼m'R²φ'²", "1/2 m' (R phi' - X')^2 + 1/2*1/2 m' R^2 phi'^2"],
     SLAB: ["½m(2Rφ'-X')²", "m/2*(X' - 2R phi')^2", "2mR²φ'² - 2mRφ'X' + ½mX'²"],
     TOP: ["½m(RΦ'-X')² + ¼mR²Φ'²", "m(3R²Phi'^2 - 4R Phi' X' + 2X'^2)/4"],
     POTENTIAL: ["2kR²φ²", "½k(2Rφ)²", "2 k (R phi)^2"],
-    "phi_equation": ["R(8m+7m')/2", "4mR + 7/2 m'R", "R(4m + 3.5m')"],
+    "phi_equation": ["R(8m+7m')/2", "4mR + 7/2 m'R", "R(4m + 3.5m')", "(8m+7m')R 0.5", "R(4m + 3,5m')"],
     "block_coupling": ["6R(m+m')/(7m+6m')", "6R(1+ε)/(7+6ε)", "R(6m+6m')/(6m'+7m)"],
     "top_coupling": ["4(m+m')/(7m+6m')", "4(1+eps)/(7+6eps)"],
     OMEGA: [
@@ -50,8 +46,18 @@ RIGHT = {
         "8*k*(7*m + 6*m')/(32*m**2 + 49*m*m' + 18*m'**2)",
         "(56km+48km')/(18m'^2+49m m'+32m^2)",
         "(k/m)*8(6ε+7)/(18ε²+49ε+32)",
+        "(k/m) 8(7+6ε)/(18ε²+49ε+32)",
+        r"\frac{8k(7m+6m')}{32m^2+49mm'+18m'^2}",
+        r"$\frac{8\,k\,\left(7\,m + 6\,m'\right)}{32\,m^{2} + 49\,m\,m' + 18\,{m'}^{2}}$",
     ],
-    RATIO: ["(√1729-1)/36", "(sqrt(1729) - 1)/36", "48/(1+√1729)", "(1729^(1/2)-1)/36", "-(1-√1729)/36"],
+    RATIO: [
+        "(√1729-1)/36",
+        "(sqrt(1729) - 1)/36",
+        "48/(1+√1729)",
+        "(1729^(1/2)-1)/36",
+        "-(1-√1729)/36",
+        r"\frac{\sqrt{1729}-1}{36}",
+    ],
 }
 
 UNSIMPLIFIED = [
@@ -59,7 +65,7 @@ UNSIMPLIFIED = [
     (BLOCK, "mX'²/4 + mX'²/4", "like terms"),
     (BLOCK, "½mX'² + R - R", "without R"),
     (BLOCK, "sqrt(m^2)X'^2/2", "a root"),
-    (BLOCK, "½m√(X'^2)^2", "shorter"),
+    (BLOCK, "½m√(X'^2)^2", "a root"),
     (BLOCK, "½mX'² + 0", "like terms"),
     (SLAB, "½m(Rφ'+Rφ'-X')(Rφ'+Rφ'-X')", "like terms"),
     (TOP, "m/12 ((3R Phi' - 3X')^2 + 9/2 R^2 Phi'^2)*2/3", "shorter"),
@@ -77,8 +83,10 @@ UNSIMPLIFIED = [
     (RATIO, "(√(9^3+10^3)-1)/36", "like terms"),
     (RATIO, "(√(7*13*19)-1)/36", "under it"),
     (RATIO, "(√6916-2)/72", "a root"),
-    # A root of a root has no normal form here; 300 digits decide.
-    (RATIO, "(√(1730+2√1729)-2)/36", "much shorter"),
+    (RATIO, "(√(1730+2√1729)-2)/36", "under it"),
+    (HOOP, "½m'v² + ½Iω²", "What is v in terms of X′ and φ′? What is ω? What is I?"),
+    (BLOCK, "½mv²", "What is v in terms of X′?"),
+    (POTENTIAL, "½kx²", "What is x in terms of φ?"),
 ]
 
 WRONG = [
@@ -141,7 +149,21 @@ WRONG = [
     (OMEGA, "104k/(99m)", "equal masses"),
     (OMEGA, "1.0505 k/m", "equal masses"),
     (OMEGA, "1.0505", "equal masses"),
-    (OMEGA, "8k/(8m+7m')", "relative to the block"),
+    (OMEGA, "8k/(8m+7m')", "leave out the acceleration of X, as if the block stood still"),
+    (OMEGA, "4k/(7m'/2+4m)", "leave out the acceleration of X, as if the block stood still"),
+    (OMEGA, "8k(3m+2m')/(16m²+21mm'+6m'²)", "leave the acceleration of Φ out of the X equation"),
+    (OMEGA, "k/(5m)", "does not depend on m′, but Ω² does"),
+    (OMEGA, "8k/m", "does not depend on m′, but Ω² does"),
+    (OMEGA, "1.05 k/m", "equal masses"),
+    ("block_coupling", "2(m+m')R/(3m+2m')", "leave the acceleration of Φ out of the X equation"),
+    ("block_coupling", "4(m+m')/(7m+6m')", "the acceleration of Φ divided by that of φ"),
+    ("block_coupling", "3R/2", "the acceleration of X divided by that of Φ"),
+    ("block_coupling", "0.923 R", "have the mass m"),
+    ("top_coupling", "0.615", "have the mass m"),
+    ("top_coupling", "(7m+6m')/(4(m+m'))", "reciprocal of the right answer. Which acceleration is"),
+    ("top_coupling", "2(m+m')/(7m+6m')", "half of"),
+    (HOOP, "½m'(Rφ'-X')² - ½m'R²φ'²", "subtract one energy from the other"),
+    (HOOP, "½m'v²", "leave out the rotation of the hoop"),
     (OMEGA, "k/m", "plain mass"),
     (OMEGA, "7k/(4m)", "right for m′ = 0"),
     (OMEGA, "2k/(3m+m')", "wrong even for equal masses"),
@@ -153,6 +175,14 @@ WRONG = [
     (RATIO, "36/(√1729-1)", "the ratio m/m′"),
     (RATIO, "(1729-1)/36", "leave out the square root"),
     (RATIO, "(√1728-1)/36", "leave out b²"),
+    (RATIO, "√(1729−1)/36", "−b is under the root"),
+    (RATIO, "√(24/18)", "leave out the linear term bε"),
+    (RATIO, "√1729-1/36", "divide only one of the two terms"),
+    (RATIO, "(√433-1)/36", "the factor 4 under the root"),
+    (RATIO, "1.2", "off by one unit"),
+    (RATIO, "1,128", "off by one unit"),
+    (RATIO, "1.1", "exact number agrees"),
+    (RATIO, "1.127", "exact number agrees"),
     (RATIO, "(√1730-1)/36", "without the root is right"),
     (RATIO, "1.127256827", "exact number agrees"),
     (RATIO, "(41.58-1)/36", "exact number agrees"),
@@ -160,6 +190,15 @@ WRONG = [
     (RATIO, "62/55", "Ω² and k/m differ by"),
     (RATIO, "-2", "positive"),
     (RATIO, "m'/m", "m and m′, but the mass ratio does not depend on them"),
+    (BLOCK, "½mX'² + m", "different units, kg and kg·m²/s²"),
+    (BLOCK, "m + R", "different units, kg and m"),
+    (BLOCK, "m + 1", "a plain number to a term with the unit kg"),
+    (BLOCK, "sqrt(m)", "has the unit kg^(1/2)"),
+    (OMEGA, "k/m'*R", "the unit m/s², but Ω² has the unit 1/s²"),
+    (OMEGA, "1/(kR)", "has the unit s²/(kg·m)"),
+    (OMEGA, "k/(m+R)", "different units"),
+    (POTENTIAL, "k R", "has the unit kg·m/s², but the potential energy has the unit kg·m²/s²"),
+    ("top_coupling", "R", "is a plain number"),
 ]
 
 NOT_ROUNDED = [
@@ -172,18 +211,6 @@ NOT_ROUNDED = [
     (RATIO, "1.129"),
     (HOOP, "0.5m'(Rφ'-X')² + 0.6m'R²φ'²"),
     (BLOCK, "0.49 mX'²"),
-]
-
-UNITS = [
-    (BLOCK, "½mX'² + m", "different units, kg and kg·m²/s²"),
-    (BLOCK, "m + R", "different units, m and kg"),
-    (BLOCK, "m + 1", "a plain number to a term with the unit kg"),
-    (BLOCK, "sqrt(m)", "has the unit kg^(1/2)"),
-    (OMEGA, "k/m'*R", "the unit m/s², but Ω² has the unit 1/s²"),
-    (OMEGA, "1/(kR)", "has the unit s²/(kg·m)"),
-    (OMEGA, "k/(m+R)", "below a fraction line"),
-    (POTENTIAL, "k R", "has the unit kg·m/s², but the potential energy has the unit kg·m²/s²"),
-    ("top_coupling", "R", "is a plain number"),
 ]
 
 HOSTILE = [
@@ -228,124 +255,116 @@ HOSTILE = [
     "1/".join("(X'-phi'R)" for _ in range(20)),
     "(X+X'+phi+phi'+Phi+Phi'+m+m'+k+R)^4/(X+X'+phi+phi'+Phi+Phi'+m+m'+k+2R)^4",
     "m" * 5000,
+    "".join(f"+1/(m+{n})" for n in range(30)),
+    r"\frac" * 60,
+    "{" * 300,
+    "(m^12+1)(k^12+1)(R^12+1)(X^12+1)(phi^12+1)",
     "".join(f"+m^{n % 12}k^{(5 * n) % 12}" for n in range(9)),
 ]
 
 
-def test_every_question_is_covered_here() -> None:
-    assert set(RIGHT) == set(QUESTIONS)
-
-
 @pytest.mark.parametrize(("name", "text"), [(name, text) for name, texts in RIGHT.items() for text in texts])
-def test_right_in_many_spellings(name: str, text: str) -> None:
+def test_right_in_many_spellings(name, text):
     assert judge(name, text).kind == "right"
 
 
 @pytest.mark.parametrize(("name", "text", "said"), UNSIMPLIFIED)
-def test_right_but_unsimplified(name: str, text: str, said: str) -> None:
+def test_right_but_unsimplified(name, text, said):
     verdict = judge(name, text)
     assert verdict.kind == "unsimplified"
     assert said in verdict.message
 
 
 @pytest.mark.parametrize(("name", "text", "said"), WRONG)
-def test_names_the_mistake(name: str, text: str, said: str) -> None:
+def test_names_the_mistake(name, text, said):
     verdict = judge(name, text)
     assert verdict.kind == "wrong"
     assert said in verdict.message
 
 
 @pytest.mark.parametrize(("name", "text"), NOT_ROUNDED)
-def test_only_a_decimal_number_within_its_last_digit_is_called_rounded(name: str, text: str) -> None:
+def test_only_a_decimal_number_near_its_last_digit_is_called_rounded(name, text):
     verdict = judge(name, text)
     assert verdict.kind == "wrong"
     assert not re.search("exact number|agrees|digit", verdict.message)
 
 
-@pytest.mark.parametrize(("name", "text", "said"), UNITS)
-def test_names_the_wrong_unit(name: str, text: str, said: str) -> None:
-    verdict = judge(name, text)
-    assert verdict.kind == "wrong"
-    assert said in verdict.message
+@settings(deadline=None, max_examples=60)
+@given(st.integers(1, 15), st.integers(-3, 3))
+def test_a_decimal_agrees_if_it_is_the_ratio_rounded_to_its_last_digit(places, off):
+    typed = Fraction(round(Fraction(str(RIGHT_RATIO.n(40))) * 10**places) + off, 10**places)
+    message = judge(RATIO, f"{sp.Rational(typed).n(30):.{places}f}").message
+    assert ("exact number agrees" in message) == (off == 0)
+    distance = abs(typed - Fraction(str(RIGHT_RATIO.n(40)))) * 10**places
+    assert ("off by one unit" in message) == (off != 0 and distance <= Fraction(3, 2))
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_a_right_answer_to_one_question_is_wrong_for_the_others(name: str) -> None:
+def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
     """Negative control: nothing is right everywhere."""
     for other in set(QUESTIONS) - {name}:
         assert judge(other, RIGHT[name][0]).kind == "wrong"
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name: str) -> None:
+def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name):
     asked = question(name)
-    verdict = judge(name, asked.example)
-    assert verdict.kind == "wrong"
-    assert units(normal_form(parse(asked.example))) == units(normal_form(parse(RIGHT[name][0])))
+    assert judge(name, asked.example).kind == "wrong"
+    assert unit(parse(asked.example)) == unit(parse(RIGHT[name][0]))
     assert asked.prompt.endswith("?")
     assert asked.prompt.count("$") % 2 == 0
 
 
-def test_only_the_named_names_are_in_the_answers() -> None:
+def test_only_the_named_names_are_in_the_answers():
     assert question(OMEGA).names == ("m", "m'", "k", "eps")
     assert question(SLAB).names == ("m", "R", "X'", "phi'")
     assert question(RATIO).names == ()
 
 
 @pytest.mark.parametrize("name", ["", "Ω", None, ["a"], 3])
-def test_an_unknown_question_is_refused(name: object) -> None:
+def test_an_unknown_question_is_refused(name):
     assert judge(name, "m").kind == "unreadable"
     with pytest.raises(ValueError, match="name"):
         question(name)
 
 
-@pytest.mark.parametrize("text", [None, 3, b"m", ["m"], object(), float("nan")])
-def test_what_is_no_text_is_unreadable(text: object) -> None:
+@pytest.mark.parametrize("text", [None, 3, b"m", ["m"], object(), float("nan"), "v", "ω²", "I/m"])
+def test_what_is_no_text_or_has_letters_without_use_is_unreadable(text):
     assert judge(OMEGA, text).kind == "unreadable"
 
 
-def test_verdicts_are_frozen() -> None:
+def test_verdicts_are_frozen():
     with pytest.raises(FrozenInstanceError):
         judge(OMEGA, "k/m").kind = "right"
 
 
-# Forms of the right answer that SymPy writes, and near misses
+# Near misses, and other machines
 
 
-def typed(expression: sp.Expr) -> str:
-    """The text that SymPy prints for an expression, in the names a student types."""
-    return str(expression.subs({symbol: sp.Symbol(name) for symbol, name in SPELLING.items()}, simultaneous=True))
-
-
-@pytest.mark.parametrize("form", [sp.expand, sp.factor, sp.together, sp.apart, sp.cancel, sp.simplify, sp.horner])
-def test_every_form_sympy_gives_the_frequency_is_accepted(form) -> None:
-    expression = ROUTES["euler_lagrange"].natural_frequency_squared
-    arguments = (m,) if form in (sp.apart, sp.horner) else ()
-    if form is sp.horner:
-        numerator, denominator = sp.fraction(expression)
-        text = typed(sp.horner(sp.expand(numerator), m) / sp.horner(denominator, m))
-    else:
-        text = typed(form(expression, *arguments))
-    assert judge(OMEGA, text).kind in ("right", "unsimplified")
-
-
-@settings(deadline=None, max_examples=60)
-@given(st.sampled_from(QUESTIONS), st.fractions(-9, 9, max_denominator=9), st.integers(0, 3))
-def test_a_multiple_of_the_right_answer_is_right_only_for_one(name: str, factor: Fraction, spelling: int) -> None:
-    text = RIGHT[name][spelling % len(RIGHT[name])]
+@settings(deadline=None, max_examples=100)
+@given(st.sampled_from(QUESTIONS), st.fractions(-9, 9, max_denominator=9), st.integers(0, 5))
+def test_a_multiple_of_the_right_answer_is_right_only_for_one(name, factor, spelling):
+    text = RIGHT[name][spelling % len(RIGHT[name])].strip("$")
     verdict = judge(name, f"({factor})*({text})")
     assert (verdict.kind in ("right", "unsimplified")) == (factor == 1)
 
 
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_half_the_right_answer_is_wrong(name):
+    """Each question is tried, and each in the form that its page would show."""
+    verdict = judge(name, f"({RIGHT[name][0]})/2")
+    assert verdict.kind == "wrong"
+
+
 @settings(deadline=None, max_examples=60)
 @given(st.sampled_from(QUESTIONS), st.integers(1, 10**19), st.sampled_from(["", "*√2"]))
-def test_a_tiny_addition_is_not_overlooked(name: str, size: int, root: str) -> None:
+def test_a_tiny_addition_is_not_overlooked(name, size, root):
     text = RIGHT[name][0]
     assert judge(name, f"({text})*(1 + 1/{size}{root})").kind == "wrong"
     assert judge(name, f"({text})*(1 + 1/{size}^5{root})").kind == "wrong"
 
 
-def test_the_accepted_mass_ratio_makes_the_accepted_frequency_one() -> None:
+def test_the_accepted_mass_ratio_makes_the_accepted_frequency_one():
     """Two accepted answers, put together with 60 digits by mpmath, give Ω² = k/m."""
     with mpmath.workdps(60):
         ratio = (mpmath.sqrt(1729) - 1) / 36
@@ -354,33 +373,16 @@ def test_the_accepted_mass_ratio_makes_the_accepted_frequency_one() -> None:
     assert judge(RATIO, RIGHT[RATIO][0]).kind == judge(OMEGA, RIGHT[OMEGA][0]).kind == "right"
 
 
-# The derivation of mistakes
-
-
-@pytest.mark.parametrize("shapes", [(1, sp.Rational(1, 2), sp.Rational(1, 2)), (0, 0, 0), (sp.Rational(2, 5), 1, 1)])
-def test_elimination_for_mistakes_is_the_paper_s(shapes: tuple[sp.Expr, ...]) -> None:
-    """The quick elimination agrees with the one that solves the equations of motion, for other bodies too."""
-    bodies = machine(m_prime, *shapes)
-    paper, phi_ddot = eliminate(bodies), phi.diff("t", 2)
-    for name, formula in (
-        ("natural_frequency_squared", paper.natural_frequency_squared),
-        ("block_coupling", paper.X_from_phi.coeff(phi_ddot)),
-        ("top_coupling", paper.Phi_from_phi.coeff(phi_ddot)),
-        ("phi_equation", paper.motion[phi].coeff(phi_ddot)),
+@pytest.mark.parametrize("mistake", [*machines.common()[::5], *machines.exotic()[::4]], ids=lambda each: each.hint[28:])
+def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(mistake):
+    """SymPy solves the equations of motion of the altered machine; the judge has them solved in numbers."""
+    yours, right = eliminate(mistake.bodies), eliminate(machines.right())
+    for name, formula, expected in (
+        (OMEGA, yours.natural_frequency_squared, right.natural_frequency_squared),
+        ("block_coupling", yours.X_from_phi / phi_ddot, right.X_from_phi / phi_ddot),
     ):
-        assert altered.single_mass(bodies, name) == NormalForm.of(formula)
-
-
-@settings(deadline=None, max_examples=30)
-@given(*(st.sampled_from([Fraction(1), Fraction(2, 3), Fraction(1, 2), Fraction(2, 5)]) for _ in range(3)))
-def test_other_bodies_have_the_frequency_of_the_family(a: Fraction, b: Fraction, c: Fraction) -> None:
-    """Ω² = k[(2+γ)m+2m′]/[(1+γ)m²+¼(2+γ)(2+s)mm′+½sm′²] with s = β_a+β_b, γ = β_c/(1+β_c)."""
-    shapes = [sp.Rational(x.numerator, x.denominator) for x in (a, b, c)]
-    s, gamma = shapes[0] + shapes[1], shapes[2] / (1 + shapes[2])
-    below = (1 + gamma) * m**2 + (2 + gamma) * (2 + s) * m * m_prime / 4 + s * m_prime**2 / 2
-    expected = k * ((2 + gamma) * m + 2 * m_prime) / below
-    bodies = machine(m_prime, *shapes)
-    assert altered.single_mass(bodies, "natural_frequency_squared") == NormalForm.of(expected)
+        if formula != expected:
+            assert re.match("You get this result|This is", judge(name, str(formula)).message)
 
 
 @pytest.mark.parametrize(
@@ -392,45 +394,28 @@ def test_other_bodies_have_the_frequency_of_the_family(a: Fraction, b: Fraction,
         ("(√33+1)/4", "rotation of the lower cylinder"),
     ],
 )
-def test_the_ratio_of_another_machine_is_recognized(text: str, said: str) -> None:
+def test_the_ratio_of_another_machine_is_recognized(text, said):
     verdict = judge(RATIO, text)
     assert (verdict.kind, said in verdict.message) == ("wrong", True)
 
 
-def test_mistakes_change_something_and_have_a_sentence_and_a_question() -> None:
-    for mistake in mistakes.mistakes():
-        assert mistake.bodies != machine()
+def test_mistakes_change_something_and_have_a_sentence_and_a_question():
+    for mistake in (*machines.common(), *machines.exotic()):
+        assert mistake.bodies != machines.right()
         assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", mistake.hint)
-
-
-def test_a_mistake_is_not_named_where_it_changes_nothing() -> None:
-    """Exchanging the inertias of hoop and lower cylinder leaves Ω² as it is: negative control for the hints."""
-    swapped = machine(hoop=machine()["cylinder"].shape_factor, cylinder=machine()["hoop"].shape_factor)
-    assert swapped != machine()
-    assert altered.single_mass(swapped, OMEGA) == altered.single_mass(machine(), OMEGA)
-    assert altered.single_mass(swapped, OMEGA) not in questions.wrong_forms(OMEGA)
-
-
-def test_units_are_read_off_the_terms_that_are_left() -> None:
-    assert units(normal_form(parse("R + m"))) == ((0, 1, 0), (1, 0, 0))
-    assert units(normal_form(parse("0 + k R^2 + m - m"))) == ((1, 2, -2),)
-    assert units(normal_form(parse("√(k/m) + 1/√(m/k)"))) == ((0, 0, -1),)
-    assert units(normal_form(parse("1/(m + R)"))) is None
-    assert unit_text((1, 2, -2)) == "kg·m²/s²"
-    assert unit_text((0, 0, 0)) == ""
 
 
 # Whatever is typed
 
 
-def _judged(name: str, text: str) -> None:
+def _judged(name, text):
     started = time.process_time()
     verdict = judge(name, text)
     with suppress(UnreadableError):
         assert typeset(parse(text))
     # One second of CPU is the promise, the derivation of the question included.
     assert time.process_time() - started < 1
-    assert verdict.kind in KINDS
+    assert verdict.kind in {"right", "unsimplified", "wrong", "unreadable"}
     # A unit, a name, three terms and a question are the longest there is.
     assert 0 < len(verdict.message) < 500
     # Nothing typed is shown that Markdown, HTML or LaTeX could read.
@@ -438,15 +423,29 @@ def _judged(name: str, text: str) -> None:
 
 
 @pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:20]))
-def test_hostile_text_gets_a_sentence(text: str) -> None:
+def test_hostile_text_gets_a_sentence(text):
     for name in QUESTIONS:
         _judged(name, text)
         assert judge(name, text).kind in ("wrong", "unreadable")
 
 
-_PIECES = [*"+-*/^()²½√0123456789mkRε ", "m'", "X'", "phi", "φ'", "Φ'", "sqrt(", "(m", "1/", "\x00", "<b>"]
+_PIECES = [
+    *"+-*/^()²½√0123456789mkRε ",
+    "m'",
+    "X'",
+    "phi",
+    "φ'",
+    "Φ'",
+    "sqrt(",
+    "(m",
+    "1/",
+    "\x00",
+    "<b>",
+    "\\frac{",
+    "}{",
+]
 _WELL_FORMED = st.recursive(
-    st.sampled_from(["m", "m'", "k", "R", "X'", "phi'", "Phi'", "phi", "eps", "2", "7", "99999999999999999999", "0"]),
+    st.sampled_from(["m", "m'", "k", "R", "X'", "phi'", "Phi'", "phi", "eps", "2", "7.5", "99999999999999999999", "0"]),
     lambda inner: (
         st.tuples(inner, st.sampled_from("+-*/"), inner).map(lambda t: f"({t[0]}{t[1]}{t[2]})")
         | st.tuples(inner, st.sampled_from(["2", "12", "-3", "½", "0"])).map(lambda t: f"({t[0]})^({t[1]})")
@@ -457,32 +456,20 @@ _WELL_FORMED = st.recursive(
 
 
 @settings(deadline=None, max_examples=EXAMPLES)
-@given(st.sampled_from(QUESTIONS), st.lists(st.sampled_from(_PIECES), max_size=30).map("".join))
-def test_any_heap_of_pieces_gets_a_verdict(name: str, text: str) -> None:
+@given(st.sampled_from(QUESTIONS), st.lists(st.sampled_from(_PIECES), max_size=30).map("".join) | st.text(max_size=40))
+def test_any_heap_of_pieces_gets_a_verdict(name, text):
     _judged(name, text)
 
 
 @settings(deadline=None, max_examples=EXAMPLES)
 @given(st.sampled_from(QUESTIONS), _WELL_FORMED)
 @example(OMEGA, "(m+k)^" + str(MAX_WEIGHT))
-def test_any_formula_gets_a_verdict(name: str, text: str) -> None:
+def test_any_formula_gets_a_verdict(name, text):
     _judged(name, text)
 
 
-@settings(deadline=None, max_examples=EXAMPLES)
-@given(st.sampled_from(QUESTIONS), st.text(max_size=40))
-def test_any_text_gets_a_verdict(name: str, text: str) -> None:
-    _judged(name, text)
-
-
-def test_no_hint_is_given_for_a_plain_number() -> None:
+def test_no_hint_is_given_for_a_plain_number():
     """Negative control: machines that a mistake leaves without oscillation are compared with nothing."""
     for name in set(QUESTIONS) - {RATIO, "top_coupling"}:
         for text in ("1", "√(1)", "√2/√2"):
             assert judge(name, text).message.startswith("Your answer is a plain number, but ")
-
-
-def test_only_derived_formulas_have_a_spelling() -> None:
-    for expression in (sp.nan, sp.zoo, sp.sin(m), sp.Symbol("z")):
-        with pytest.raises(ValueError, match="expression"):
-            spelled(expression)

@@ -30,9 +30,10 @@ ROOMS = {
     "number_theory": ({"validation"}, {"sympy"}),
     "accuracy": (CORE | {"validation", "frequency", "integrators"}, {"numpy", "mpmath"}),
     "derivation": (set(), {"sympy"}),
+    "answers": ({"derivation"}, {"sympy", "mpmath"}),
     "figures": (set(), {"numpy", "plotly"}),
     "lesson": (
-        CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "number_theory"},
+        CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "answers", "number_theory"},
         {"numpy", "sympy"},
     ),
     "browser": (CORE | {"derivation"}, {"streamlit", "sympy"}),
@@ -51,7 +52,7 @@ OTHER_PAGES = (
     "table",
     "number_theory",
     "lesson",
-    "derivation.answers",
+    "answers",
     "derivation.export",
 )
 

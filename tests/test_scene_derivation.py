@@ -8,8 +8,8 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
+from ramanujan.answers import QUESTIONS
 from ramanujan.derivation import ROUTES, rayleigh
-from ramanujan.derivation.answers import QUESTIONS
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
 from ramanujan.pages.derivation import cache

@@ -25,7 +25,8 @@ PACKAGE = ROOT / "ramanujan"
 KNOWN = {
     "accuracy": "Forms of Ω² over the range of floating point",
     "contact": "spacing must be at least 2R, {least}, or the rollers overlap; it is {spacing}",
-    "derivation": "There is a closing bracket without an opening bracket.",
+    "answers": "There is a closing bracket without an opening bracket.",
+    "derivation": "The last printed digit is one too high. No other result depends on it.",
     "energy": "q_dot must have the shape of q, {shape}, not {other}",
     "figures": "time after release t [s]",
     "frequency": "mass_ratio must be finite and not negative",

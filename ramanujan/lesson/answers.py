@@ -8,7 +8,7 @@ from itertools import count
 
 import numpy as np
 
-from ramanujan.derivation.answers import judge as judge_formula
+from ramanujan.answers import judge as judge_formula
 from ramanujan.energy import energies
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.lesson.stop import FREQUENCY

@@ -13,8 +13,8 @@ from statistics import median
 
 import sympy as sp
 
+from ramanujan.answers import QUESTIONS, judge, question
 from ramanujan.derivation import ROUTES, Step
-from ramanujan.derivation.answers import QUESTIONS, judge, question
 from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
 

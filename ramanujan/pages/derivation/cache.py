@@ -9,14 +9,13 @@ from itertools import zip_longest
 import streamlit as st
 import sympy as sp
 
+from ramanujan.answers import QUESTIONS, Question, Verdict, judge, question
+from ramanujan.answers.grammar import UnreadableError, parse, typeset
 from ramanujan.derivation import ROUTES, Route
-from ramanujan.derivation.answers import QUESTIONS, Question, Verdict, judge, question
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
-from ramanujan.derivation.expressions import typeset
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.numbers import exact_values, stated
-from ramanujan.derivation.parser import UnreadableError, parse
 from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import conserved_momenta, remarks
 from ramanujan.derivation.rows import Row, aligned, extent, row, side_terms

@@ -6,8 +6,8 @@ import string
 
 import streamlit as st
 
-from ramanujan.derivation.answers import QUESTIONS
-from ramanujan.derivation.parser import MAX_LENGTH
+from ramanujan.answers import QUESTIONS
+from ramanujan.answers.grammar import MAX_LENGTH
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import address, widgets
 from ramanujan.translation import _

@@ -1,39 +1,27 @@
 """The questions: prompt, right answer, the results of typical mistakes, and the next question after a wrong answer.
 
-The right answers come from the bodies and their elimination, the wrong ones from the same derivation with one mistake
-(`wrong_answers`). A new question is one entry of `_ASKED`.
+The right answers come from the bodies and their elimination, the wrong ones from `mistakes`. A new question is one
+entry of `_ASKED`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, partial
 
 import sympy as sp
+from sympy.polys.fields import FracElement
 
-from ramanujan.derivation import decimals, mistakes
-from ramanujan.derivation.elimination import (
-    Phi_ddot,
-    X_ddot,
-    phi_ddot,
-)
-from ramanujan.derivation.expansion import NormalForm
-from ramanujan.derivation.expressions import NAMES, Expression, length, names, spelled
-from ramanujan.derivation.normal_form import expression_of, normal_form
+from ramanujan.answers import mistakes
+from ramanujan.answers.grammar import SYMBOLS, TEXTBOOK, leaves, length
+from ramanujan.answers.machines import CALLED
+from ramanujan.answers.mistakes import Variants, elimination
+from ramanujan.answers.terms import NAMES, exact
+from ramanujan.answers.values import Values, agree, at_points
+from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.symbols import R, epsilon, machine, phi
-from ramanujan.derivation.wrong_answers import (
-    Variants,
-    elimination,
-    elimination_mistakes,
-    energy_mistakes,
-    equation_mistakes,
-    frequency_mistakes,
-    ratio_mistakes,
-    spring_mistakes,
-    unit,
-)
+from ramanujan.derivation.symbols import R, epsilon, machine, phi, t
 from ramanujan.translation import _
 
 POLYNOMIAL, QUOTIENT, NUMBER = "polynomial", "quotient", "number"
@@ -63,21 +51,31 @@ class Question:
 
 
 @dataclass(frozen=True)
-class _Asked:
-    """A question before its answer is derived.
+class Asked:
+    """What belongs to a question: how its answer is derived, compared, spoiled by mistakes, and led to.
 
-    `mistakes` takes the answer and the quantity asked for; `hints` maps a product of velocities, as shown, to the next
-    question.
+    Parameters
+    ----------
+    quantity, prompt, example : as in `Question`
+    answer : derives the right answer
+    mistakes : takes the answer, yields what typical mistakes give
+    kind : POLYNOMIAL, QUOTIENT or NUMBER
+    leads_on : the question that a lecturer would ask next
+    hints : product of names, as shown → the next question about its coefficient
+    letters : letters of the textbook → what each stands for here, and the question about it
+    variables : the names in whose products the answer is written term by term
     """
 
     quantity: str
     answer: Callable[[], sp.Expr]
     prompt: Callable[[], str]
-    mistakes: Callable[[sp.Expr, str], Variants]
+    mistakes: Callable[[sp.Expr], Variants]
     example: str
     kind: str
     leads_on: str
-    hints: Mapping[str, str]
+    hints: Mapping[str, str] = field(default_factory=dict)
+    letters: Mapping[sp.Symbol, tuple[sp.Expr, str]] = field(default_factory=dict)
+    variables: tuple[str, ...] = NAMES
 
 
 def question(name: str) -> Question:
@@ -89,90 +87,76 @@ def question(name: str) -> Question:
     """
     if not isinstance(name, str) or name not in _ASKED:
         raise ValueError(_("name must be one of {known}").format(known=", ".join(QUESTIONS)))
-    asked = _ASKED[name]
-    return Question(name, asked.quantity, asked.prompt(), allowed_names(name), asked.example)
+    it = _ASKED[name]
+    return Question(name, it.quantity, it.prompt(), allowed_names(name), it.example)
 
 
-def kind(question: str) -> str:
-    """Return how the answers to a question are compared."""
-    return _ASKED[question].kind
-
-
-def variables(question: str) -> tuple[str, ...]:
-    """Return the names in whose products an answer is written term by term: an energy in the motion, others in all."""
-    return MOTION if question in _ENERGIES else NAMES
-
-
-def quantity(question: str) -> str:
-    """Return the name of the quantity asked for, as a sentence uses it."""
-    return _ASKED[question].quantity
-
-
-def leads_on(question: str, term: str | None = None) -> str:
-    """Return the question that a lecturer would ask next about a term, or about the whole answer."""
-    asked = _ASKED[question]
-    return asked.hints.get(term or "", asked.leads_on)
+def asked(name: str) -> Asked:
+    """Return a question with what belongs to its answer."""
+    return _ASKED[name]
 
 
 @cache
-def answer(question: str) -> Expression:
-    """Return the right answer as a tree."""
-    return spelled(_ASKED[question].answer())
+def answer(question: str) -> sp.Expr:
+    """Return the right answer."""
+    return _ASKED[question].answer()
 
 
 @cache
-def right_form(question: str) -> NormalForm:
-    """Return the normal form of the right answer."""
-    return normal_form(answer(question))
+def right_values(question: str) -> Values:
+    """Return the values of the right answer."""
+    return at_points(answer(question))
 
 
 @cache
-def wrong_forms(question: str) -> dict[NormalForm, str]:
-    """Return result → hint of the typical mistakes; if two lead to the same result, the more common one counts."""
-    found: dict[NormalForm, str] = {}
+def right_terms(question: str) -> FracElement:
+    """Return the right answer in lowest terms; only for those without a root."""
+    return exact(answer(question)).rational
+
+
+@cache
+def wrong_values(question: str) -> tuple[tuple[str, Values], ...]:
+    """Return hint and result of each typical mistake that changes the answer; the more common ones come first."""
+    found = []
     for hint, result in _wrong_results(question):
-        form = NormalForm.of(result) if isinstance(result, sp.Expr) else result
-        if form is not None and form != right_form(question) and not form.is_zero:
-            found.setdefault(form, hint)
-    return found
-
-
-@cache
-def wrong_values(question: str) -> tuple[tuple[decimals.Values, str], ...]:
-    """Return the values of the results of typical mistakes, and the hints."""
-    return tuple((decimals.values(expression_of(form)), hint) for form, hint in wrong_forms(question).items())
+        try:
+            values = at_points(result) if isinstance(result, sp.Expr) else result
+        except ArithmeticError:
+            continue
+        if values and any(values) and not agree(values, right_values(question)):
+            found.append((hint, values))
+    return tuple(found)
 
 
 @cache
 def longest_form(question: str) -> int:
     """Return the length of the longest form that counts as simplified."""
-    answer = _ASKED[question].answer()
-    numerator, denominator = sp.fraction(sp.together(answer))
-    forms = (answer, sp.factor(answer), sp.expand(answer, frac=True), sp.expand(numerator) / denominator)
-    return max(length(spelled(form)) for form in forms)
+    right = answer(question)
+    numerator, denominator = sp.fraction(sp.together(right))
+    forms = (right, sp.factor(right), sp.expand(right, frac=True), sp.expand(numerator) / denominator)
+    return max(map(length, forms))
 
 
 @cache
 def allowed_names(question: str) -> tuple[str, ...]:
     """Return the names in the answer; ε may stand for m′/m where both masses do."""
-    present = names(answer(question))
-    allowed = present | {"eps"} if question in _COUPLED else present
-    return tuple(name for name in NAMES if name in allowed)
+    allowed = leaves(answer(question)) | ({epsilon} if question in _COUPLED else set())
+    return tuple(name for name, symbol in SYMBOLS.items() if symbol in allowed)
 
 
 def _wrong_results(question: str) -> Variants:
-    right = _ASKED[question].answer()
-    yield from _ASKED[question].mistakes(right, quantity(question))
-    if right.has(R):
+    right = answer(question)
+    yield from _ASKED[question].mistakes(right)
+    if R in leaves(right):
         yield _("You get this result if you leave out R. Which length belongs to an angle?"), right.subs(R, 1)
 
 
 # The questions
 
 
-def _body_question(body: str) -> _Asked:
-    called = mistakes.CALLED[body]
-    rate = {"block": "", "top": "Φ′"}.get(body, "φ′")
+def _body_question(name: str) -> Asked:
+    body, called = machine()[name], CALLED[name]
+    rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
     hints = {
         "X′²": _("What is the kinetic energy of {body} while only the block moves, with {rate} = 0?"),
         f"X′{rate}": _("What is the mixed term when you square the velocity of {body}?"),
@@ -180,33 +164,39 @@ def _body_question(body: str) -> _Asked:
     }
     leads_on = (
         _("How fast does {body} move relative to the ground, and how fast does it rotate?")
-        if machine()[body].angle != 0
+        if body.angle != 0
         else _("How fast does {body} move relative to the ground?")
     )
-    return _Asked(
+    speed = _("What is v in terms of X′ and {rate}?") if rate else _("What is v in terms of X′?")
+    return Asked(
         _("the kinetic energy of {body}").format(body=called),
-        lambda: machine()[body].kinetic_energy,
+        lambda: body.kinetic_energy,
         lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=called),
-        partial(energy_mistakes, body),
+        lambda _right: mistakes.energy(name),
         "3/5 m' (X' + 3 R phi')^2",
         POLYNOMIAL,
         leads_on.format(body=called),
         {term: hint.format(body=called, rate=rate) for term, hint in hints.items()} if rate else {},
+        {
+            TEXTBOOK["v"]: (body.velocity, speed.format(rate=rate)),
+            TEXTBOOK["I"]: (body.moment_of_inertia, _("What is I?")),
+            TEXTBOOK["omega"]: (body.angle.diff(t), _("What is ω?")),
+        },
+        MOTION,
     )
 
 
-def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, solved: str) -> _Asked:
-    return _Asked(
+def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation: str) -> Asked:
+    return Asked(
         quantity,
-        lambda: getattr(elimination(), solved).coeff(phi_ddot),
+        lambda: mistakes.answer_of(equation),
         lambda: _("The equations of motion of $X$ and $\\Phi$ give {relation}. What is $c$?").format(
             relation=f"${latex(acceleration)}=c\\,{latex(phi_ddot)}$"
         ),
-        partial(elimination_mistakes, name),
-        "R (2m + m')/(5m)" if solved == "X_from_phi" else "(2m + m')/(5m)",
+        partial(mistakes.coupling, name),
+        "R (2m + m')/(5m)" if acceleration == X_ddot else "(2m + m')/(5m)",
         QUOTIENT,
         _("What do the equations of motion of X and Φ say about the three accelerations?"),
-        {},
     )
 
 
@@ -217,32 +207,31 @@ def _equation_prompt() -> str:
     return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(written)}=0$")
 
 
-_ENERGIES = (*(f"kinetic_energy_{body}" for body in mistakes.CALLED), "potential_energy")
 _COUPLED = ("phi_equation", "block_coupling", "top_coupling", "natural_frequency_squared")
 
-_ASKED: dict[str, _Asked] = {
-    **{f"kinetic_energy_{body}": _body_question(body) for body in mistakes.CALLED},
-    "potential_energy": _Asked(
+_ASKED: dict[str, Asked] = {
+    **{f"kinetic_energy_{body}": _body_question(body) for body in CALLED},
+    "potential_energy": Asked(
         _("the potential energy"),
         lambda: machine().potential_energy,
         lambda: _("What is the potential energy of the spring when the lower rollers have turned by {angle}?").format(
             angle=f"${latex(phi)}$"
         ),
-        spring_mistakes,
+        lambda _right: mistakes.spring(),
         "k (R phi)^2 / 5",
         POLYNOMIAL,
         _("How far is the spring compressed when the lower rollers have turned by φ?"),
-        {},
+        letters={TEXTBOOK["x"]: (machine().deformation, _("What is x in terms of φ?"))},
+        variables=MOTION,
     ),
-    "phi_equation": _Asked(
+    "phi_equation": Asked(
         _("the factor of the acceleration"),
         lambda: elimination().motion[phi].coeff(phi_ddot),
         _equation_prompt,
-        equation_mistakes,
+        lambda _right: mistakes.equation(),
         "R (2m + m')/5",
         POLYNOMIAL,
         _("Which kinetic energies contain φ′², and with which factors?"),
-        {},
     ),
     "block_coupling": _coupling_question(
         "block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"
@@ -250,25 +239,23 @@ _ASKED: dict[str, _Asked] = {
     "top_coupling": _coupling_question(
         "top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_from_phi"
     ),
-    "natural_frequency_squared": _Asked(
+    "natural_frequency_squared": Asked(
         "Ω²",
         lambda: elimination().natural_frequency_squared,
         lambda: _("What is $\\Omega^2$, the square of the natural frequency?"),
-        frequency_mistakes,
+        mistakes.frequency,
         "2k/(3m + m')",
         QUOTIENT,
         _("What is left of the equation of motion of φ when you insert the other two accelerations?"),
-        {},
     ),
-    "unit_mass_ratio": _Asked(
+    "unit_mass_ratio": Asked(
         _("the mass ratio"),
-        lambda: unit().root,
+        lambda: mistakes.unit().root,
         lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(ratio=f"${latex(epsilon)}=m'/m$"),
-        ratio_mistakes,
+        lambda _right: mistakes.ratio(),
         "(sqrt(5) - 1)/2",
         NUMBER,
         _("Which quadratic equation for ε follows from Ω² = k/m?"),
-        {},
     ),
 }
 

@@ -1,0 +1,302 @@
+"""How a wrong answer differs from the right one: coefficient by coefficient, as one fraction, or as a number.
+
+A formula becomes an element of SymPy's fraction field ℤ(m, m′, k, R, X, …), where every quotient is in lowest terms;
+the root of one whole number is a generator of its own. Degrees and digits are bounded before anything is
+computed. Every sentence states what was computed exactly.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from fractions import Fraction
+from math import isqrt, prod
+
+import sympy as sp
+from sympy.ntheory.factor_ import core
+from sympy.polys.fields import FracElement, field
+from sympy.polys.rings import PolyElement
+
+from ramanujan.answers.grammar import SYMBOLS, is_number, weights
+from ramanujan.answers.values import evaluate
+from ramanujan.derivation.symbols import epsilon, m, m_prime
+from ramanujan.numerals import superscript
+from ramanujan.translation import _, ngettext
+
+NAMES = tuple(name for name in SYMBOLS if name != "eps")
+_SHOWN = {"eps": "ε", "m'": "m′", "X'": "X′", "phi": "φ", "phi'": "φ′", "Phi": "Φ", "Phi'": "Φ′"}
+_WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}
+_MOST_SENTENCES = 3
+
+FIELD = field([f"x{i}" for i in range(len(NAMES) + 1)], sp.ZZ)[0]
+GENERATORS = {SYMBOLS[name]: generator for name, generator in zip(NAMES, FIELD.gens, strict=False)}
+GENERATORS[epsilon] = GENERATORS[m_prime] / GENERATORS[m]
+_ROOT = FIELD.gens[-1]
+
+_MAX_WEIGHT, _MAX_BITS, MAX_RADICAND = 60, 60_000, 10**12
+"""Limits on the names and numbers of a formula, on the integers of a search for common factors, and under a root."""
+
+Differences = list[tuple[str, str]]
+"""Products of names, and a sentence about the coefficient of each."""
+
+
+class NotComparableError(ValueError):
+    """The formula is too large to be written out, or has roots other than that of one whole number."""
+
+
+def _check_size(expression: sp.Expr) -> None:
+    """Refuse what would take long: by the integers that the search for common factors would meet."""
+    counted, degrees, bits = weights(expression), Counter(), 6
+    for leaf, times in counted.items():
+        if is_number(leaf):
+            bits += times * sum(part.bit_length() - 1 for part in Fraction(str(leaf)).as_integer_ratio() if part)
+        else:
+            degrees.update(dict.fromkeys((m, m_prime) if leaf == epsilon else (leaf,), times))
+    if counted.total() > _MAX_WEIGHT or bits * prod(n + 1 for n in degrees.values()) > _MAX_BITS:
+        raise NotComparableError
+
+
+@dataclass(frozen=True)
+class Exact:
+    """rational + irrational·√radicand, both in lowest terms; the radicand is a whole number without squares."""
+
+    rational: FracElement
+    irrational: FracElement = FIELD.zero
+    radicand: int = 1
+
+    def over(self, other: FracElement) -> Exact:
+        """Return the quotient of this and a formula without roots."""
+        return Exact(self.rational / other, self.irrational / other, self.radicand)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The names on which the formula depends."""
+        parts = [p for f in (self.rational, self.irrational) for p in (f.numer, f.denom)]
+        return frozenset(name for i, name in enumerate(NAMES) if any(powers[i] for p in parts for powers in p))
+
+
+def exact(expression: sp.Expr) -> Exact:
+    """Return a formula in lowest terms.
+
+    Raises
+    ------
+    NotComparableError : it is too large, or has other roots than that of one whole number.
+    ZeroDivisionError : it divides by zero.
+    """
+    value, radicand = with_root(expression)
+    (a, b), (c, d) = (_parts(p, radicand) for p in (value.numer, value.denom))
+    norm = c**2 - radicand * d**2
+    return Exact((a * c - radicand * b * d) / norm, (b * c - a * d) / norm, radicand)
+
+
+def with_root(expression: sp.Expr) -> tuple[FracElement, int]:
+    """Return a formula as an element of the field, and the whole number whose root is the field's last generator."""
+    _check_size(expression)
+    radicands = {1}
+
+    def root(value: FracElement) -> FracElement:
+        if not (value.numer.is_ground and value.denom.is_ground):
+            raise NotComparableError
+        p, q = int(value.numer.LC), int(value.denom.LC)
+        if not 0 < p * q < MAX_RADICAND:
+            raise NotComparableError
+        radicand = int(core(p * q))
+        radicands.add(radicand)
+        return FIELD(isqrt(p * q // radicand)) / q * (_ROOT if radicand > 1 else 1)
+
+    value = evaluate(expression, GENERATORS, root, number)
+    if len(radicands) > 2:
+        raise NotComparableError
+    return value, max(radicands)
+
+
+def number(value: Fraction) -> FracElement:
+    """Return a number as an element of the field."""
+    return FIELD(value.numerator) / value.denominator
+
+
+def _parts(polynomial: PolyElement, radicand: int) -> list[FracElement]:
+    """Return what a polynomial in the root is without it, and what multiplies it."""
+    parts = [FIELD.ring.zero, FIELD.ring.zero]
+    for powers, c in polynomial.items():
+        n = powers[-1]
+        parts[n % 2] += FIELD.ring({(*powers[:-1], 0): c * radicand ** (n // 2)})
+    return [FIELD(part) for part in parts]
+
+
+# In words
+
+
+def shown_name(name: str) -> str:
+    """Return a name as a sentence shows it."""
+    return _SHOWN.get(name, name)
+
+
+def listed(names: list[str]) -> str:
+    """Return names as a sentence lists them."""
+    *first, last = map(shown_name, names)
+    return _("{names} and {last}").format(names=", ".join(first), last=last) if first else last
+
+
+def _shown_product(powers: tuple[int, ...]) -> str:
+    return "".join(
+        shown_name(name) + (superscript(n) if n > 1 else "") for name, n in zip(NAMES, powers, strict=False) if n
+    )
+
+
+def shown_factor(factor: Exact) -> str | None:
+    """Return a factor that is one term over one term, such as 3m′/(2m) or √2, as a sentence shows it; else None."""
+    part, root = (factor.rational, "") if not factor.irrational else (factor.irrational, f"√{factor.radicand}")
+    if (root and factor.rational) or len(part.numer) != 1 or len(part.denom) != 1:
+        return None
+    (above, p), (below, q) = next(iter(part.numer.items())), next(iter(part.denom.items()))
+    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + root + _shown_product(above)
+    denominator = (str(int(q)) if q != 1 else "") + _shown_product(below)
+    shown = ("−" if p < 0 else "") + (numerator or "1")
+    if not denominator:
+        return shown
+    plain = sum(n > 0 for n in below) + (q != 1) == 1
+    return f"{shown}/{denominator}" if plain else f"{shown}/({denominator})"
+
+
+def how_many_times(factor: str) -> str:
+    """Return a factor in words, such as "twice" or "3/2 times", to be followed by "the right one"."""
+    return _WORDS.get(factor) or _("{factor} times").format(factor=factor)
+
+
+def in_short(differences: Differences) -> list[str]:
+    """Return the sentences about what differs; if there are many, their number and the first one."""
+    sentences = [sentence for _term, sentence in differences]
+    if len(sentences) <= _MOST_SENTENCES:
+        return sentences
+    n = len(sentences)
+    return [
+        ngettext("{n} term differs from the right one.", "{n} terms differ from the right ones.", n).format(n=n),
+        sentences[0],
+    ]
+
+
+def multiple(ratio: Exact) -> list[str]:
+    """Return the ratio of the given answer to the right one in a sentence, if the ratio is simple."""
+    factor = shown_factor(ratio)
+    if factor is None:
+        return []
+    if factor == "−1":
+        return [_("Your answer has the wrong sign.")]
+    times = how_many_times(factor.removeprefix("−"))
+    if factor.startswith("−"):
+        return [_("Your answer has the wrong sign. Its size is {times} the right one.").format(times=times)]
+    return [_("Your answer is {times} the right one.").format(times=times)]
+
+
+# Term by term
+
+
+def term_by_term(
+    given: Exact, right: FracElement, variables: tuple[str, ...], place: str = "{term}"
+) -> Differences | None:
+    """Return the products of names whose coefficients differ, and a sentence about each.
+
+    None if the answer is not a polynomial in the variables.
+
+    Parameters
+    ----------
+    given, right : the answer and what it should be
+    variables : the names in whose products both are written; the coefficients may contain the others
+    place : a template that says where these terms are, such as "{term} in the numerator"
+    """
+    yours, roots, theirs = (_coefficients(f, variables) for f in (given.rational, given.irrational, right))
+    if yours is None or roots is None:
+        return None
+    found = []
+    for powers in sorted(yours.keys() | roots.keys() | theirs.keys(), reverse=True):
+        coefficient = Exact(*(each.get(powers, FIELD.zero) for each in (yours, roots)), given.radicand)
+        term = _shown_product(powers)
+        sentence = _coefficient(term and place.format(term=term), coefficient, theirs.get(powers, FIELD.zero))
+        if sentence:
+            found.append((term, sentence))
+    return found
+
+
+def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tuple[int, ...], FracElement] | None:
+    """Return products of variables and what multiplies each; None if a variable is below a fraction line."""
+    chosen = [name in variables for name in (*NAMES, "")]
+    if any(n and c for powers in formula.denom for n, c in zip(powers, chosen, strict=True)):
+        return None
+    found: dict[tuple[int, ...], FracElement] = {}
+    for powers, number_of in formula.numer.items():
+        product = tuple(n * c for n, c in zip(powers, chosen, strict=True))
+        rest = tuple(n - used for n, used in zip(powers, product, strict=True))
+        found[product] = found.get(product, FIELD.zero) + FIELD(FIELD.ring({rest: number_of})) / FIELD(formula.denom)
+    return found
+
+
+def _coefficient(term: str, yours: Exact, right: FracElement) -> str | None:
+    """Return how a coefficient differs, None if it does not."""
+    if yours.rational == right and not yours.irrational:
+        return None
+    if not right:
+        if not term:
+            return _("Your answer contains a constant term. The right answer has none.")
+        return _("Your answer contains a term with {term}. The right answer has none.").format(term=term)
+    if not yours.rational and not yours.irrational:
+        return _("The term with {term} is missing.").format(term=term)
+    ratio = yours.over(right)
+    factor = shown_factor(ratio)
+    if factor is None:
+        return _("Your coefficient of {term} is wrong.").format(term=term)
+    if not factor.startswith("−"):
+        times_right = _("Your coefficient of {term} is {times} the right one.")
+        return _names_off(term, ratio, right) or times_right.format(term=term, times=how_many_times(factor))
+    should = (
+        _("Your coefficient of {term} should be negative.")
+        if right.numer.LC < 0
+        else _("Your coefficient of {term} should be positive.")
+    )
+    if factor == "−1":
+        return should.format(term=term)
+    size = _("Its size is {times} the right one.").format(times=how_many_times(factor.removeprefix("−")))
+    return f"{should.format(term=term)} {size}"
+
+
+def _names_off(term: str, ratio: Exact, right: FracElement) -> str | None:
+    """Return which names differ, if the two coefficients differ by names alone."""
+    above, below = ratio.rational.numer, ratio.rational.denom
+    if ratio.irrational or not ratio.names or above.LC * below.LC != 1:
+        return None
+    if below == 1:
+        extra = _("Your coefficient of {term} contains an extra factor {factor}.")
+        return extra.format(term=term, factor=shown_factor(ratio))
+    if above == 1:
+        lacks = _("Your coefficient of {term} lacks a factor {factor}.")
+        return lacks.format(term=term, factor=shown_factor(Exact(1 / ratio.rational)))
+    for yours, theirs in (("m", "m'"), ("m'", "m")):
+        quotient = GENERATORS[SYMBOLS[yours]] / GENERATORS[SYMBOLS[theirs]]
+        has_it = {theirs} <= Exact(right).names and yours not in Exact(right).names
+        if has_it and ratio.rational == quotient:
+            instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
+            return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
+    return None
+
+
+# As one fraction
+
+
+def as_fraction(given: FracElement, right: FracElement) -> list[str]:
+    """Return sentences about numerator and denominator if one of them is right.
+
+    With the right denominator D the given numerator is given·D; with the right numerator N the denominator is N/given.
+    """
+    above, below = FIELD(right.numer), FIELD(right.denom)
+    numerator = term_by_term(Exact(given * below), above, NAMES, _("{term} in the numerator"))
+    if numerator and not Exact(FIELD(given.denom) / below).names:
+        return [_("Written as one fraction, your answer has the right denominator."), *in_short(numerator)]
+    denominator = term_by_term(Exact(above / given), below, NAMES, _("{term} in the denominator"))
+    if denominator and not Exact(FIELD(given.numer) / above).names:
+        return [_("Written as one fraction, your answer has the right numerator."), *in_short(denominator)]
+    # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
+    if numerator and len(numerator) == 1:
+        return [_("Written with the right denominator, your answer differs in one term."), *in_short(numerator)]
+    if denominator and len(denominator) == 1:
+        return [_("Written with the right numerator, your answer differs in one term."), *in_short(denominator)]
+    return []

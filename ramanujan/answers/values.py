@@ -1,0 +1,236 @@
+"""What a typed formula is worth: at a few points, exactly or in 150 digits, and in which unit.
+
+`evaluate` walks a formula with any kind of number: fractions, mpmath's, units, elements of a fraction field. Two
+formulas count as equal if they agree at all `POINTS`. Their coordinates have twelve random digits: by the lemma of
+Schwartz and Zippel, two different rational formulas of degree 120 agree with a probability below 1e-29.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import reduce
+from math import isqrt
+from operator import add, mul
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from ramanujan.answers.grammar import SYMBOLS, is_decimal
+from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
+from ramanujan.numerals import superscript
+
+_MP = mpmath.mp.clone()
+_MP.dps = 150
+_AGREEING, _VANISHING = _MP.mpf(10) ** -120, _MP.mpf(10) ** -135
+"""Relative differences below which two values count as equal, and a sum as zero; only where there are roots."""
+
+Number = Fraction | mpmath.mpf
+Values = tuple[Number, ...]
+
+
+class NegativeRootError(ArithmeticError):
+    """A root of a negative number."""
+
+
+def evaluate(
+    expression: sp.Expr,
+    values: Mapping[sp.Expr, Any],
+    root: Callable[[Any], Any],
+    number: Callable[[Fraction], Any] = Fraction,
+) -> Any:
+    """Return the value of a formula.
+
+    Parameters
+    ----------
+    expression : SymPy's nodes, unevaluated ones too
+    values : symbol → its value, anything that can be added, multiplied and raised to a power
+    root, number : how to take a square root of such a value, and how to make one of a number
+    """
+    if expression in values:
+        return values[expression]
+    if expression.is_Add or expression.is_Mul:
+        # A zero that is added has any unit.
+        added = [part for part in expression.args if part != 0 or not expression.is_Add] or expression.args
+        parts = _alike(*(evaluate(part, values, root, number) for part in added))
+        total = reduce(add if expression.is_Add else mul, parts)
+        vanishes = isinstance(total, _MP.mpf) and any(abs(total) < _VANISHING * abs(part) for part in parts)
+        return Fraction(0) if expression.is_Add and vanishes else total
+    if expression.is_Pow:
+        base = evaluate(expression.base, values, root, number)
+        if expression.exp == 0:
+            return number(Fraction(1))
+        return base ** int(expression.exp) if expression.exp.is_Integer else root(base) ** int(2 * expression.exp)
+    return number(Fraction(str(expression)))
+
+
+def _alike(*values: Any) -> tuple[Any, ...]:
+    """Return values of one kind: mpmath's do not mix with fractions."""
+    return tuple(map(_MP.convert, values)) if any(isinstance(value, _MP.mpf) for value in values) else values
+
+
+def square_root(value: Number) -> Number:
+    """Return √value: a fraction if it is one, else 150 digits.
+
+    Raises
+    ------
+    NegativeRootError : value is negative.
+    """
+    if value < 0:
+        raise NegativeRootError
+    if isinstance(value, Fraction):
+        exact = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+        if exact**2 == value:
+            return exact
+    return _MP.sqrt(value)
+
+
+def point(**values: Fraction) -> dict[sp.Expr, Fraction]:
+    """Return symbol → value with ε = m′/m, the other values as they are typed in a formula."""
+    known = {SYMBOLS[name]: value for name, value in values.items()}
+    return known | {epsilon: known[m_prime] / known[m]}
+
+
+def _points() -> tuple[dict[sp.Expr, Fraction], ...]:
+    source = random.Random(1729)
+    signed = (COORDINATES[0], COORDINATES[2], VELOCITIES[0], VELOCITIES[2])
+    found = []
+    for sign in (1, -1, 1):
+        drawn = {name: Fraction(source.randrange(10**11, 10**12)) for name in SYMBOLS if name != "eps"}
+        # Velocities take both signs against each other, so that √(X′²) is told from X′.
+        found.append(point(**{name: sign * x if SYMBOLS[name] in signed else x for name, x in drawn.items()}))
+    return tuple(found)
+
+
+POINTS = _points()
+
+
+def at_points(expression: sp.Expr) -> Values:
+    """Return the values of a formula at `POINTS`.
+
+    Raises
+    ------
+    ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`), at a point.
+    """
+    return tuple(evaluate(expression, known, square_root) for known in POINTS)
+
+
+def agree(left: Values, right: Values) -> bool:
+    """Tell whether two formulas have the same values; fractions are compared exactly."""
+    return all(
+        a == b or (isinstance(a, _MP.mpf) and abs(a - b) <= _AGREEING * abs(a))
+        for a, b in (_alike(*pair) for pair in zip(left, right, strict=True))
+    )
+
+
+def rational_ratio(left: Values, right: Values) -> Fraction | None:
+    """Return the rational number that is the quotient of two formulas, None if there is none."""
+    if 0 in right:
+        return None
+    quotients = tuple(a / b for a, b in (_alike(*pair) for pair in zip(left, right, strict=True)))
+    first = quotients[0]
+    if not isinstance(first, Fraction):
+        first = Fraction(str(_MP.nstr(first, 40))).limit_denominator(10**6)
+    return first if agree(quotients, (first,) * len(quotients)) else None
+
+
+def depends_on(expression: sp.Expr, symbol: sp.Expr) -> bool:
+    """Tell whether the value of a formula changes with a symbol; ε changes with both masses."""
+    known = POINTS[0]
+    moved = known | {symbol: known[symbol] + 1}
+    moved[epsilon] = moved[m_prime] / moved[m]
+    try:
+        values = [evaluate(expression, each, square_root) for each in (known, moved)]
+    except ArithmeticError:
+        return True
+    return not agree(values[:1], values[1:])
+
+
+# Decimals
+
+
+def decimals(expression: sp.Expr) -> set[sp.Symbol]:
+    """Return the decimal numbers that were typed in a formula."""
+    return {symbol for symbol in expression.free_symbols if is_decimal(symbol)}
+
+
+def units_off(expression: sp.Expr, target: Values) -> Number | None:
+    """Return by how many units of its last digit a decimal of the formula differs from the number that is meant.
+
+    That number makes the formula right at all points. None if there is none within one and a half units, or if it
+    needs no rounding: who types 0.6 for ½ has not rounded.
+    """
+    for decimal in decimals(expression):
+        typed, unit = Fraction(decimal.name), Fraction(1, 10 ** len(decimal.name.partition(".")[2]))
+        try:
+            meant = _meant(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
+        except ArithmeticError:
+            continue
+        if meant is None:
+            continue
+        meant, typed = meant / _MP.convert(unit), _MP.convert(typed / unit)
+        if abs(meant - _MP.nint(meant)) > _MP.mpf(10) ** -60:
+            return abs(meant - typed)
+    return None
+
+
+def _meant(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Fraction, high: Fraction) -> Number | None:
+    def error(x: Number, i: int = 0) -> Number:
+        value, wanted = map(_MP.convert, (evaluate(expression, POINTS[i] | {decimal: x}, square_root), target[i]))
+        return (value - wanted) / wanted
+
+    if error(low) * error(high) >= 0:
+        return None
+    found = _MP.findroot(
+        error, (_MP.convert(low), _MP.convert(high)), solver="anderson", tol=_AGREEING, maxsteps=60, verify=False
+    )
+    exact = all(abs(error(found, i)) <= _MP.mpf(10) ** -80 for i in range(len(POINTS)))
+    return found if exact else None
+
+
+# Units
+
+
+class DifferentUnitsError(ValueError):
+    """Terms with different units are added; the arguments are the units as text."""
+
+
+_KG, _M, _S = sp.symbols("kg m s", positive=True)
+_UNITS = {m: _KG, m_prime: _KG, k: _KG / _S**2, R: _M, epsilon: sp.S.One}
+for _q, _unit in zip(COORDINATES, (_M, sp.S.One, sp.S.One), strict=True):
+    _UNITS |= {_q: _unit, _q.diff(): _unit / _S}
+
+
+def unit(expression: sp.Expr) -> str:
+    """Return the unit of a formula as typed, empty for a plain number; angles are plain numbers.
+
+    Raises
+    ------
+    DifferentUnitsError : it adds terms with different units.
+
+    >>> unit(k * R**2 / m)
+    'm²/s²'
+    """
+    value = evaluate(expression, _UNITS, sp.sqrt, lambda _number: sp.S.One)
+    for total in sorted(value.atoms(sp.Add), key=sp.default_sort_key):
+        raise DifferentUnitsError(*sorted(_unit_text(term) for term in total.args[:2]))
+    return _unit_text(value)
+
+
+def _unit_text(value: sp.Expr) -> str:
+    powers = value.as_powers_dict()
+    above, below = (
+        "·".join(_power(each, sign * powers[each]) for each in (_KG, _M, _S) if sign * powers[each] > 0)
+        for sign in (1, -1)
+    )
+    if not below:
+        return above
+    return f"{above or 1}/({below})" if "·" in below else f"{above or 1}/{below}"
+
+
+def _power(base: sp.Symbol, exponent: sp.Rational) -> str:
+    if exponent == 1:
+        return base.name
+    return f"{base.name}{superscript(int(exponent))}" if exponent.is_Integer else f"{base.name}^({exponent})"
