@@ -17,7 +17,6 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from itertools import pairwise
-from math import prod
 
 import sympy as sp
 
@@ -282,11 +281,15 @@ class _Reader:
         return _negative(power) if negative else power
 
     def exponent(self) -> sp.Rational:
-        exponent = _constant(self._nested(self.factor))
-        if exponent is None or abs(exponent) > MAX_EXPONENT or exponent.denominator > 2:
+        typed = self._nested(self.factor)
+        parts = leaves(typed)
+        # The exponents in it are small already, so that its numbers can be worked out.
+        numbers = {part: sp.Rational(str(part)) for part in parts if is_number(part)}
+        exponent = replaced(typed, numbers).doit() if len(numbers) == len(parts) else sp.nan
+        if not exponent.is_Rational or abs(exponent) > MAX_EXPONENT or exponent.q > 2:
             limits = _("An exponent must be an integer or half an integer, from −{most} to {most}.")
             raise UnreadableError(limits.format(most=MAX_EXPONENT))
-        return sp.Rational(exponent.numerator, exponent.denominator)
+        return exponent
 
     def primary(self) -> sp.Expr:
         token = self.take()
@@ -342,20 +345,6 @@ def _negative(expression: sp.Expr) -> sp.Expr:
 
 def _power(base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
     return _bounded(sp.Pow(base, exponent, evaluate=False))
-
-
-def _constant(expression: sp.Expr) -> Fraction | None:
-    """Return the value of an expression of numbers that is small enough to be an exponent, None for any other."""
-    if is_number(expression):
-        value = Fraction(str(expression))
-        return value if abs(value) <= MAX_EXPONENT else None
-    if expression.is_Add or expression.is_Mul:
-        values = [_constant(part) for part in expression.args]
-        return None if None in values else sum(values) if expression.is_Add else prod(values)
-    if expression.is_Pow and expression.exp.is_Integer:
-        value = _constant(expression.base)
-        return None if value is None or (value == 0 and expression.exp < 0) else value ** int(expression.exp)
-    return None
 
 
 def weights(expression: sp.Expr) -> Counter[sp.Expr]:

@@ -133,7 +133,8 @@ def _advice(question: str, typed: sp.Expr, given: Values) -> Iterator[str]:
     try:
         exact = terms.exact(typed)
     except terms.NotComparableError:
-        yield _("Your answer differs from the right one. It cannot be compared term by term.")
+        if not (wrong_unit or foreign):
+            yield _("Your answer differs from the right one. It cannot be compared term by term.")
         yield leads_on
         return
     term, sentences = _differences(question, typed, given, exact)
