@@ -61,7 +61,6 @@ STOPS = (
             behind=_("Behind by less than one full turn."),
             together=_("Exactly where the other hand is."),
             ahead=_("Ahead by less than one full turn."),
-            far_ahead=_("Ahead by more than one full turn."),
         ),
         replies={
             "far_behind": _(
@@ -76,10 +75,6 @@ STOPS = (
                 "Then Ω²m/k would be 1. It is {shown.normalized_frequency_squared:4}, and the small difference adds up "
                 "from period to period. After how many periods is it a full turn?"
             ),
-            "far_ahead": _(
-                "Then the spring would feel less than {least:2 kg}, but it feels {shown.effective_mass:3 kg}. Which "
-                "bodies must it set in motion besides the slab?"
-            ),
         },
         answer=_first_lead,
         why=_(
@@ -91,7 +86,6 @@ STOPS = (
         numbers=lambda: {
             "turns": lead(EQUAL),
             "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _total(EQUAL))),
-            "least": EQUAL.m * (_PERIODS / (_PERIODS + 1)) ** 2,
         },
         hints=(
             _(
