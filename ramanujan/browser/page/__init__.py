@@ -35,7 +35,7 @@ from ramanujan.translation import _
 def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     """Bring what every page has; call it before anything else is drawn.
 
-    With them come the page’s one live region, which says what the topic `say` brings; a notice while the server is
+    That is the page’s one live region, which says what the topic `say` brings; a notice while the server is
     away; the keyboard's access to boxes that scroll sideways; a new run of the page when the visitor switches the
     theme, so that figures follow; and a ring that follows the first page's machine on a curve. A figure has the
     ring if its layout's `meta` names the ring's colour; its axes are the mass ratio ε and Ω²m/k.

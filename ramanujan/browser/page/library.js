@@ -8,7 +8,7 @@ import { hosts } from "./hosts.js";
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / hosts.contentWidth()));
 window.addEventListener("resize", fitPaper);
 fitPaper();
-bus.kept ??= hosts.keepOneEntry() ?? true;
+hosts.keepOneEntry();
 
 const rooms = new WeakMap(); // parentElement → part → its room
 
