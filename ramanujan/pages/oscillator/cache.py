@@ -89,16 +89,22 @@ def figure(light_or_dark: str) -> Drawn:
 
 @dataclass(frozen=True)
 class SummaryStep:
-    """A step as the page shows it: words, and one block of LaTeX, in symbols, then with the present numbers."""
+    """A step as the page shows it: words, and one block of LaTeX, in symbols, then with the present numbers.
+
+    A step of many equations also has its two parts, which stand side by side on a projector.
+    """
 
     heading: str
     reason: str
     equations: str
+    parts: tuple[str, ...] = ()
 
 
 _LINE_WIDTH = 60
 """Characters of a formula that fit beside the sidebar in a window of 1280 points."""
 
+_HIGH = 8
+"""Equations that fit below one another on a projector."""
 _SUMMARY = ("velocities", "lagrangian", "rates", "elimination", "frequency", "root")
 
 
@@ -125,4 +131,5 @@ def _in_symbols() -> list[tuple[Step, list[Row]]]:
 def _with_numbers(step: Step, symbols: list[Row], values: dict[sp.Symbol, sp.Expr] | None) -> SummaryStep:
     numbers = rows(step, values) if values else symbols
     blocks = [symbols] if numbers == symbols else [symbols, numbers]
-    return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH))
+    parts = tuple(aligned([block], _LINE_WIDTH) for block in blocks) if sum(map(len, blocks)) > _HIGH else ()
+    return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH), parts)

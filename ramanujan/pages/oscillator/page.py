@@ -117,7 +117,10 @@ def six_steps(machine: Oscillator) -> None:
     starts = (0, 2, 3, 4, 5) if projected else (0,)
     for first, end in zip(starts, (*starts[1:], len(texts)), strict=True):
         with sheet(f"step_{first + 1}", f"{first + 1}. {summary[first].heading}"):
-            st.markdown("\n\n".join(texts[first:end]))
+            parts = summary[first].parts if projected else ()
+            st.markdown("\n\n".join(texts[first:end]) if not parts else texts[first].partition("$$")[0])
+            for column, part in zip(st.columns(len(parts)) if parts else (), parts, strict=True):
+                column.latex(part)
 
 
 if __name__ == "__main__":
