@@ -34,7 +34,7 @@ ROOMS = {
     "figures": (set(), {"numpy", "plotly"}),
     "lesson": (
         CORE | {"frequency", "integrators", "energy", "contact", "accuracy", "derivation", "answers", "number_theory"},
-        {"numpy", "sympy"},
+        {"numpy", "sympy", "psycopg"},
     ),
     "browser": (CORE | {"derivation"}, {"streamlit", "sympy"}),
 }

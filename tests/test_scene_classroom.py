@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import re
 
 import pytest
+import streamlit as st
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import lesson
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import spaced
+from ramanujan.lesson.class_record import as_csv
+from ramanujan.shell import class_session
 from tests.browser import ROOT
 
 PAGE = "ramanujan/pages/lesson/page.py"
@@ -25,9 +30,16 @@ def school(tmp_path, monkeypatch) -> classes.Classes:
     return classes.shared()
 
 
-def visitor(**link: str) -> AppTest:
+@pytest.fixture(autouse=True)
+def cookies(monkeypatch) -> None:
+    """A browser's name, which AppTest cannot send, is what a test puts into the session."""
+    monkeypatch.setattr(class_session, "browser", lambda: st.session_state.get("cookie", ""))
+
+
+def visitor(cookie: str = "", **link: str) -> AppTest:
     """Return the lesson's page as a new session with this address sees it."""
     app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
+    app.session_state["cookie"] = cookie
     for key, value in link.items():
         app.query_params[key] = value
     return app.switch_page(PAGE).run()
@@ -52,20 +64,20 @@ def answer(app: AppTest, option: str) -> AppTest:
 @pytest.fixture
 def lecturer() -> AppTest:
     """A lecturer who has opened a class and gone to the first stop."""
-    return press(press(visitor(), "open"), "go")
+    return press(visitor(), "open")
 
 
 def test_no_preset_tells_the_answer_before_the_class_has_seen_it():
     # The lecturer has predicted it in another hour; this class has not.
     stop = lesson.stop("exactly")
-    lecturer = press(press(visitor(stop=stop.id, chosen=f"exactly.{stop.answer()}"), "open"), "go")
+    lecturer = press(visitor(stop=stop.id, chosen=f"exactly.{stop.answer()}"), "open")
     student = visitor(**{"class": address(lecturer)["class"]})
 
     def offered(app: AppTest) -> bool:
         return any("preset" in pills.proto.id for pills in app.get("button_group"))
 
     assert not offered(lecturer)
-    for step in ("ask", "reveal"):
+    for step in ("ask", "reveal", "run"):
         assert not offered(press(lecturer, step))
     assert offered(press(lecturer, "solve"))
     assert not offered(student)
@@ -91,7 +103,7 @@ def test_a_round_with_a_second_vote(lecturer):
         assert STOP.question in words(student.run())
         answer(student, option)
         assert "Your answer counts" in words(student)
-    assert "3 of 3 students have answered" in words(lecturer.run())
+    assert "3 of 3 here have answered" in words(lecturer.run())
     for page in (lecturer, *students):
         assert not page.get("progress")
 
@@ -113,7 +125,8 @@ def test_a_round_with_a_second_vote(lecturer):
             STOP.question.lower(), ""
         )
 
-    # The right answer comes last: on the phones, and with the reason and the running machine at the desk.
+    # The right answer comes last: after the machine has run, with the reason, at the desk and on the phones.
+    press(lecturer, "run")
     assert STOP.explanation() not in words(lecturer)
     press(lecturer, "solve")
     assert STOP.explanation() in words(lecturer)
@@ -121,6 +134,10 @@ def test_a_round_with_a_second_vote(lecturer):
         assert "2 students changed from a wrong answer to the right one" in words(page)
         assert "1 student changed from the right answer to a wrong one" in words(page)
     assert "This is right, and it was your answer" in words(students[0].run())
+    assert STOP.explanation() in words(students[0])
+    # Whoever was wrong reads a word on that option first.
+    assert STOP.reply(WRONG) in words(students[2].run())
+    assert STOP.reply(WRONG) not in words(students[0])
     assert "This is right." in words(students[2].run())
 
 
@@ -160,14 +177,14 @@ def test_an_answer_to_the_first_vote_is_not_counted_in_the_second(lecturer):
 
 
 def test_the_class_comes_back_after_a_reload(lecturer, school):
-    student = visitor(**{"class": code_of(lecturer)})
+    student = visitor("phone", **{"class": code_of(lecturer)})
     press(lecturer, "ask")
     answer(student.run(), WRONG)
-    again = visitor(**address(student))
+    again = visitor("phone", **address(student))
     assert again.radio[0].value == WRONG
     answer(again, RIGHT)
     desk = visitor(**address(lecturer))
-    assert "1 of 1 student has answered" in words(desk)
+    assert "1 of 1 here has answered" in words(desk)
     press(desk, "reveal")
     assert school.distribution(code_of(desk), STOP.id)[RIGHT] == 1
 
@@ -185,7 +202,7 @@ def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):
     secret = address(lecturer)["lecturer"].partition("-")[2]
     student = visitor(**{"class": code_of(lecturer)})
     seen = [everything(student)]
-    for name in ("ask", "reveal", "again", "reveal", "solve"):
+    for name in ("ask", "reveal", "again", "reveal", "run", "solve"):
         press(lecturer, name)
         seen.append(everything(student.run()))
     assert secret not in "".join(seen)
@@ -222,9 +239,8 @@ def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
     assert STOP.question in words(app)
 
 
-@pytest.mark.parametrize("link", [{"class": "BCDFHJ"}, {"class": "bcdfhj", "voter": "x" * 12}])
-def test_a_link_to_a_class_that_is_not_there_gets_one_sentence(link):
-    app = visitor(**link)
+def test_a_link_to_a_class_that_is_not_there_gets_one_sentence():
+    app = visitor(**{"class": "bcdfhj"})
     [said] = [warning.value for warning in app.warning]
     assert said.startswith("There is no class with this code")
     assert STOP.question in words(app)
@@ -241,7 +257,7 @@ def test_a_wrong_lecturers_address_gets_a_sentence(secret):
 
 @pytest.mark.parametrize("page", ["derivation", "motion"])
 def test_a_reload_of_another_page_loses_nobody(lecturer, page):
-    student = visitor(**{"class": code_of(lecturer)})
+    student = visitor("phone", **{"class": code_of(lecturer)})
     press(lecturer, "ask")
     answer(student.run(), RIGHT)
     for person, still in ((lecturer, "1 of 1"), (student, "Your answer counts")):
@@ -249,6 +265,7 @@ def test_a_reload_of_another_page_loses_nobody(lecturer, page):
         link = address(there)
         assert link["class"] == code_of(lecturer)
         again = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
+        again.session_state["cookie"] = "phone"
         for key, value in link.items():
             again.query_params[key] = value
         again.switch_page(f"ramanujan/pages/{page}/page.py").run()
@@ -261,7 +278,7 @@ def test_a_class_that_has_ended_lets_everybody_go(lecturer):
     assert not {"class", "lecturer"} & set(address(lecturer))
     assert "The class has ended." in words(student.run())
     press(student, "leave")
-    assert not {"class", "voter"} & set(address(student))
+    assert not {"class", "wall"} & set(address(student))
     assert STOP.question in words(student)
 
 
@@ -270,3 +287,94 @@ def test_without_its_file_the_lesson_goes_on(tmp_path, monkeypatch):
     app = press(visitor(), "open")
     assert "cannot keep answers" in words(app)
     assert STOP.question in words(app)
+
+
+def test_three_tabs_of_one_phone_are_one_student(lecturer, school):
+    tabs = [visitor("phone", **{"class": code_of(lecturer)}) for _ in range(3)]
+    neighbour = visitor("another phone", **address(tabs[0]))
+    press(lecturer, "ask")
+    for tab, option in zip(tabs, (RIGHT, WRONG, RIGHT), strict=True):
+        answer(tab.run(), option)
+    assert "1 of 2 here have answered" in words(lecturer.run())
+    assert neighbour.run().radio[0].value is None
+    press(lecturer, "reveal")
+    assert sum(school.distribution(code_of(lecturer), STOP.id).values()) == 1
+
+
+def test_the_wall_shows_as_much_as_the_class_has_seen_and_no_key(lecturer):
+    secret = address(lecturer)["lecturer"].partition("-")[2]
+    wall = visitor(**{"class": code_of(lecturer), "wall": "on"})
+    assert spaced(code_of(lecturer)) in words(wall)
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "ask")
+    assert STOP.question in words(wall.run())
+    answer(student.run(), RIGHT)
+    assert "1 of 1 here has answered" in words(wall.run())
+    assert not wall.get("progress")
+    press(lecturer, "reveal")
+    assert "1 of 1, 100" in words(wall.run())
+    stages = len(wall.get("bidi_component"))
+    press(lecturer, "run")
+    assert len(wall.run().get("bidi_component")) > stages
+    assert STOP.explanation() not in words(wall)
+    press(lecturer, "solve")
+    assert STOP.explanation() in words(wall.run())
+    # What the lecturer sets is what the wall shows.
+    lecturer.slider(key="k").set_value(77.0).run()
+    assert wall.run().session_state["k"] == 77.0
+    press(lecturer, "next")
+    following = lesson.stop(wall.run().session_state["class_settings_told"] and lecturer.session_state["stop"])
+    assert following != STOP
+    assert following.question in words(wall)
+    assert secret not in everything(wall)
+    assert not [button for button in wall.button if button.key.startswith("class_")]
+
+
+def test_an_earlier_stop_is_looked_at_alone_until_the_class_is_taken_along(lecturer):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "ask")
+    answer(student.run(), WRONG)
+    for step in ("reveal", "run", "solve", "next"):
+        press(lecturer, step)
+    second = student.run().title[0].value
+    assert second != STOP.heading
+    lecturer.session_state["stop"] = STOP.id
+    assert "The class is still at" in words(lecturer.run())
+    assert "1 of 1, 100" in words(lecturer)
+    assert student.run().title[0].value == second
+    press(lecturer, "anew")
+    assert student.run().title[0].value == STOP.heading
+    assert student.radio[0].value is None
+
+
+def test_two_desks_follow_each_other(lecturer):
+    other = visitor(**address(lecturer))
+    press(lecturer, "ask")
+    for step in ("reveal", "run", "solve", "next"):
+        press(lecturer, step)
+    assert lecturer.session_state["stop"] != STOP.id
+    other.run()
+    assert other.session_state["stop"] == lecturer.session_state["stop"]
+
+
+def test_the_lecturer_takes_home_what_was_voted(lecturer, school):
+    students = [visitor(**{"class": code_of(lecturer)}) for _ in range(3)]
+    press(lecturer, "ask")
+    for student, option in zip(students, (WRONG, WRONG, RIGHT), strict=True):
+        answer(student.run(), option)
+    for step in ("reveal", "again"):
+        press(lecturer, step)
+    for student in students[:2]:
+        answer(student.run(), RIGHT)
+    press(lecturer, "reveal")
+    rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(address(lecturer)["lecturer"])))))
+    assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
+        option.id: (
+            {RIGHT: "1", WRONG: "2"}.get(option.id, "0"),
+            "2" if option.id == RIGHT else "0",
+            "yes" if option.id == RIGHT else "no",
+        )
+        for option in STOP.options
+    }
+    assert {row["stop"] for row in rows} == {STOP.id}
+    assert {row["present"] for row in rows} == {"3"}

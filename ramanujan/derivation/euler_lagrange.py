@@ -81,7 +81,7 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> 
         heading = named.format(heading=heading)
         return Step(f"{prefix}{key}", heading, reason + here, equations, case, told=told, labels=labels)
 
-    cancelled = _(", ").join(
+    cancelled = ", ".join(
         _("${factor}$ from the equation of ${coordinate}$").format(factor=latex(factor), coordinate=latex(q))
         for q, factor in result.common.items()
         if factor != 1
@@ -148,9 +148,9 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> 
             _(
                 "This is the equation of a harmonic oscillator. It has the solution $\\varphi=\\cos\\Omega t$, because "
                 "two derivatives with respect to time give $-\\Omega^2\\cos\\Omega t$. So the factor of $\\varphi$ is "
-                "$\\Omega^2$. With a minus sign before it, $e^{\\Omega t}$ would be a solution: the machine would run "
-                "away instead of oscillating."
-            ),
+                "$\\Omega^2$. With a minus sign before it, $e^{{\\Omega t}}$ would be a solution: the machine would "
+                "run away instead of oscillating."
+            ).format(),
             oscillator,
             equation(Omega_squared, result.natural_frequency_squared),
         ),

@@ -4,6 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import IntEnum
+
+
+class Phase(IntEnum):
+    """How far a question has come; each phase shows what the one before has shown, and more."""
+
+    ASKED = 0
+    REVEALED = 1
+    """Everybody sees how the class has voted; no answer is taken any more."""
+    RUNNING = 2
+    """The machine runs."""
+    SOLVED = 3
+    """The right answer is named and explained."""
 
 
 @dataclass(frozen=True)
@@ -16,43 +29,33 @@ class Class:
 
 @dataclass(frozen=True)
 class Seat:
-    """A student's place in a class: a random voter, and the session that votes under it now."""
+    """A student's place in a class: a random voter."""
 
     code: str
     voter: str
-    session: str = ""
 
 
 @dataclass(frozen=True)
 class Question:
-    """What a class is asked now, as one student sees it.
+    """What a class is asked now, as everybody may know it.
 
     stop : id of the stop, None before the first
-    round : 1, or 2 after the class was asked again
-    revealed : whether the distribution may be seen and no answer is taken any more
-    solved : whether the right answer may be seen, too
-    chosen : the student's own answer in this round
-    kept : whether the seat is still this session's, and not taken over by another with the same address
+    round : number of the vote; odd for a first vote, even for the second vote that follows it
+    phase : how far the question has come
+    answered : how many of those present have answered
+    present : how many students were heard of lately
     """
 
     stop: str | None
     round: int
-    revealed: bool
-    solved: bool
-    chosen: str | None
-    kept: bool
-
-
-@dataclass(frozen=True)
-class Desk:
-    """What the lecturer sees of the present question before it is revealed: numbers of people, and no answers."""
-
-    stop: str | None
-    round: int
-    revealed: bool
-    solved: bool
+    phase: Phase
     answered: int
-    joined: int
+    present: int
+
+    @property
+    def is_second(self) -> bool:
+        """Whether the class votes for the second time, after talking."""
+        return self.round % 2 == 0
 
 
 @dataclass(frozen=True)
@@ -70,3 +73,20 @@ class Comparison:
     to_wrong: int
     stayed_right: int
     stayed_wrong: int
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question that was asked, for the lecturer's file.
+
+    stop : its id
+    at : when it was asked [s since 1970]
+    present : how many were present when its result was shown
+    first, second : option → number of votes; `second` is None without a second vote
+    """
+
+    stop: str
+    at: float
+    present: int
+    first: Mapping[str, int]
+    second: Mapping[str, int] | None

@@ -18,7 +18,7 @@ LARGE = Oscillator(m=1.0, m_prime=1.0, k=10.0, radius=0.2)
 
 _PERIODS = 10
 """Periods of the plain mass after which the hands are compared."""
-_RADIUS = _("R = {radius:2 cm}")
+_RADIUS = "R = {radius:2 cm}"
 
 
 def lead(machine: Oscillator) -> float:

@@ -21,7 +21,7 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from ramanujan.translation import _
 
-PRIVATE = ("lecturer", "voter")
+PRIVATE = ("lecturer",)
 """Keys that say who somebody is in a class; *Copy link* leaves them out."""
 
 _PLACE = "links_place"

@@ -2,9 +2,9 @@
 
     class       the code, in everybody's address; alone it is the link that students get
     lecturer    the lecturer's key, in the lecturer's own address
-    voter       a student's random name, in the student's own address
+    wall        beside the code: a large, read-only page that follows the lecturer
 
-*Copy link* leaves out what `links.PRIVATE` names.
+*Copy link* leaves out what `address.PRIVATE` names.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import re
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ramanujan.shell.address import Choice
 from ramanujan.translation import _
 
 
@@ -42,5 +43,5 @@ class Word:
 
 CLASS = Word("class", "[A-Za-z]{6}")
 LECTURER = Word("lecturer", "[A-Z]{6}-[A-Za-z0-9_-]{20,60}")
-VOTER = Word("voter", "[A-Za-z0-9_-]{8,40}")
-KEYS = (CLASS, LECTURER, VOTER)
+WALL = Choice("wall", ("on",))
+KEYS = (CLASS, LECTURER, WALL)

@@ -1,6 +1,7 @@
-"""Who this session is in a class: a lecturer with a key, a student with a seat, or nobody.
+"""Who this session is in a class: a lecturer with a key, a student with a seat, the wall, or nobody.
 
-It is known from the session, and after a reload from the address (`class_keys`).
+It is known from the session, and after a reload from the address (`class_keys`). A student is a browser: the server
+gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote.
 """
 
 from __future__ import annotations
@@ -10,13 +11,14 @@ from collections.abc import Callable
 
 import streamlit as st
 
-from ramanujan.lesson.class_codes import parts_of
-from ramanujan.lesson.classes import ClassError, Desk, Seat, shared
+from ramanujan.lesson.class_codes import parts_of, voter_of
+from ramanujan.lesson.classes import DAY, ClassError, Phase, Seat, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.shell import address
-from ramanujan.shell.class_keys import CLASS, LECTURER, VOTER
+from ramanujan.shell.browser_cookie import NAME
+from ramanujan.shell.class_keys import CLASS, LECTURER, WALL
 
-_KEY, _SEAT = "class_key", "class_seat"
+_KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
 _SESSION = "class_session"
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
@@ -26,17 +28,22 @@ _SHOWN = "class_said_with"
 
 
 def arrive() -> None:
-    """Know a lecturer and a student again by their address, once a session; from then on the address follows."""
+    """Know lecturer, wall and student again by their address, once a session; from then on the address follows."""
     if not st.session_state.get(_JUDGED):
         st.session_state[_JUDGED] = True
+        code = address.held(CLASS)
         if key := address.held(LECTURER):
             attempt(_sit_at_desk, key)
-        elif code := address.held(CLASS):
-            attempt(take_seat, code, address.held(VOTER))
+        elif code and address.held(WALL):
+            st.session_state[_WALL] = code.upper()
+        elif code:
+            attempt(take_seat, code)
     if mine := key_held():
         _write_address(parts_of(mine)[0], lecturer=mine)
+    elif code := wall_held():
+        _write_address(code, wall="on")
     elif seat := seat_held():
-        _write_address(seat.code, voter=seat.voter)
+        _write_address(seat.code)
 
 
 def key_held() -> str | None:
@@ -49,42 +56,47 @@ def seat_held() -> Seat | None:
     return st.session_state.get(_SEAT)
 
 
-def is_solved(stop: Stop, desk: Desk) -> bool:
-    """Tell whether the class has seen the right answer of a stop."""
-    return desk.stop == stop.id and desk.solved
+def wall_held() -> str | None:
+    """Return the code of the class, if this session is its wall."""
+    return st.session_state.get(_WALL)
+
+
+def phase_of(stop: Stop) -> Phase | None:
+    """Return how far the class has come with a stop; None for whoever is no lecturer."""
+    if (key := key_held()) is None:
+        return None
+    try:
+        last = shared().last(shared().code_of(key), stop.id)
+    except ClassError:
+        last = None
+    return last.phase if last else Phase.ASKED
 
 
 def has_seen(stop: Stop) -> bool | None:
     """Return whether the class has seen the right answer of a stop; None for whoever is no lecturer."""
-    if (key := key_held()) is None:
-        return None
-    try:
-        return is_solved(stop, shared().desk(key))
-    except ClassError:
-        return False
+    phase = phase_of(stop)
+    return None if phase is None else phase == Phase.SOLVED
 
 
-def open_class() -> None:
-    """Become the lecturer of a new class."""
-    st.session_state[_KEY] = shared().open_class().key
+def open_class(lifetime: float = DAY) -> None:
+    """Become the lecturer of a new class, which is kept for so many seconds."""
+    st.session_state[_KEY] = shared().open_class(lifetime).key
 
 
-def take_seat(code: str, voter: str = "") -> None:
+def take_seat(code: str) -> None:
     """Become a student of the class with this code."""
     session = st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
-    st.session_state[_SEAT] = shared().join(code, session, voter)
+    st.session_state[_SEAT] = shared().join(code, session, voter_of(browser(), code))
 
 
-def change_seat() -> Seat:
-    """Give the seat up to a neighbour who came with the same address, and return another with the same answers."""
-    seat = st.session_state[_SEAT] = shared().move(st.session_state[_SEAT])
-    arrive()
-    return seat
+def browser() -> str:
+    """Return the random name of this browser; nothing where it keeps no cookies."""
+    return st.context.cookies.get(NAME, "")
 
 
 def leave() -> None:
     """Be nobody again."""
-    for name in (_KEY, _SEAT, _SAID):
+    for name in (_KEY, _SEAT, _WALL, _SAID):
         st.session_state.pop(name, None)
     _write_address()
 
@@ -115,8 +127,8 @@ def _sit_at_desk(key: str) -> None:
     st.session_state[_KEY] = key
 
 
-def _write_address(code: str = "", lecturer: str = "", voter: str = "") -> None:
+def _write_address(code: str = "", lecturer: str = "", wall: str | None = None) -> None:
     """Let the address say this of the class."""
-    for key, value in ((CLASS, code), (LECTURER, lecturer), (VOTER, voter)):
+    for key, value in ((CLASS, code), (LECTURER, lecturer), (WALL, wall)):
         st.session_state[key.name] = value
-    address.keep(CLASS, LECTURER, VOTER)
+    address.keep(CLASS, LECTURER, WALL)

@@ -26,6 +26,7 @@ from starlette.routing import Route
 
 import ramanujan
 from ramanujan.browser import modules
+from ramanujan.shell.browser_cookie import NamedBrowser
 
 try:
     import brotli
@@ -119,4 +120,4 @@ def _dressed(page: bytes) -> bytes:
     return _FONT.sub("".join(fonts).encode(), page, count=1).replace(b"</body>", end.encode(), 1)
 
 
-MIDDLEWARE = [Middleware(BaseHTTPMiddleware, dispatch=_once)]
+MIDDLEWARE = [Middleware(NamedBrowser), Middleware(BaseHTTPMiddleware, dispatch=_once)]

@@ -171,7 +171,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
-def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) -> Any:
+def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None], clicker: bool = True) -> Any:
     """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
 
     Parameters
@@ -179,13 +179,14 @@ def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None]) ->
     headings : of the stops in their order, for screen readers
     now : the number of the stop that is drawn, from 1 on
     on_turned : called with the number of the stop that is asked for
+    clicker : whether the page keys turn stops, too
     """
 
     def turned() -> None:
         if (to := st.session_state["turn"].to) is not None:
             on_turned(to)
 
-    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}")}
+    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}"), "clicker": clicker}
     return _component("turn")(key="turn", data=data, on_to_change=turned)
 
 

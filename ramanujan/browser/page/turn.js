@@ -36,6 +36,7 @@ function turner(root, signal) {
     const by = turnOf(event, { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 });
     if (!by) return;
     if (event.composedPath()[0].matches?.(hosts.TAKES_KEYS)) return;
+    if (event.key.startsWith("Page") && !data.clicker) return;
     // On a projector, a clicker turns the sheets of this stop first.
     if (event.key.startsWith("Page") && bus.last("sheets")?.has(by)) return;
     if (go(now + by)) event.preventDefault();

@@ -1,12 +1,13 @@
-"""How a class has voted, once it is revealed: a bar for each option, both votes side by side if there were two."""
+"""What several screens of a class draw alike: how it has voted, the right answer, who is there, a QR code."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+import segno
 import streamlit as st
 
-from ramanujan.lesson.classes import ClassError, Comparison, shared
+from ramanujan.lesson.classes import ClassError, Comparison, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
 from ramanujan.pages.lesson import cache
@@ -29,7 +30,7 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
 
     Parameters
     ----------
-    access : the class's code, or the lecturer's key
+    access : the class's code
     stop : the question
     round_ : the last vote
     solved : whether to say which answer is right, and how many have found it
@@ -61,10 +62,10 @@ def _result(access: str, stop: Stop, round_: int) -> _Result:
     kept = st.session_state.get(_KEPT)
     if kept is None or kept[0] != name:
         right = cache.solution(stop.id).option
-        if round_ == 1:
-            result = _Result((shared().distribution(access, stop.id, 1),), None, right)
+        if round_ % 2:
+            result = _Result((shared().distribution(access, stop.id, round_),), None, right)
         else:
-            changes = shared().comparison(access, stop.id, right)
+            changes = shared().comparison(access, stop.id, right, round_)
             result = _Result((dict(changes.first), dict(changes.second)), changes, right)
         kept = st.session_state[_KEPT] = (name, result)
     return kept[1]
@@ -110,3 +111,36 @@ def _changes(changes: Comparison) -> str:
     stayed = ngettext("{n} student was right both times.", "{n} students were right both times.", changes.stayed_right)
     sentences = ((to_right, changes.to_right), (to_wrong, changes.to_wrong), (stayed, changes.stayed_right))
     return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)
+
+
+def explain(stop: Stop, chosen: str | None = None) -> None:
+    """Name the right answer and its reason; whoever has chosen another one reads a word on that first."""
+    solution = cache.solution(stop.id)
+    if chosen and chosen != solution.option:
+        st.markdown(solution.replies[chosen])
+    st.markdown(f":green[:material/check_circle:] **{solution.label}**")
+    st.markdown(solution.explanation)
+
+
+def answered(now: Question) -> str:
+    """Return how many of those present have answered, as a sentence."""
+    numbers = {"answered": now.answered, "present": now.present}
+    if now.is_second:
+        return ngettext(
+            "Second vote: {answered} of {present} here has answered.",
+            "Second vote: {answered} of {present} here have answered.",
+            now.present,
+        ).format(**numbers)
+    return ngettext(
+        "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present
+    ).format(**numbers)
+
+
+def joined(people: int) -> str:
+    """Return how many have joined, as a sentence."""
+    return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
+
+
+def qr_code(address: str) -> None:
+    """Draw an address as a QR code."""
+    st.image(segno.make(address, micro=False).svg_inline(scale=8, border=3, light="white"), width="stretch")

@@ -1,35 +1,35 @@
-"""The class on the lesson's page: a lecturer opens one and asks, students answer on their phones.
+"""The class on the lesson's page, where three screens play together: desk, phones, and the wall (`wall`).
 
-    guests()      at the head of the page: a student sees what the class is asked, and nothing else of the page;
-                  a lecturer who invites sees code and address alone
+    guests()      at the head of the page: a student's phone sees what the class is asked, and nothing else of the page
     door()        where a visitor opens a class or joins one
     panel(stop)   on the page of a stop: the lecturer's desk
 
-Every phone asks every few seconds what the class is asked now: one read by keys.
+Every screen asks every few seconds what is new: one read by keys.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import UTC, datetime
+from functools import partial
 from urllib.parse import urlencode, urlsplit
 
 import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import parts_of, spaced
-from ramanujan.lesson.classes import ClassError, Desk, Question, Seat, shared
+from ramanujan.lesson.class_record import as_csv
+from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, shared
 from ramanujan.lesson.stop import Stop
-from ramanujan.pages.lesson import class_results
+from ramanujan.pages.lesson import class_results, class_settings, progress
 from ramanujan.shell.class_session import (
     arrive,
     attempt,
-    change_seat,
     forget_refusal,
-    has_seen,
-    is_solved,
     key_held,
     leave,
     open_class,
+    phase_of,
     refusal,
     seat_held,
     take_seat,
@@ -39,20 +39,35 @@ from ramanujan.translation import _, ngettext
 DESK_EVERY, PHONE_EVERY = 2.0, 2.5
 """Seconds between two looks at what is new, at the lecturer's desk and on a phone."""
 
-_INVITING = "class_inviting"
 _LONGEST_CODE = 20
-_ONLY_HERE = ("localhost", "127.0.0.1", "::1")
+_DRAWN = "class_drawn"
+"""Session state: the question with which a phone was last drawn as a whole."""
+_SEEN = "class_seen"
+"""Session state: the question at which this desk last saw the class."""
 
 
-def guests() -> None:
-    """Draw the page of a student, or of a lecturer who invites, and end the run; for others do nothing."""
+def guests(show: Callable[[Stop, bool], None]) -> None:
+    """Draw the page of a student, and end the run; for others do nothing.
+
+    Parameters
+    ----------
+    show : draws a stop's machine, and whether it runs
+    """
     arrive()
-    if _invites():
-        _invitation()
-        st.stop()
-    if seat_held():
+    if seat := seat_held():
+        st.session_state[_DRAWN] = _question(seat)
         _phone()
+        if (question := st.session_state[_DRAWN]) and question.phase == Phase.SOLVED:
+            class_settings.take(shared().machine(seat.code))
+            show(lesson.stop(question.stop), True)
         st.stop()
+
+
+def _question(seat: Seat) -> Question | None:
+    try:
+        return shared().question(seat.code)
+    except ClassError:
+        return None
 
 
 def door() -> None:
@@ -73,23 +88,45 @@ def door() -> None:
         # Whoever typed a code looks here, and sees nothing of what stands below.
         if code:
             _warn()
-        st.markdown(_("Lecturer: open a class, and your students answer on their phones."))
-        st.button(_("Open a class"), key="class_open", on_click=_begin)
-        st.caption(_("Nobody gives a name. Everything is deleted after 24 hours."))
+        _for_lecturers()
     if not code:
         _warn()
 
 
-def panel(stop: Stop) -> bool | None:
+def _for_lecturers() -> None:
+    """Show how a class works, and open one."""
+    st.markdown(_("Lecturers: three screens play together."))
+    screens = (
+        (":material/co_present:", _("**The wall.** The projector shows the code, then the questions and results.")),
+        (":material/smartphone:", _("**The phones.** Students scan the code and vote. Nobody gives a name.")),
+        (":material/laptop_mac:", _("**The desk.** You ask, show the result, run the machine, name the answer.")),
+    )
+    with st.container(key="class_screens"):
+        for icon, sentence in screens:
+            st.markdown(f"{icon} {sentence}")
+    kept = st.selectbox(
+        _("Keep the answers for"),
+        LIFETIMES,
+        format_func=lambda seconds: ngettext("{n} day", "{n} days", round(seconds / DAY)).format(
+            n=round(seconds / DAY)
+        ),
+        key="class_kept",
+    )
+    st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
+
+
+def panel(stop: Stop) -> Phase | None:
     """Draw the lecturer's desk: the options, or how the class has voted, and what can be done next.
 
     Returns
     -------
-    None for whoever has no class; else whether the class has seen the right answer, so that the page may show it, too
+    None for whoever has no class; else how far the class has come with this stop, so that the page shows no more
     """
-    if (solved := has_seen(stop)) is not None:
-        _desk(stop, solved)
-    return solved
+    if (phase := phase_of(stop)) is not None:
+        st.session_state.setdefault(_SEEN, None)
+        class_settings.tell(key_held())
+        _desk(stop, phase)
+    return phase
 
 
 def _warn() -> None:
@@ -100,134 +137,114 @@ def _warn() -> None:
 # ---- the lecturer
 
 
-def _begin() -> None:
-    attempt(open_class)
-    st.session_state[_INVITING] = key_held() is not None
-
-
-def _invite(inviting: bool) -> None:
-    st.session_state[_INVITING] = inviting
-
-
-def _invites() -> bool:
-    return bool(key_held() and st.session_state.get(_INVITING))
-
-
 @st.fragment(run_every=DESK_EVERY)
-def _invitation() -> None:
-    """Draw code and address so that the last row can read them, and how many have joined."""
-    if not _invites():
+def _desk(stop: Stop, phase: Phase) -> None:
+    """Draw the desk beside a page that shows so much of the stop; where that has changed, run the whole page."""
+    if (key := key_held()) is None:
         st.rerun()
-    code, address = parts_of(key_held())[0], urlsplit(st.context.url or "")
-    shown = f"{address.netloc}{address.path}"
-    with st.container(key="class_invitation"):
-        st.title(_("Join the class"), anchor=False)
-        words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
-        with words:
-            st.markdown(_("On your phone, open"))
-            with st.container(key="class_address"):
-                # As plain text: an address is whatever the browser says it is.
-                st.text(shown)
-            st.markdown(_("then choose **Class** and type"))
-            with st.container(key="class_letters"):
-                st.text(spaced(code))
-        with picture:
-            _qr_code(f"{address.scheme}://{shown}?{urlencode({'class': code})}")
-        if address.hostname in _ONLY_HERE:
-            st.warning(
-                _(
-                    "Phones cannot open this address, because it means this computer only. Open the app under the "
-                    "computer’s address in the network, then open a class there."
-                )
-            )
-        with st.container(horizontal=True, vertical_alignment="center", gap="large"):
-            try:
-                st.markdown(_joined(shared().desk(key_held()).joined), width="content")
-            except ClassError as error:
-                st.warning(str(error))
-            st.button(_("Go to the questions"), key="class_go", type="primary", on_click=_invite, args=(False,))
-
-
-def _qr_code(address: str) -> None:
-    """Draw the students' link as a QR code, where the package segno is installed."""
-    try:
-        import segno
-    except ImportError:
-        return
-    picture = segno.make(address, micro=False).svg_inline(scale=8, border=3, light="white")
-    st.image(picture, width="stretch")
-
-
-def _joined(people: int) -> str:
-    return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
-
-
-@st.fragment(run_every=DESK_EVERY)
-def _desk(stop: Stop, solved: bool) -> None:
-    """Draw the desk beside a page that shows the right answer or not; where that has changed, run the whole page."""
-    if (key := key_held()) is None or _invites():
-        st.rerun()
+    code = parts_of(key)[0]
     with st.container(key="class_desk"):
         _warn()
         try:
-            desk = shared().desk(key)
+            shared().code_of(key)
+            now, last = shared().question(code), shared().last(code, stop.id)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
-        if is_solved(stop, desk) != solved:
+        _follow(now, stop)
+        if (last.phase if last else Phase.ASKED) != phase:
             st.rerun()
-        st.markdown(f"**{_attendance(stop, desk)}**")
+        st.markdown(f"**{_attendance(stop, now)}**")
         with st.container(horizontal=True, gap="small"):
-            _next_moves(key, stop, desk)
-        if desk.stop == stop.id and desk.revealed:
-            class_results.show(key, stop, desk.round, desk.solved)
+            _next_moves(key, stop, now, last)
+        if last and last.phase > Phase.ASKED:
+            class_results.show(code, stop, last.round, last.phase == Phase.SOLVED)
         else:
             st.markdown("\n".join(f"- {option.label}" for option in stop.options))
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
-            st.text(spaced(parts_of(key)[0]), width="content")
-            if st.button(
-                _("Show code and address"), key="class_invite", on_click=_invite, args=(True,), type="tertiary"
-            ):
-                st.rerun()
-            _ending(key)
+            _foot(key, code)
 
 
-def _attendance(stop: Stop, desk: Desk) -> str:
+def _follow(now: Question, stop: Stop) -> None:
+    """Go where another desk of this class has taken it."""
+    if now.stop == st.session_state[_SEEN]:
+        return
+    st.session_state[_SEEN] = now.stop
+    if now.stop and now.stop != stop.id:
+        st.session_state[progress.STOP.name] = now.stop
+        st.rerun()
+
+
+def _attendance(stop: Stop, now: Question) -> str:
     """Return who is there and how many have answered, as a sentence."""
-    if desk.stop is None:
-        return _joined(desk.joined)
-    if desk.stop != stop.id:
-        return _("The class is still at “{heading}”.").format(heading=lesson.stop(desk.stop).heading)
-    numbers = {"answered": desk.answered, "joined": desk.joined}
-    if desk.round > 1:
-        return ngettext(
-            "Second vote: {answered} of {joined} student has answered.",
-            "Second vote: {answered} of {joined} students have answered.",
-            desk.joined,
-        ).format(**numbers)
-    return ngettext(
-        "{answered} of {joined} student has answered.", "{answered} of {joined} students have answered.", desk.joined
-    ).format(**numbers)
+    if now.stop is None:
+        return class_results.joined(now.present)
+    if now.stop != stop.id:
+        return _("The class is still at “{heading}”.").format(heading=lesson.stop(now.stop).heading)
+    return class_results.answered(now)
 
 
-def _next_moves(key: str, stop: Stop, desk: Desk) -> None:
-    """Draw a button for each thing that the lecturer may do next; the usual one stands out."""
+def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> None:
+    """Draw a button for each thing that the lecturer may do next; a clicker presses the usual one."""
     classes = shared()
 
-    def button(label: str, name: str, act: Callable, *more: object, usual: bool) -> None:
-        kind = "primary" if usual else "secondary"
-        st.button(label, key=f"class_{name}", type=kind, on_click=attempt, args=(act, key, *more))
+    def button(label: str, name: str, act: Callable, *more: object, usual: bool = False) -> None:
+        kind, shortcut = ("primary", "PageDown") if usual else ("secondary", None)
+        st.button(label, key=f"class_{name}", type=kind, shortcut=shortcut, on_click=attempt, args=(act, key, *more))
 
-    if desk.stop != stop.id:
-        button(_("Ask the class"), "ask", classes.present, stop.id, [each.id for each in stop.options], usual=True)
+    options = [each.id for each in stop.options]
+    if now.stop != stop.id:
+        button(_("Ask the class"), "ask", _present, stop, usual=last is None)
+        if last:
+            button(_("Ask it anew"), "anew", classes.ask_anew, stop.id, options)
         return
-    if not desk.revealed:
-        button(_("Show the result"), "reveal", classes.reveal, usual=True)
-    if desk.round == 1 and not desk.solved:
-        button(_("Ask again"), "again", classes.ask_again, usual=desk.revealed)
-    if desk.revealed and not desk.solved:
-        button(_("Show the right answer"), "solve", classes.solve, usual=desk.round > 1)
+    if now.phase == Phase.ASKED:
+        button(_("Show the result"), "reveal", partial(classes.show, phase=Phase.REVEALED), usual=True)
+    if not now.is_second and now.phase < Phase.RUNNING:
+        button(_("Ask again"), "again", classes.ask_again)
+    if now.phase == Phase.REVEALED:
+        button(_("Run the machine"), "run", partial(classes.show, phase=Phase.RUNNING), usual=True)
+    if now.phase == Phase.RUNNING:
+        button(_("Show the right answer"), "solve", partial(classes.show, phase=Phase.SOLVED), usual=True)
+    if now.phase == Phase.SOLVED and (following := progress.following(stop)):
+        button(_("Ask the next question"), "next", _present, following, usual=True)
+
+
+def _present(key: str, stop: Stop) -> None:
+    """Take the class to a stop, and this desk with it."""
+    shared().present(key, stop.id, [each.id for each in stop.options])
+    st.session_state[_SEEN] = st.session_state[progress.STOP.name] = stop.id
+
+
+def _foot(key: str, code: str) -> None:
+    """Draw the code, the addresses of the other screens, and what ends a class."""
+    st.text(spaced(code), width="content")
+    here = urlsplit(st.context.url or "")
+    page = f"{here.scheme}://{here.netloc}{here.path}"
+    st.link_button(
+        _("Open the wall"),
+        f"{page}?{urlencode({'class': code, 'wall': 'on', 'view': 'projector'})}",
+        icon=":material/co_present:",
+        type="tertiary",
+    )
+    with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
+        st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
+        class_results.qr_code(f"{page}?{urlencode({'class': code, 'lecturer': key})}")
+    st.download_button(
+        _("Results as CSV"),
+        partial(_file, key),
+        file_name=f"class-{code}.csv",
+        mime="text/csv",
+        key="class_csv",
+        on_click="ignore",
+        type="tertiary",
+    )
+    _ending(key)
+
+
+def _file(key: str) -> str:
+    return as_csv(shared().asked(key))
 
 
 def _ending(key: str) -> None:
@@ -236,7 +253,10 @@ def _ending(key: str) -> None:
         leave()
 
     with st.popover(_("End"), key="class_ending", type="tertiary"):
-        st.markdown(_("The class ends, and all its answers are deleted."))
+        until = datetime.fromtimestamp(shared().expires(key), UTC).strftime("%d %B %Y, %H:%M UTC")
+        st.markdown(
+            _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(date=until)
+        )
         st.button(_("End the class"), key="class_close", on_click=attempt, args=(end,))
 
 
@@ -250,18 +270,24 @@ def _phone() -> None:
         st.rerun()
     with st.container(key="class_phone"):
         try:
-            question = shared().question(seat)
-            if not question.kept:
-                seat = change_seat()
-                question = shared().question(seat)
+            question = shared().question(seat.code)
+            chosen = shared().chosen(seat, question)
         except ClassError as error:
             st.warning(str(error))
         else:
-            _asked(seat, question)
+            # The machine stands outside of what is drawn every few seconds.
+            if _solved(question) != _solved(st.session_state[_DRAWN]):
+                st.rerun()
+            _asked(seat, question, chosen)
         st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
-def _asked(seat: Seat, question: Question) -> None:
+def _solved(question: Question | None) -> str | None:
+    """Return the stop whose right answer a class sees, if it does."""
+    return question.stop if question and question.phase == Phase.SOLVED else None
+
+
+def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
     if question.stop is None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
@@ -270,16 +296,19 @@ def _asked(seat: Seat, question: Question) -> None:
     stop = lesson.stop(question.stop)
     st.title(stop.heading, anchor=False)
     st.markdown(stop.question)
-    if question.revealed:
+    if question.phase > Phase.ASKED:
         _warn()
-        class_results.show(seat.code, stop, question.round, question.solved, question.chosen)
+        solved = question.phase == Phase.SOLVED
+        if solved:
+            class_results.explain(stop, chosen)
+        class_results.show(seat.code, stop, question.round, solved, chosen)
         return
-    if question.round > 1:
+    if question.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
     key = f"class_answer_{stop.id}_{question.round}"
-    # What the file says counts, also after a reload and after an answer that came too late.
-    if st.session_state.get(key) != question.chosen:
-        st.session_state[key] = question.chosen
+    # What the database says counts, also after a reload and after an answer that came too late.
+    if st.session_state.get(key) != chosen:
+        st.session_state[key] = chosen
     st.radio(
         _("Your answer"),
         [option.id for option in stop.options],
@@ -290,10 +319,10 @@ def _asked(seat: Seat, question: Question) -> None:
         args=(key, stop.id, question.round),
     )
     _warn()
-    if question.chosen:
+    if chosen:
         st.success(_("Your answer counts. You can change it until the result is shown."))
 
 
 def _vote(key: str, stop: str, round_: int) -> None:
     if seat := seat_held():
-        attempt(shared().vote, seat.code, seat.voter, stop, st.session_state[key], round_)
+        attempt(shared().vote, seat, stop, st.session_state[key], round_)

@@ -10,7 +10,7 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.browser import page
 from ramanujan.lesson.notes import INTRODUCTION
-from ramanujan.pages.lesson import cache, classroom, ending, progress, stops, tasks
+from ramanujan.pages.lesson import cache, classroom, ending, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.translation import _, ngettext
 
@@ -20,7 +20,8 @@ PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s
 
 def show() -> None:
     """Draw the page."""
-    classroom.guests()
+    classroom.guests(stops.show)
+    wall.guests()
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
         part = widgets.chips(progress.PART, _("Part of the lesson"), PART_WORDS, label_visibility="collapsed")
         head = st.container(key="turner")
@@ -55,7 +56,13 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
     places = [*(stop.id for stop in path), progress.END]
     number = places.index(address.held(progress.STOP)) + 1
     with head:
-        page.turn([*(stop.heading for stop in path), ending.HEADING], number, lambda to: turn(places[to - 1]))
+        # At the desk of a class a clicker presses the button of the next move.
+        page.turn(
+            [*(stop.heading for stop in path), ending.HEADING],
+            number,
+            lambda to: turn(places[to - 1]),
+            clicker=not class_session.key_held(),
+        )
     if number > len(path):
         ending.draw(path)
     else:

@@ -76,3 +76,10 @@ def path() -> tuple[Stop, ...]:
     asked = address.held(LENGTH) or ("short" if class_session.key_held() else "all")
     now = address.held(STOP)
     return tuple(stop for stop in lesson.STOPS if asked == "all" or stop.short or stop.id == now)
+
+
+def following(stop: Stop) -> Stop | None:
+    """Return the stop after this one, None after the last."""
+    stops = path()
+    at = stops.index(stop) + 1
+    return stops[at] if at < len(stops) else None

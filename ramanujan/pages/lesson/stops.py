@@ -16,6 +16,7 @@ from ramanujan import Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
+from ramanujan.lesson.classes import Phase
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.pages.lesson import cache, classroom, progress
 from ramanujan.shell import class_session, display_mode, messages, sidebar, stages
@@ -67,10 +68,10 @@ def is_answered(stop: Stop) -> bool:
 def draw(stop: Stop, number: int) -> None:
     """Draw a stop, the one of that number."""
     chosen, phase = progress.prediction(stop)
-    seen = class_session.has_seen(stop)
+    seen = class_session.phase_of(stop)
     if seen is not None:
         # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
-        phase = progress.ANSWERED if seen else progress.ASKED
+        phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(seen, progress.ASKED)
     running = runs(phase)
     # On a projector the picture has a sheet of its own with the reason, once it runs.
     apart = display_mode.is_projector() and (running or seen is not None)
@@ -93,13 +94,19 @@ def draw(stop: Stop, number: int) -> None:
         with reason:
             why(stop)
     arrive(stop, running)
-    if stop.exhibit:
-        picture.markdown(stop.exhibit)
-        return
-    if not display_mode.is_projector():
+    if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
             st.markdown(f":small[{_caption(stop, running)}]")
-    with picture, st.container(key=f"observed_{_arrangement(stop, running)}"):
+    with picture:
+        show(stop, running)
+
+
+def show(stop: Stop, running: bool) -> None:
+    """Draw what a stop shows: its machines, or what stands in place of one."""
+    if stop.exhibit:
+        st.markdown(stop.exhibit)
+        return
+    with st.container(key=f"observed_{_arrangement(stop, running)}"):
         observe(stop, running)
 
 
@@ -150,7 +157,7 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
             said = _("Your prediction was right.")
             st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
         else:
-            said = f"{_('Your prediction was different.')} {solved.replies[chosen]}"
+            said = _("Your prediction was different. {reply}").format(reply=solved.replies[chosen])
             st.markdown(f":red[:material/cancel:] {own}\\\n{solved.replies[chosen]}")
         if phase == progress.MISSED:
             _moves(stop, chosen, _("Show the answer"), progress.ANSWERED)

@@ -63,7 +63,8 @@ def draw(task: Task) -> None:
 def verdict(task: Task, setting: Setting) -> None:
     """Say whether the task is done, and how far away the goal is."""
     judged = task.judge(setting)
-    said = _(":green[:material/check_circle: **Done.**]") if judged.done else _(":orange[:material/flag: **Not yet.**]")
+    done, not_yet = _("Done."), _("Not yet.")
+    said = f":green[:material/check_circle: **{done}**]" if judged.done else f":orange[:material/flag: **{not_yet}**]"
     st.container(border=True).markdown(f"{said} {stops.plain(judged.sentence)}")
 
 

@@ -52,7 +52,8 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
     }
     st.title(titles[paper].format(seed=seed), anchor=False)
     if paper == "questions":
-        st.html(f"<p class='name'>{_('Name')} {_LINE} {_('Date')} {_LINE}</p>")
+        name, date = _("Name"), _("Date")
+        st.html(f"<p class='name'>{name} {_LINE} {date} {_LINE}</p>")
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
     with st.container(key="sheet_picture"):
         drawings.draw(

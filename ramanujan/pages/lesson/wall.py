@@ -1,0 +1,122 @@
+"""The wall of a class: one large, read-only page for the projector that follows the lecturer's desk.
+
+Before the first question it shows how to join; then the question, the result, the running machine with the lecturer's
+settings, and the right answer with its reason beside the machine. No key of the lecturer is on it.
+"""
+
+from __future__ import annotations
+
+from urllib.parse import urlencode, urlsplit
+
+import streamlit as st
+
+from ramanujan import lesson
+from ramanujan.lesson.class_codes import spaced
+from ramanujan.lesson.classes import ClassError, Phase, Question, shared
+from ramanujan.lesson.stop import Stop
+from ramanujan.pages.lesson import class_results, class_settings, stops
+from ramanujan.shell.class_session import leave, wall_held
+from ramanujan.translation import _
+
+EVERY = 1.5
+"""Seconds between two looks at what is new."""
+
+_ONLY_HERE = ("localhost", "127.0.0.1", "::1")
+
+
+def guests() -> None:
+    """Draw the wall and end the run, if this session is one; for others do nothing."""
+    if code := wall_held():
+        _draw(code)
+        st.stop()
+
+
+def _draw(code: str) -> None:
+    """Draw the wall of the class with this code."""
+    try:
+        question = shared().question(code)
+    except ClassError as error:
+        st.warning(str(error))
+        st.button(_("Leave this class"), key="class_leave", on_click=leave)
+        return
+    with st.container(key="class_wall"):
+        if question.stop is None:
+            _how_to_join(code)
+        else:
+            class_settings.take(shared().machine(code))
+            _show(code, lesson.stop(question.stop), question)
+        _watch(code, question)
+
+
+def _show(code: str, stop: Stop, question: Question) -> None:
+    """Draw a question as far as the class has come with it."""
+    st.title(stop.heading, anchor=False)
+    st.markdown(stop.question)
+    if question.phase == Phase.ASKED:
+        if question.is_second:
+            st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
+        st.markdown("\n".join(f"- {option.label}" for option in stop.options))
+        return
+    solved = question.phase == Phase.SOLVED
+    if question.phase == Phase.REVEALED:
+        class_results.show(code, stop, question.round, solved)
+        return
+    if not solved:
+        stops.show(stop, running=True)
+        return
+    words, picture = st.columns(2, gap="medium")
+    with words:
+        class_results.explain(stop)
+        class_results.show(code, stop, question.round, solved)
+    with picture:
+        stops.show(stop, running=True)
+
+
+@st.fragment(run_every=EVERY)
+def _watch(code: str, drawn: Question) -> None:
+    """Draw what changes all the time, and run the whole page where the class has gone on."""
+    try:
+        now = shared().question(code)
+    except ClassError as error:
+        st.warning(str(error))
+        return
+    gone_on = (now.stop, now.round, now.phase) != (drawn.stop, drawn.round, drawn.phase)
+    if gone_on or (now.stop and class_settings.differ(shared().machine(code))):
+        st.rerun()
+    with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
+        if now.stop is None:
+            st.markdown(class_results.joined(now.present), width="content")
+        else:
+            if now.phase == Phase.ASKED:
+                st.markdown(f"**{class_results.answered(now)}**", width="content")
+            st.text(f"{_address()[1]}  ·  {spaced(code)}", width="content")
+
+
+def _address() -> tuple[str, str]:
+    """Return the address of this page for students, whole and as one reads it from the last row."""
+    here = urlsplit(st.context.url or "")
+    return f"{here.scheme}://{here.netloc}{here.path}", f"{here.netloc}{here.path}"
+
+
+def _how_to_join(code: str) -> None:
+    """Draw code and address so that the last row can read them."""
+    whole, shown = _address()
+    st.title(_("Join the class"), anchor=False)
+    words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
+    with words:
+        st.markdown(_("On your phone, open"))
+        with st.container(key="class_address"):
+            # As plain text: an address is whatever the browser says it is.
+            st.text(shown)
+        st.markdown(_("then choose **Class** and type"))
+        with st.container(key="class_letters"):
+            st.text(spaced(code))
+    with picture:
+        class_results.qr_code(f"{whole}?{urlencode({'class': code})}")
+    if urlsplit(whole).hostname in _ONLY_HERE:
+        st.warning(
+            _(
+                "Phones cannot open this address, because it means this computer only. Open the app under the "
+                "computer’s address in the network, then open a class there."
+            )
+        )

@@ -1,0 +1,145 @@
+"""A class whose votes are in PostgreSQL, so that several machines share it: a real server, killed and restarted.
+
+The server is Debian's (`apt-get install postgresql`), started by the test on a free port; without it these tests are
+skipped, unless RAMANUJAN_REQUIRE_POSTGRES is set.
+"""
+
+from __future__ import annotations
+
+import inspect
+import multiprocessing
+import os
+import random
+import shutil
+import socket
+import subprocess
+import time
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from ramanujan.lesson import classes
+from ramanujan.lesson.classes import ClassError, Phase
+from tests import test_classes as in_a_file
+from tests.test_classes import NEW_PROCESS, OPTIONS, Clock
+
+PROGRAMS = next(iter(sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)), None)
+USER = {"user": "postgres"} if hasattr(os, "geteuid") and os.geteuid() == 0 else {}
+"""The server does not run as root."""
+
+
+class Server:
+    """A PostgreSQL server with an empty database of its own."""
+
+    def __init__(self, folder: Path) -> None:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self.port = probe.getsockname()[1]
+        self.folder = folder / "data"
+        if USER:
+            shutil.chown(folder, USER["user"])
+        self.run("initdb", "--auth", "trust", "--username", "ramanujan", "--no-sync")
+        self.address = f"postgresql://ramanujan@127.0.0.1:{self.port}/postgres"
+        self.start()
+
+    def run(self, program: str, *more: str) -> None:
+        command = [PROGRAMS / program, "--pgdata", self.folder, *more]
+        subprocess.run(command, check=True, capture_output=True, cwd="/", **USER)
+
+    def start(self) -> None:
+        options = f"-p {self.port} -h 127.0.0.1 -k {self.folder}"
+        self.run("pg_ctl", "--wait", "--silent", "--log", str(self.folder / "log"), "--options", options, "start")
+
+    def kill(self) -> None:
+        """End it at once, as a crash does; its clients lose their connections."""
+        self.run("pg_ctl", "--mode", "immediate", "stop")
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    if PROGRAMS is None:
+        if os.environ.get("RAMANUJAN_REQUIRE_POSTGRES"):
+            pytest.fail("no PostgreSQL on this system, and RAMANUJAN_REQUIRE_POSTGRES is set")
+        pytest.skip("no PostgreSQL on this system (on Debian: apt-get install postgresql)")
+    # A user of another name must be able to enter.
+    folder = Path(f"/tmp/ramanujan-postgres-{os.getpid()}")
+    folder.mkdir()
+    running = Server(folder)
+    yield running
+    running.kill()
+    shutil.rmtree(folder)
+
+
+def answer(address: str, code: str, students: range, votes: multiprocessing.Queue) -> None:
+    """Be some students, in a process of their own; whoever is refused tries again until the answer counts."""
+    school, chance = classes.Classes(address, Clock()), random.Random(students.start)
+
+    def insist(act, *values):
+        while True:
+            try:
+                return act(*values)
+            except ClassError:
+                time.sleep(0.05)
+
+    seats = [insist(school.join, code) for _ in students]
+    for _ in range(5):
+        for seat in seats:
+            option = chance.choice(OPTIONS)
+            insist(school.vote, seat, "faster", option)
+            votes.put((seat.voter, option))
+
+
+def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server: Server) -> None:
+    school = classes.Classes(server.address, Clock())
+    opened = school.open_class()
+    school.present(opened.key, "faster", OPTIONS)
+    votes = NEW_PROCESS.Queue()
+    others = [
+        NEW_PROCESS.Process(target=answer, args=(server.address, opened.code, range(start, start + 30), votes))
+        for start in (0, 30)
+    ]
+    for process in others:
+        process.start()
+    told = dict([votes.get()])
+    server.kill()
+    server.start()
+    while any(process.is_alive() for process in others) or not votes.empty():
+        while not votes.empty():
+            voter, option = votes.get()
+            told[voter] = option
+    for process in others:
+        process.join()
+    assert [process.exitcode for process in others] == [0, 0]
+    assert len(told) == 60
+    school.show(opened.key, Phase.REVEALED)
+    assert school.distribution(opened.code, "faster") == {o: Counter(told.values())[o] for o in OPTIONS}
+
+
+@pytest.mark.parametrize(
+    "test",
+    [
+        in_a_file.test_nobody_sees_the_distribution_before_it_is_revealed,
+        in_a_file.test_first_and_second_vote_are_compared_student_by_student,
+        in_a_file.test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_its_reason,
+        in_a_file.test_a_browser_is_one_voter_in_each_class_and_another_in_every_other,
+        in_a_file.test_present_is_who_was_heard_of_lately,
+        in_a_file.test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_ones,
+        in_a_file.test_only_the_key_opens_the_lecturers_desk,
+    ],
+    ids=lambda test: test.__name__,
+)
+def test_what_holds_in_a_file_holds_on_a_server(test, server: Server) -> None:
+    clock = Clock()
+    school = classes.Classes(server.address, clock)
+    opened = school.open_class()
+    school.present(opened.key, "faster", OPTIONS)
+    given = {"school": school, "opened": opened, "clock": clock}
+    test(**{name: given[name] for name in inspect.signature(test).parameters})
+
+
+def test_a_server_that_is_not_there_gets_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("ramanujan.lesson.class_store.PATIENCE", 0.0)
+    with pytest.raises(ClassError, match="too much to do"):
+        classes.Classes("postgresql://ramanujan@127.0.0.1:1/postgres").open_class()
