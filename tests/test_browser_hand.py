@@ -107,7 +107,7 @@ def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
     settle(page)
     assert normalized(page) == before
     # Where the start is off the slider's steps, it is not rounded.
-    page.get_by_text("Unit frequency (1729)").click()
+    page.get_by_text("In step (1729)").click()
     settle(page)
     x, y = thumb(page, "m_prime")
     page.mouse.move(x, y)

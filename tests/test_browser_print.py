@@ -12,7 +12,7 @@ CONTROLS = (
     "Equal masses",
     "Energy\nVelocities",
     "Projector",
-    "Within one period",
+    "Position in the period",
     "Print this page",
 )
 CUT = """() => [...document.querySelectorAll('.katex-display > .katex, .main-svg, .st-key-sheet_picture img')]

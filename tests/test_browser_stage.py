@@ -156,7 +156,7 @@ def test_every_slider_is_followed_live_by_keyboard_too(visit):
 
 def test_an_off_step_value_is_not_rounded_by_its_slider(visit):
     page = visit()
-    page.get_by_text("Unit frequency (1729)").click()
+    page.get_by_text("In step (1729)").click()
     settle(page)
     assert text(page, "[data-read=normalized]") == "1.000000"
     assert page.locator(".st-key-m_prime input[type=range]").input_value() == "1.13"
@@ -300,7 +300,7 @@ def test_the_scene_is_described_in_words(visit):
     turns = 1 / (math.sqrt(Oscillator().normalized_frequency_squared) - 1)
     assert period in spoken
     assert f"{turns:.1f}" in spoken
-    page.get_by_text("Unit frequency (1729)").click()
+    page.get_by_text("In step (1729)").click()
     expect(live).to_contain_text("in step")
 
 
@@ -340,7 +340,7 @@ def test_the_ring_lies_on_the_present_machine_and_follows_a_drag_without_the_ser
 
     # Plotly itself has put a mark on equal masses and on the unit ratio; the star is not centred in its box.
     assert centre(ring) == pytest.approx(centre(points.nth(3).locator(".point")), abs=0.6)
-    page.get_by_text("Unit frequency (1729)").click()
+    page.get_by_text("In step (1729)").click()
     settle(page)
     assert centre(ring) == pytest.approx(centre(points.nth(4).locator(".point")), abs=2)
     assert "Ω²m/k = 1.00000" in ring.get_attribute("aria-label")
@@ -441,7 +441,7 @@ def test_two_hundred_changes_leave_nothing_behind(visit):
 
 def test_a_change_sends_at_most_twenty_kilobytes(visit):
     page = visit(whole=True)
-    page.get_by_text("Unit frequency (1729)").click()
+    page.get_by_text("In step (1729)").click()
     settle(page)
     start = len(page.frames_received)
     page.get_by_text("Light rollers").click()

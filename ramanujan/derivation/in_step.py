@@ -73,8 +73,8 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         "root",
         _("Find the taxicab number"),
         _(
-            "Complete the square: this shows the discriminant, the number under the square root of the solution. A "
-            "mass ratio is positive, and only one of the two roots is. It is called $\\varepsilon_*$."
+            "Complete the square: this shows the discriminant, the number under the square root of the solution. Only "
+            "one root is positive, as a mass ratio must be. It is called $\\varepsilon_*$."
         ),
         (unit.completed_square, equation(epsilon, unit.root)),
     )

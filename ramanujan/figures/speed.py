@@ -235,7 +235,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
                 "hovertemplate": AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + EXTRA,
             }
         )
-    traces.append(level_line([periods[0], periods[-1]], np.pi, _("π: the phase is lost"), colors))
+    traces.append(level_line([periods[0], periods[-1]], np.pi, _("half a turn: the phase is lost"), colors))
     return laid_out(
         traces,
         colors,

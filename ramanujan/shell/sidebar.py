@@ -25,7 +25,7 @@ BOXES = {key: widgets.box(each) for key, each in QUANTITIES.items()}
 
 PRESETS = {
     "equal": _("Equal masses"),
-    "unit": _("Unit frequency (1729)"),
+    "unit": _("In step (1729)"),
     "light": _("Light rollers"),
     "heavy": _("Heavy rollers"),
     "reset": _("Reset"),

@@ -98,7 +98,7 @@ def _for_lecturers() -> None:
     st.markdown(_("Lecturers: three screens play together."))
     screens = (
         (":material/co_present:", _("**The wall.** The projector shows the code, then the questions and results.")),
-        (":material/smartphone:", _("**The phones.** Students scan the code and vote. Nobody gives a name.")),
+        (":material/smartphone:", _("**The phones.** Students scan the code and vote. No names are asked.")),
         (":material/laptop_mac:", _("**The desk.** You ask, show the result, run the machine, name the answer.")),
     )
     with st.container(key="class_screens"):

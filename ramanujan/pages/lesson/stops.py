@@ -242,12 +242,12 @@ def plain(text: str) -> str:
 def _caption(stop: Stop, running: bool) -> str:
     """Return what the sliders have to do with the picture."""
     if len(stop.runs) > 1:
-        return _("Here the sliders change nothing: these machines belong to the stop.")
+        return _("These machines are fixed: the sliders do not change them.")
     machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):
         return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
     if running:
-        return _("The sliders hold this machine: {machine}. Change it and watch.").format(machine=_written(machine))
+        return _("This machine has {machine}. Change it with the sliders and watch.").format(machine=_written(machine))
     return _("The machine: {machine}.").format(machine=_written(machine))
 
 

@@ -68,10 +68,16 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
         _(
             "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
             "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
-            "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away. After whole "
-            "periods only this drift is left: {block} for the block, {top} for the top cylinder relative to it."
-        ).format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3))
+            "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away."
+        )
     )
+    if block or top:
+        note(
+            _(
+                "After whole periods only this drift is left: {block} for the block, {top} for the top cylinder "
+                "relative to it."
+            ).format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3))
+        )
 
 
 def show_energy(motion: Record, drawn: tuple) -> None:
@@ -88,12 +94,16 @@ def show_energy(motion: Record, drawn: tuple) -> None:
             "{total}. The largest single share belongs to this body: {body}."
         ).format(total=whole, body=cache.NAMES[greatest.partition("_")[0]]),
     )
-    note(
+    sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
-            "{total} at every instant, with a relative error of at most {error}. At release the spring holds {spring}; "
-            "the initial velocities add the rest."
-        ).format(
+            "{total} at every instant, with a relative error of at most {error}. At release the spring holds {spring}."
+        )
+    ]
+    if total[0] > motion.energies["spring"][0]:
+        sentences.append(_("The initial velocities add the rest."))
+    note(
+        " ".join(sentences).format(
             total=whole,
             error=number(spread, 1),
             spring=quantity(1e3 * float(motion.energies["spring"][0]), "mJ", 4),

@@ -59,7 +59,7 @@ def the_question() -> None:
     st.html("<style>[class*=st-key-table_]{overflow:auto hidden}</style>")
     st.markdown(
         _(
-            "**How exact does this simulation have to be, and what does that cost?** Most simulations advance in small "
+            "**How exact does a simulation have to be, and what does that cost?** Most simulations advance in small "
             "time steps. This machine can also be solved exactly: it oscillates with the angular frequency Ω. So every "
             "error can be seen and measured."
         )

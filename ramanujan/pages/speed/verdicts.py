@@ -276,7 +276,13 @@ def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
 def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
     """List the solvers with their errors."""
     rows: Table = [
-        (_("Solver"), _("Precision"), _("Greatest error of Ω²"), _("Greatest zero mode"), _("Negative or complex")),
+        (
+            _("Solver"),
+            _("Precision"),
+            _("Greatest error of Ω²"),
+            _("Largest eigenvalue that should be 0"),
+            _("Negative or complex"),
+        ),
     ]
     for s in sweeps:
         largest = float(np.nanmax(np.abs(s.zero_modes)))

@@ -175,8 +175,8 @@ def forty_machines(chosen: BodyChoice) -> None:
     )
     st.caption(
         _(
-            "The discriminants of all {count} machines, for Ω² = k/m. Filled: a sum of two positive cubes, {best} in "
-            "two ways, {one} and {other} in one. Click on a machine to build it."
+            "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, {best} "
+            "in two ways, {one} and {other} in one. Click on a machine to build it."
         ).format(**facts)
     )
 

@@ -88,8 +88,8 @@ def digits_and_fractions() -> None:
         first, *others = cache.quotients()
         st.markdown(
             _(
-                "As a continued fraction, $\\varepsilon=[{first};{others},\\dots]$. Cut off after any term, it gives a "
-                "fraction that no fraction with a smaller denominator can beat. Rollers with these ratios can be made:"
+                "As a continued fraction, $\\varepsilon=[{first};{others},\\dots]$. Cut off after any term, it gives "
+                "the closest fraction among all with no larger denominator. Rollers with these ratios can be made:"
             ).format(first=first, others=", ".join(map(str, others)))
         )
         st.markdown(practical_ratios())
