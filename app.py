@@ -24,6 +24,7 @@ else:
     st.set_page_config(page_icon="🚕")
     page, runner = navigation.navigate()
     said = address.opened(page.name, (*parameters.KEYS, *display_mode.KEYS, *class_keys.KEYS, *page.keys))
+    display_mode.begin(page.name)
     address.keep(*display_mode.KEYS, *class_keys.KEYS)
     folded = "collapsed" if display_mode.is_projector() else 340
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=folded)

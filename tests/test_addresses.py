@@ -59,7 +59,7 @@ DEFAULTS = {
     "chosen": {},
     "class": "",
     "lecturer": "",
-    "voter": "",
+    "wall": None,
     "stops": None,
     "task": "in-step",
     "task_x0": 8.0,
@@ -188,7 +188,7 @@ MEANT = {
         "task_top": ("hoop", "hoop"),
     },
 }
-OF_A_CLASS = {"class", "lecturer", "voter"}
+OF_A_CLASS = {"class", "lecturer", "wall"}
 """Keys that mean something only while a class is open (test_scene_classroom)."""
 
 

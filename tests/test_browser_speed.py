@@ -69,5 +69,5 @@ def test_on_half_a_screen_no_control_is_cut(visit):
     assert page.evaluate(cut) == []
     page = visit("", width=900)
     assert page.evaluate(cut) == []
-    link = page.locator(".st-key-opening [data-testid=stPageLink] p")
+    link = page.locator("[data-testid=stPageLink] p >> nth=0")
     assert link.evaluate("(node) => node.scrollWidth <= node.clientWidth")

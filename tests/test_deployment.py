@@ -52,6 +52,12 @@ def students(hall: deployed, chromium: object) -> dict[str, object]:
     return tabs
 
 
+def cookie_of(hall: deployed, **headers: str) -> str | None:
+    """Return the cookie by which the proxy ties a visitor to a process, if it sets one."""
+    said = get(hall.address, **headers)[0].get_all("Set-Cookie", [])
+    return next((cookie.partition(";")[0] for cookie in said if cookie.startswith(f"{STORE}=")), None)
+
+
 def process_of(tab: object) -> str:
     """Return the name of the process that serves a visitor."""
     [cookie] = [cookie["value"] for cookie in tab.context.cookies() if cookie["name"] == STORE]
@@ -59,13 +65,13 @@ def process_of(tab: object) -> str:
 
 
 def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
-    cookies = [get(hall.address)[0]["Set-Cookie"].partition(";")[0] for _ in range(6)]
+    cookies = [cookie_of(hall) for _ in range(6)]
     assert set(cookies) == {f"{STORE}=first", f"{STORE}=second"}
     for cookie in cookies:
         # A cookie that still holds is not set again.
-        assert all(get(hall.address, Cookie=cookie)[0]["Set-Cookie"] is None for _ in range(4))
+        assert all(cookie_of(hall, Cookie=cookie) is None for _ in range(4))
     # Negative control: one that names no process is replaced.
-    assert STORE in get(hall.address, Cookie=f"{STORE}=third")[0]["Set-Cookie"]
+    assert cookie_of(hall, Cookie=f"{STORE}=third")
 
 
 def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) -> None:
@@ -143,9 +149,11 @@ def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, 
     desk = visitor("first", f"{hall.address}/lesson", 1280, 720)
     press("door")
     press("open")
-    letters = desk.locator(".st-key-class_letters [data-testid=stText]")
+    code = desk.locator(".st-key-class_foot [data-testid=stText]").text_content().lower()
+    wall = visitor("second", f"{hall.address}/lesson?class={code.replace(' ', '')}&wall=on&view=projector", 1280, 720)
+    letters = wall.locator(".st-key-class_letters [data-testid=stText]")
+    assert letters.text_content().lower() == code
     assert letters.evaluate("node => parseFloat(getComputedStyle(node).fontSize)") > 100
-    code = letters.text_content().lower()
     desk.evaluate("navigator.clipboard.writeText = async (text) => (window.copied = text)")
     desk.get_by_role("button", name="Copy link").click()
     link = desk.evaluate("copied")
@@ -156,11 +164,10 @@ def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, 
     phones[1].locator(".st-key-class_door button").first.click()
     phones[1].locator(".st-key-class_code input").fill(code)
     phones[1].get_by_role("button", name="Join", exact=True).click()
-    press("go")
     press("ask")
     for phone, number in zip(phones, (0, 1), strict=True):
         choose(phone, number)
-    desk.get_by_text("2 of 2 students have answered").wait_for()
+    desk.get_by_text("2 of 2 here have answered").wait_for()
     assert all(tab.locator("[data-testid=stProgress]").count() == 0 for tab in (desk, *phones))
     press("reveal")
     desk.get_by_text("1 of 2, 50\u202f%").first.wait_for()
@@ -170,16 +177,18 @@ def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, 
         choose(phone, 3)
     press("reveal")
     desk.get_by_text("Second vote: 2 of 2, 100").first.wait_for()
-    # The machine stands still until the class has seen the right answer.
+    # The machine stands still until the lecturer runs it; then the right answer comes.
     play = desk.get_by_role("button", name="Play", exact=True)
     assert play.count() == 0
-    press("solve")
+    press("run")
     play.wait_for()
+    wall.get_by_role("button", name="Play", exact=True).wait_for()
+    press("solve")
     desk.get_by_text("2 students changed from a wrong answer to the right one").wait_for()
     for phone in phones:
         phone.get_by_text("This is right, and it was your answer").wait_for()
         assert phone.locator("[data-testid=stMain]").evaluate("node => node.scrollWidth") <= 390
-    for tab in (desk, *phones):
+    for tab in (desk, wall, *phones):
         tab.close()
 
 
@@ -210,7 +219,7 @@ def test_a_killed_process_costs_its_visitors_nothing_that_they_set(hall: deploye
     # It takes visitors again when it is back.
     hall.start("first")
     for _ in range(120):
-        if "first" in (get(hall.address)[0]["Set-Cookie"] or ""):
+        if cookie_of(hall) == f"{STORE}=first":
             break
         tab.wait_for_timeout(500)
     else:

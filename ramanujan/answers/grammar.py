@@ -429,7 +429,9 @@ def _product(factors: tuple[sp.Expr, ...]) -> str:
     first, *rest = factors
     if _is_negative(first) and (rest or not first.is_Rational):
         # One minus sign before the whole product, and not above its fraction line.
-        shown = (sp.Mul(*first.args[1:], evaluate=False),) if first.is_Mul else (-first,) if first != -1 else ()
+        if first.is_Mul:
+            return _product((*first.args, *rest))
+        shown = (-first,) if first != -1 else ()
         left = (*shown, *rest)
         alone = len(left) == 1 and (left[0].is_Add or _is_negative(left[0]))
         return f"- {_bracketed(left[0]) if alone else _product(left)}"

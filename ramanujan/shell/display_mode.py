@@ -24,6 +24,7 @@ PARTS = {
 VIEW = address.Choice("view", ("projector",))
 HIDE = address.Several("hide", tuple(PARTS))
 SHEET = address.Name("sheet")
+_PAGE = "display_page"
 KEYS = (VIEW, HIDE, SHEET)
 """What every page keeps in its address beside the machine."""
 
@@ -55,6 +56,13 @@ def sheet(name: str, title: str) -> AbstractContextManager:
 def folded(name: str, title: str) -> AbstractContextManager:
     """Return a sheet of the projector as `sheet` does; on another screen it is folded behind its title."""
     return sheet(name, title) if is_projector() else st.expander(title)
+
+
+def begin(name: str) -> None:
+    """Begin another page than the last one with its first sheet, unless its address names a sheet."""
+    if st.session_state.get(_PAGE, name) != name and SHEET.name not in st.query_params:
+        st.session_state[SHEET.name] = ""
+    st.session_state[_PAGE] = name
 
 
 @st.fragment

@@ -19,6 +19,8 @@ from typing import Any
 
 import streamlit as st
 
+from ramanujan.translation import _
+
 _SEEN = "update_seen"
 """The hidden slider."""
 _UPDATES = "updates"
@@ -70,7 +72,7 @@ def draw() -> None:
     """Draw the hidden slider; call it after all widgets that are set."""
     if waits():
         st.session_state[_SEEN] = _updates().number
-    st.slider("updates", 0, 2**31, key=_SEEN, on_change="ignore")
+    st.slider(_("Updates"), 0, 2**31, key=_SEEN, on_change="ignore")
 
 
 def _set(values: Mapping[str, tuple[set, Any]]) -> None:

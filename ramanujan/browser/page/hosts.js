@@ -46,7 +46,8 @@ export const hosts = {
    */
   keepOneEntry() {
     let asked = false;
-    for (const type of ["pointerdown", "keydown"]) addEventListener(type, () => (asked = true), { capture: true });
+    // A screen reader clicks without pointer and key.
+    for (const type of ["pointerdown", "keydown", "click"]) addEventListener(type, () => (asked = true), { capture: true });
     const push = history.pushState.bind(history);
     history.pushState = (...entry) => {
       asked ? push(...entry) : history.replaceState(...entry);

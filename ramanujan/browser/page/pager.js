@@ -9,6 +9,8 @@ import { turnOf } from "./turning.js";
 const AWAY = "data-away"; // projector.css takes such a sheet out of sight; it keeps its size
 const TELL = 400; // ms from the last turn to the message that keeps the sheet in the address
 
+let page; // whose sheets were seen last, by this pager or the one before
+
 export default function ({ data, parentElement, setStateValue }) {
   const { begun, end } = live(parentElement, (signal) => new Pager(parentElement, signal));
   begun.receive(data, (name) => setStateValue("at", name));
@@ -44,9 +46,10 @@ class Pager {
   look() {
     const sheets = hosts.sheets();
     if (sheets.length === this.sheets.length && sheets.every(({ node }, i) => node === this.sheets[i].node && node.hasAttribute(AWAY) === (i !== this.now))) return;
-    const turned = this.page && this.page !== location.pathname;
+    const turned = page && page !== location.pathname;
     const seen = turned ? "" : this.sheets[this.now]?.name ?? new URLSearchParams(location.search).get("sheet");
-    Object.assign(this, { sheets, page: location.pathname });
+    page = location.pathname;
+    this.sheets = sheets;
     const title = (sheet, i) => new Option(fill(this.words.place, { now: i + 1, count: sheets.length, title: sheet.title }));
     this.list.replaceChildren(...sheets.map(title));
     this.show(Math.max(sheets.findIndex(({ name }) => name === seen), 0), turned);

@@ -64,20 +64,20 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     # Rounding leaves something of a drift that is not there.
     drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
     block, top = (round(float(drift), 9) for drift in drifts)
-    note(
+    sentences = [
         _(
             "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
             "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
             "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away."
         )
-    )
+    ]
     if block or top:
-        note(
-            _(
-                "After whole periods only this drift is left: {block} for the block, {top} for the top cylinder "
-                "relative to it."
-            ).format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3))
+        sentence = _(
+            "After whole periods only this drift is left: {block} for the block, {top} for the top cylinder relative "
+            "to it."
         )
+        sentences.append(sentence.format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3)))
+    note(" ".join(sentences))
 
 
 def show_energy(motion: Record, drawn: tuple) -> None:
