@@ -59,8 +59,8 @@ def curve() -> Curve:
         sp.lambdify(epsilon, heavy, "numpy")(ratios),
         Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
         Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
-        _("light rollers: {value}").format(value=light),
-        _("heavy rollers: {value}").format(value=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", "")),
+        _("{value} for ε → 0").format(value=light),
+        _("{value}<br>for ε → ∞").format(value=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", "")),
     )
 
 

@@ -52,7 +52,7 @@ def opening() -> None:
         first = _("Drag the slab and let go.")
         if not display_mode.hides("clocks"):
             first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
-        question = _("When does this machine of five bodies oscillate in step with a plain mass on the same spring?")
+        question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
         st.markdown(f"**{question}** {first}")
     if not display_mode.is_projector():
         with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
