@@ -12,7 +12,7 @@ CONTROLS = (
     "Equal masses",
     "Energy\nVelocities",
     "Projector",
-    "Position in the period",
+    "Within one period",
     "Print this page",
 )
 CUT = """() => [...document.querySelectorAll('.katex-display > .katex, .main-svg, .st-key-sheet_picture img')]

@@ -50,7 +50,7 @@ SENTENCES = {
     "bound": _("x₀ must be between {least} and {most}. It will be {value} when you let go."),
     "kept": _("x₀ is {value} again."),
     "undo": _("Back to x₀ = {value}"),
-    "each": _("each of mass m′"),
+    "each": _("m′ each"),
 }
 """Key → sentence, with slots for what the page knows."""
 
@@ -93,8 +93,8 @@ TEXTS = {
     "centre_caption": _("centre of mass"),
     "energy_bar": _("Energy by body: the parts of the bar change, its length, the total energy, does not."),
     "dial": _("Two clock hands: each makes one full turn in one period. They stay together if the machine is in step."),
-    "machine_hand": _("machine, Ω"),
-    "plain_hand": _("plain mass, √(k/m)"),
+    "machine_hand": _("Ω machine"),
+    "plain_hand": _("√(k/m) plain mass"),
     "gauge": _("Gauge of Ω²m/k: at 1 the machine is in step with the plain mass."),
     "period": _("Period"),
     "playback": _("Playback"),
@@ -106,7 +106,7 @@ TEXTS = {
     "pause": _("Pause"),
     "forward_hint": _("Step forward (→)"),
     "forward": _("Step forward"),
-    "scrub": _("Position in the period"),
+    "scrub": _("Within one period"),
     "scrub_label": _("Position within one period"),
     "speed": _("Speed"),
     "layers": _("Layers"),
