@@ -6,6 +6,7 @@ import gzip
 import os
 import random
 import re
+import time
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
