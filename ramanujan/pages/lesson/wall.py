@@ -41,7 +41,8 @@ def _draw(code: str) -> None:
         return
     with st.container(key="class_wall"):
         if question.stop is None:
-            _how_to_join(code)
+            with st.container(key="class_invitation"):
+                _how_to_join(code)
         else:
             class_settings.take(shared().machine(code))
             _show(code, lesson.stop(question.stop), question)
