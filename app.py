@@ -23,13 +23,16 @@ else:
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
     page, runner = navigation.navigate()
-    said = address.opened(page.name, (*parameters.KEYS, *display_mode.KEYS, *class_keys.KEYS, *page.keys))
+    said = address.opened(
+        page.name,
+        (*parameters.URL_PARAMETERS, *display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS, *page.url_parameters),
+    )
     display_mode.begin(page.name)
-    address.keep(*display_mode.KEYS, *class_keys.KEYS)
+    address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
     folded = "collapsed" if display_mode.is_projector() else 340
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=folded)
     cache.warm_up()
-    theme.dress(sidebar.BOXES)
+    theme.apply_css(sidebar.BOXES)
     sidebar.take_wishes()
     messages.begin(said)
     sidebar.draw(page.withheld())

@@ -47,10 +47,10 @@ from ramanujan.motion import (
     ground_positions,
     ground_velocities,
     motion,
-    pushed,
     relative_positions,
     relative_velocities,
     released,
+    with_initial_velocities,
 )
 from ramanujan.oscillator import Oscillator, drawn_spacing
 
@@ -97,13 +97,13 @@ __all__ = [
     "motion",
     "normal_forces",
     "normalized_frequency_squared",
-    "pushed",
     "relative_positions",
     "relative_velocities",
     "released",
     "required_friction",
     "trajectory",
     "travel_amplitude",
+    "with_initial_velocities",
 ]
 
 

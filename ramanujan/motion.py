@@ -86,10 +86,12 @@ def released(oscillator: Oscillator, compression: float) -> InitialState:
     >>> released(Oscillator(radius=0.25), 0.1).phi
     0.2
     """
-    return pushed(oscillator, compression)
+    return with_initial_velocities(oscillator, compression)
 
 
-def pushed(oscillator: Oscillator, compression: float, glide: float = 0.0, spin: float = 0.0) -> InitialState:
+def with_initial_velocities(
+    oscillator: Oscillator, compression: float, glide: float = 0.0, spin: float = 0.0
+) -> InitialState:
     """Return the state at a release with a push along each zero mode: φ₀ = x₀/(2R), Ẋ₀ = −glide, Φ̇₀ = spin.
 
     Parameters
@@ -109,7 +111,7 @@ def pushed(oscillator: Oscillator, compression: float, glide: float = 0.0, spin:
 
     Source: the null space of K, spanned by (1, 0, 0) and (0, 0, 1).
 
-    >>> pushed(Oscillator(radius=0.1), 0.08, glide=0.5, spin=2).X_dot
+    >>> with_initial_velocities(Oscillator(radius=0.1), 0.08, glide=0.5, spin=2).X_dot
     -0.5
     """
     radius = instance("oscillator", oscillator, Oscillator).radius

@@ -17,9 +17,9 @@ from ramanujan.motion import (
     ground_positions,
     ground_velocities,
     motion,
-    pushed,
     relative_positions,
     relative_velocities,
+    with_initial_velocities,
 )
 from ramanujan.oscillator import Oscillator
 from ramanujan.rounding import in_range
@@ -76,7 +76,7 @@ def record(
 
     Parameters
     ----------
-    oscillator, compression, glide, spin : as in `pushed`
+    oscillator, compression, glide, spin : as in `with_initial_velocities`
     spacing : L, distance between the axes of hoop and lower cylinder [m]
     periods : how long, in periods of the machine
     points : number of times, from 2 on
@@ -93,7 +93,7 @@ def record(
     >>> motion.q.shape
     (3, 5)
     """
-    initial = pushed(oscillator, compression, glide, spin)
+    initial = with_initial_velocities(oscillator, compression, glide, spin)
     points = integer("points", points, 2, MOST_POINTS)
     with np.errstate(over="ignore"):
         end = in_range(_("periods"), np.float64(positive("periods", periods)) * oscillator.period)

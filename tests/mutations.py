@@ -155,8 +155,8 @@ MUTATIONS = [
     Mutation(
         "the slider of x₀ counts wrong",
         "shell/parameters.py",
-        '"scale": quantity.scale, "step"',
-        '"scale": quantity.scale * 1.1, "step"',
+        '"scale": parameter.scale, "step"',
+        '"scale": parameter.scale * 1.1, "step"',
         "thumb",
     ),
     Mutation(

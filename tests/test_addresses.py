@@ -25,8 +25,8 @@ UNMEANT = {
 }
 DANGEROUS = ("empty", "infinite", "huge", "repeated")
 """What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
-OWN = {page.name: {key.name for key in page.keys} for page in PAGES.values()}
-SHARED = {key.name for key in (*parameters.KEYS, *class_keys.KEYS)}
+OWN = {page.name: {key.name for key in page.url_parameters} for page in PAGES.values()}
+SHARED = {key.name for key in (*parameters.URL_PARAMETERS, *class_keys.URL_PARAMETERS)}
 DEFAULTS = {
     "route": "euler_lagrange",
     "show": "lecture",
@@ -212,7 +212,7 @@ def test_an_address_is_taken_and_kept_as_it_is(name):
 
 def test_every_option_has_a_short_ascii_id():
     for page in PAGES.values():
-        for key in page.keys:
+        for key in page.url_parameters:
             for option in getattr(key, "options", ()):
                 text = key.write(option)
                 assert text.isascii()

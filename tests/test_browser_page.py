@@ -345,24 +345,24 @@ def test_what_happens_is_said_once(visit):
 
 
 def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
-    """Each function of hosts.js finds what it promises; whichever assumption breaks is named here."""
+    """Each function of dom.js finds what it promises; whichever assumption breaks is named here."""
     page = visit("motion?figure=Displacements", height=1400)
     page.wait_for_selector(".time-cursor", state="attached")
     broken = page.evaluate(
         f"""async () => {{
-          const {{ hosts }} = await {module("page/hosts")};
-          const graphs = hosts.graphs(), panel = hosts.panels(graphs[0])[0], slider = hosts.slider("m");
+          const {{ dom }} = await {module("page/streamlit_dom")};
+          const graphs = dom.graphs(), panel = dom.panels(graphs[0])[0], slider = dom.slider("m");
           const theme = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
           const holds = {{
             "slider: a range input with bounds, step and value": slider?.type === "range" && slider.min === "0.5"
               && slider.max === "5" && Number(slider.step) === 0.01 && slider.value === "1",
-            "isConnected: the page tells whether it has a server": hosts.isConnected(),
-            "theme: components get the page's background colour": hosts.theme(theme) === "light",
+            "isConnected: the page tells whether it has a server": dom.isConnected(),
+            "theme: components get the page's background colour": dom.theme(theme) === "light",
             "graphs: Plotly marks its graphs and keeps data and layout on them": graphs.length === 2
               && graphs.every((graph) => graph.data.length && graph.layout.meta),
             "graphs: Plotly's graphs tell when they are drawn": graphs.every((each) => each.on && each.removeListener),
-            "panels: a rectangle over each panel": Boolean(panel) && hosts.isPanel(panel),
-            "graphOf: from the panel to its graph": hosts.graphOf(panel) === graphs[0],
+            "panels: a rectangle over each panel": Boolean(panel) && dom.isPanel(panel),
+            "graphOf: from the panel to its graph": dom.graphOf(panel) === graphs[0],
           }};
           return Object.keys(holds).filter((name) => !holds[name]);
         }}"""
@@ -370,7 +370,7 @@ def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
     assert broken == []
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
     sent = len(page.frames_sent)
-    page.evaluate(f"{module('page/hosts')}.then(({{ hosts }}) => hosts.moveSlider(hosts.slider('compression'), 5))")
+    page.evaluate(f"{module('page/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))")
     page.wait_for_timeout(400)
     assert page.locator(".st-key-compression [data-testid=stSliderThumbValue]").inner_text() == "5.0"
     assert len(page.frames_sent) == sent

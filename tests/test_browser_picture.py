@@ -19,7 +19,7 @@ from ramanujan.contact import contact_forces
 from ramanujan.energy import energies
 from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
 from ramanujan.pages.motion.cache import drawn_spacing
-from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import STAGE, next_frame, settle
 from tests.picture import ROLLERS, Picture, difference, length, middle, places
@@ -37,10 +37,10 @@ def machines(count: int) -> list[tuple[Oscillator, float]]:
     random = np.random.default_rng(SEED)
 
     def anywhere(key: str) -> float:
-        control = QUANTITIES[key]
+        control = PARAMETERS[key]
         return math.exp(random.uniform(math.log(control.least), math.log(control.most))) * control.scale
 
-    corners = product(*((QUANTITIES[key].least, QUANTITIES[key].most) for key in ("radius", "compression")))
+    corners = product(*((PARAMETERS[key].least, PARAMETERS[key].most) for key in ("radius", "compression")))
     found = [(Oscillator(2.0, 0.7, 30.0, R / 100), x0 / 100) for R, x0 in corners]
     for _ in range(count):
         found.append((Oscillator(*map(anywhere, ("m", "m_prime", "k", "radius"))), anywhere("compression")))
@@ -523,7 +523,7 @@ def test_speed_buttons_change_the_speed(visit):
       };
       requestAnimationFrame(look);
     })"""
-    omega = Oscillator(k=QUANTITIES["k"].default).natural_frequency
+    omega = Oscillator(k=PARAMETERS["k"].default).natural_frequency
     for name, speed in (("1×", 1), ("½×", 0.5), ("⅒×", 0.1)):
         page.get_by_role("radio", name=name, exact=True).click()
         next_frame(page)

@@ -15,7 +15,7 @@ from ramanujan.browser.stage.formulas import formulas as of_the_stage
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.shell.parameters import PARAMETERS
 from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle
 from tests.reference import numpy_function
 
@@ -142,7 +142,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
 def test_every_slider_is_followed_live_by_keyboard_too(visit):
     page = visit()
     shown = "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent"
-    for key in QUANTITIES:
+    for key in PARAMETERS:
         if key == "radius":
             page.get_by_text("More", exact=True).click()
             page.wait_for_timeout(500)

@@ -39,7 +39,7 @@ def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypa
     monkeypatch.setattr(st, "plotly_chart", lambda figure, **more: (sent.append(figure), chart(figure, **more))[1])
     app.query_params.update(dict(part.split("=") for part in PAGES[name].quick.split("&") if part))
     app.switch_page(PAGES[name].file).run()
-    for key in PAGES[name].keys:
+    for key in PAGES[name].url_parameters:
         for view in key.options if key.name == "figure" else ():
             app.session_state["figure"] = view
             app.run()

@@ -22,7 +22,9 @@ SEED = int(os.environ.get("RAMANUJAN_SEED", "1729"))
 LONGEST = 2.0
 """Seconds that a run may take, once everything has been loaded."""
 
-KEYS = sorted(key.name for key in (*parameters.KEYS, *(key for page in PAGES.values() for key in page.keys)))
+KEYS = sorted(
+    key.name for key in (*parameters.URL_PARAMETERS, *(key for page in PAGES.values() for key in page.url_parameters))
+)
 ANSWERS = (
     "",
     "m*v^2/2",

@@ -24,11 +24,11 @@ from ramanujan import (
     momenta,
     motion,
     normal_forces,
-    pushed,
     relative_positions,
     relative_velocities,
     released,
     trajectory,
+    with_initial_velocities,
 )
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.newton import contact_forces as derived_contact_forces
@@ -218,7 +218,7 @@ def test_the_trajectory_of_an_integrator_has_contact_forces_too():
 def test_a_push_excites_the_zero_modes_alone():
     solution = coefficients()
     oscillator = Oscillator(1.3, 0.7, 25.0, 0.12)
-    start = pushed(oscillator, 0.0, glide=0.3, spin=-2.0)
+    start = with_initial_velocities(oscillator, 0.0, glide=0.3, spin=-2.0)
     names = dict(zip(map(str, INITIAL.values()), (start.X, start.phi, start.Phi), strict=True))
     names |= dict(zip(map(str, INITIAL_RATE.values()), (start.X_dot, start.phi_dot, start.Phi_dot), strict=True))
     names[str(Omega)] = oscillator.natural_frequency

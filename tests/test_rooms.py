@@ -88,7 +88,7 @@ def test_every_room_has_its_row(graph):
 def test_the_names_of_a_notebook_come_from_the_package_itself():
     script = f"""
 import sys
-from ramanujan import UNIT_MASS_RATIO, InitialState, Oscillator, motion, pushed, released
+from ramanujan import UNIT_MASS_RATIO, InitialState, Oscillator, motion, with_initial_velocities, released
 for room in {OTHER_PAGES!r}:
     assert f"ramanujan.{{room}}" not in sys.modules, room
 import ramanujan

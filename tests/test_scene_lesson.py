@@ -63,10 +63,12 @@ def sent(app) -> str:
 
 def fed(app) -> list[dict]:
     """What the stages on the page are fed."""
-    feeds = [
-        json.loads(e.proto.json) for e in app.get("bidi_component") if "stage_" in e.proto.id and "feed" in e.proto.id
+    messages = [
+        json.loads(e.proto.json)
+        for e in app.get("bidi_component")
+        if "stage_" in e.proto.id and "published" in e.proto.id
     ]
-    return [payload for feed in feeds for payload in feed.values()]
+    return [payload for message in messages for payload in message.values()]
 
 
 def choose(app, stop, option):
@@ -350,6 +352,6 @@ def test_the_parts_are_chosen_on_the_page(opened):
 @pytest.mark.parametrize("name", IDS)
 def test_the_full_page_understands_the_link_of_the_stop(name):
     stop = lesson.stop(name)
-    keys = {key.name: key for key in PAGES[stop.page].keys}
+    keys = {key.name: key for key in PAGES[stop.page].url_parameters}
     for key, text in stop.link.items():
         assert keys[key].write(keys[key].read(text)) == text

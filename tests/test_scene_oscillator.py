@@ -8,10 +8,10 @@ import math
 import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from ramanujan.shell.parameters import QUANTITIES, read_number
+from ramanujan.shell.parameters import PARAMETERS, read_number
 from ramanujan.shell.sidebar import PRESETS
 
-KEYS = list(QUANTITIES)
+KEYS = list(PARAMETERS)
 
 
 def sound(app):
@@ -27,9 +27,9 @@ def values(app) -> dict[str, float]:
 
 
 def box(app, key: str) -> dict[str, object]:
-    """What the box of a slider is told: by the fragment that follows the machine, else by the sidebar's feed."""
-    feeds = (json.loads(e.proto.json) for e in app.get("bidi_component") if e.proto.id.endswith("_feed"))
-    return next(feed[f"exact/{key}"] for feed in feeds if f"exact/{key}" in feed)
+    """What the box of a slider is told: by the fragment that follows the machine, else by the sidebar."""
+    messages = (json.loads(e.proto.json) for e in app.get("bidi_component") if e.proto.id.endswith("_published"))
+    return next(message[f"exact/{key}"] for message in messages if f"exact/{key}" in message)
 
 
 def type_in(app, key: str, text: str):
@@ -38,7 +38,7 @@ def type_in(app, key: str, text: str):
     return app.run()
 
 
-DEFAULTS = {key: quantity.default for key, quantity in QUANTITIES.items()}
+DEFAULTS = {key: parameter.default for key, parameter in PARAMETERS.items()}
 
 
 def steps(app):
@@ -55,9 +55,9 @@ def test_the_first_run_shows_the_defaults(app):
 @pytest.mark.parametrize("key", KEYS)
 def test_every_slider_at_its_ends_and_between_its_steps(app, key):
     app.run()
-    quantity = QUANTITIES[key]
-    between = (quantity.least + quantity.most) / 2 + quantity.step / math.pi
-    for value in (quantity.least, quantity.most, between):
+    parameter = PARAMETERS[key]
+    between = (parameter.least + parameter.most) / 2 + parameter.step / math.pi
+    for value in (parameter.least, parameter.most, between):
         sound(app.slider(key=key).set_value(value).run())
         assert app.slider(key=key).value == value
         assert box(app, key)["value"] == float(box(app, key)["text"]) == value
@@ -67,9 +67,9 @@ def test_every_slider_at_its_ends_and_between_its_steps(app, key):
 def test_all_corners_together(app):
     app.run()
     for light, stiff in [(True, True), (True, False), (False, True), (False, False)]:
-        app.slider(key="m").set_value(QUANTITIES["m"].most if light else QUANTITIES["m"].least)
-        app.slider(key="m_prime").set_value(QUANTITIES["m_prime"].least if light else QUANTITIES["m_prime"].most)
-        app.slider(key="k").set_value(QUANTITIES["k"].most if stiff else QUANTITIES["k"].least)
+        app.slider(key="m").set_value(PARAMETERS["m"].most if light else PARAMETERS["m"].least)
+        app.slider(key="m_prime").set_value(PARAMETERS["m_prime"].least if light else PARAMETERS["m_prime"].most)
+        app.slider(key="k").set_value(PARAMETERS["k"].most if stiff else PARAMETERS["k"].least)
         sound(app.run())
 
 
@@ -80,7 +80,7 @@ def test_presets_keep_every_value_in_range(app, preset, m):
     app.slider(key="m").set_value(m).run()
     sound(app.pills(key="preset").set_value(preset).run())
     for key, value in values(app).items():
-        assert QUANTITIES[key].least <= value <= QUANTITIES[key].most
+        assert PARAMETERS[key].least <= value <= PARAMETERS[key].most
     assert app.pills(key="preset").value is None
 
 
@@ -126,8 +126,8 @@ def test_presets_choose_round_values_and_their_ratio(app, preset, m):
 
 def test_reset_brings_everything_back(app):
     app.run()
-    for key, quantity in QUANTITIES.items():
-        app.slider(key=key).set_value(quantity.most)
+    for key, parameter in PARAMETERS.items():
+        app.slider(key=key).set_value(parameter.most)
     app.run()
     app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == DEFAULTS
@@ -193,10 +193,10 @@ def test_what_is_no_number_is_none(text):
     assert read_number(text) is None
 
 
-@pytest.mark.parametrize("quantity", QUANTITIES.values(), ids=QUANTITIES)
-def test_a_slider_shows_every_step_that_it_takes(quantity):
-    steps = (quantity.most - quantity.least) / quantity.step
+@pytest.mark.parametrize("parameter", PARAMETERS.values(), ids=PARAMETERS)
+def test_a_slider_shows_every_step_that_it_takes(parameter):
+    steps = (parameter.most - parameter.least) / parameter.step
     assert steps == pytest.approx(round(steps))
     for n in range(5):
-        value = quantity.least + n * quantity.step
-        assert float(quantity.format % value) == pytest.approx(value)
+        value = parameter.least + n * parameter.step
+        assert float(parameter.format % value) == pytest.approx(value)

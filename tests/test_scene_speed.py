@@ -48,7 +48,7 @@ def words(app: AppTest) -> str:
 
 
 def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> downsampling.Run:
-    return downsampling.thinned(error_history(method, steps, periods, dtype), steps, periods)
+    return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
 
 
 # ---- the page

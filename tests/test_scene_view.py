@@ -8,7 +8,7 @@ import pytest
 
 from ramanujan import Oscillator
 from ramanujan.shell.display_mode import PARTS
-from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.shell.parameters import PARAMETERS
 from tests.test_scene_oscillator import DEFAULTS, sound, values
 
 MACHINE = Oscillator(1.0, 2.0, 10.0)
@@ -22,21 +22,21 @@ def opened(app, **query):
 
 
 def sent(app) -> str:
-    """All that the server sends to the page: the text of every element, with the feeds and the figures."""
+    """All that the server sends to the page: the text of every element, with what is published and the figures."""
     return "\n".join(str(element.proto) for element in app.main) + "\n".join(
         str(element.proto) for element in app.sidebar
     )
 
 
-def feed(app, stage: str) -> dict[str, object]:
-    """What the feed tells a stage."""
-    feeds = (json.loads(each.proto.json) for each in app.get("bidi_component") if "_feed" in each.proto.id)
-    return next(feed[f"machine/{stage}"] for feed in feeds if f"machine/{stage}" in feed)
+def published(app, stage: str) -> dict[str, object]:
+    """What a stage is told."""
+    messages = (json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id)
+    return next(message[f"machine/{stage}"] for message in messages if f"machine/{stage}" in message)
 
 
 def test_a_link_hides_parts_of_the_first_page(app):
     opened(app, **LINK, hide="numbers,curve,clocks")
-    assert feed(app, "oscillator")["hide"] == ["clocks", "numbers"]
+    assert published(app, "oscillator")["hide"] == ["clocks", "numbers"]
     assert not app.get("plotly_chart")
     assert not any(number in sent(app) for number in NUMBERS)
     # The steps stay, in symbols.
@@ -48,7 +48,7 @@ def test_a_link_hides_parts_of_the_first_page(app):
 def test_nothing_is_hidden_without_being_asked_for(app):
     """Negative control: the same page has all of it."""
     opened(app, **LINK)
-    assert "hide" not in feed(app, "oscillator")
+    assert "hide" not in published(app, "oscillator")
     assert app.get("plotly_chart")
     assert any("clock hands" in each.value for each in app.markdown)
 
@@ -58,8 +58,8 @@ def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path)
     opened(app, hide="clocks,numbers,curve")
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
     assert app.query_params["hide"] == "clocks,numbers,curve"
-    feeds = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_feed" in each.proto.id]
-    stages = [told for feed in feeds for topic, told in feed.items() if topic.startswith("machine/")]
+    messages = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id]
+    stages = [told for message in messages for topic, told in message.items() if topic.startswith("machine/")]
     assert stages
     assert all(told["hide"] == ["clocks", "numbers"] for told in stages)
     assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
@@ -90,7 +90,7 @@ def test_an_unknown_view_is_no_projector(app, bad):
 def test_reset_returns_to_what_the_link_set(app):
     opened(app, m_prime="2.5", k="20")
     linked = {**DEFAULTS, "m_prime": 2.5, "k": 20.0}
-    for key, control in QUANTITIES.items():
+    for key, control in PARAMETERS.items():
         app.slider(key=key).set_value(control.most)
     app.run()
     assert values(app) != linked

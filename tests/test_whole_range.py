@@ -27,9 +27,9 @@ from ramanujan import (
     momenta,
     motion,
     normal_forces,
-    pushed,
     required_friction,
     travel_amplitude,
+    with_initial_velocities,
 )
 
 MANY = 100 if os.environ.get("RAMANUJAN_DEEP") else 1
@@ -283,7 +283,7 @@ def test_a_short_time_after_release_the_block_keeps_its_digits():
     machine = Oscillator(1.3, 0.7, 25.0, 0.12)
     for t in 10.0 ** np.arange(-150.0, 0.0, 7.0):
         _, _, _, R, omega_squared, kappa, lambda_ = truth_of(machine)
-        initial = pushed(machine, 0.08)
+        initial = with_initial_velocities(machine, 0.08)
         mp.dps = 400
         fallen = exact(initial.phi) * (mp.cos(mp.sqrt(omega_squared) * exact(t)) - 1)
         mp.dps = 60

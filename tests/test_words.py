@@ -275,4 +275,4 @@ def test_the_stage_says_what_words_py_holds_and_nothing_else():
     assert used | reasons == {*words.SENTENCES, "slips", "bodies", "unity"}
     assert sorted(set(fields(texts["browser/stage/stage.html"]))) == sorted(words.TEXTS)
     assert "{animated}" in texts["browser/stage/stage.html"]
-    assert "{animated}" not in modules.contents()["looks.js"].decode()
+    assert "{animated}" not in modules.contents()["markup.js"].decode()

@@ -1,17 +1,17 @@
-// Begins the components of the app: a component's own script names its module, and this one finds it and what it looks like.
+// Begins the components of the app: a component's own script names its module, and this one finds it and its HTML and CSS.
 
-import { LOOKS } from "./looks.js";
+import { MARKUP } from "./markup.js";
 
-const dressed = new WeakSet(); // parentElements that have their HTML
+const filled = new WeakSet(); // parentElements that have their HTML
 
 export async function begin(name, component) {
   const module = await import(`./${name}.js`);
   const { parentElement } = component;
-  if (!dressed.has(parentElement)) {
-    dressed.add(parentElement);
-    const look = document.createElement("template");
-    look.innerHTML = LOOKS[name] ?? "";
-    parentElement.append(look.content);
+  if (!filled.has(parentElement)) {
+    filled.add(parentElement);
+    const markup = document.createElement("template");
+    markup.innerHTML = MARKUP[name] ?? "";
+    parentElement.append(markup.content);
   }
   return module.default(component);
 }

@@ -1,7 +1,7 @@
 """The JavaScript modules of the page, with what they need: the files of this folder, and three that Python writes.
 
 The server offers them under an address with the hash of their contents, so that a browser may keep them for good. The
-browser itself resolves their imports. looks.js holds each component's HTML and CSS: Streamlit would send these again
+browser itself resolves their imports. markup.js holds each component's HTML and CSS: Streamlit would send these again
 with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.js holds the stage's words.
 """
 
@@ -22,21 +22,21 @@ from ramanujan.derivation.printers import javascript
 __all__ = ["begin", "contents", "place"]
 
 _HERE = Path(__file__).parent
-_LOOKS = {"turn": "steps"}
-"""Component of page/ → the one that it looks like."""
+_MARKUP = {"turn": "steps"}
+"""Component of page/ → the one that has the same HTML and CSS."""
 
 
 @cache
 def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, page.css and its fonts."""
     offered = [path for pattern in ("**/*.js", "page/page.css", "**/*.woff2") for path in sorted(_HERE.glob(pattern))]
-    looks = {"stage/stage": _look("stage/stage", words.TEXTS)}
+    markup = {"stage/stage": _markup("stage/stage", words.TEXTS)}
     for name in (path.stem for path in offered if path.match("page/*.js")):
-        looks[f"page/{name}"] = _look(f"page/{_LOOKS.get(name, name)}", TEXTS.get(name, {}))
+        markup[f"page/{name}"] = _markup(f"page/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
     unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
     sentences = {**words.SENTENCES, "slips": words.SLIPS, "bodies": words.BODIES, "unity": unity}
     written = {
-        "looks.js": f"export const LOOKS = {json.dumps(looks, ensure_ascii=False)};",
+        "markup.js": f"export const MARKUP = {json.dumps(markup, ensure_ascii=False)};",
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};",
     }
@@ -57,7 +57,7 @@ def begin(name: str) -> str:
     return f'export default async (c) =>\n(await import({address})).begin("{name}", c)'
 
 
-def _look(name: str, texts: dict[str, str]) -> str:
+def _markup(name: str, texts: dict[str, str]) -> str:
     """Return a component's style sheet and HTML, with texts in its slots; either may be missing."""
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
     html = html.format(**{slot: escape(text) for slot, text in texts.items()})

@@ -11,7 +11,7 @@ from ramanujan.contact import drawn_spacing, first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
-from ramanujan.motion import ground_positions, ground_velocities, motion, pushed, released
+from ramanujan.motion import ground_positions, ground_velocities, motion, released, with_initial_velocities
 from ramanujan.numerals import filled, number
 from ramanujan.translation import _
 
@@ -114,7 +114,7 @@ def no_slip(setting: Setting) -> Verdict:
 def top_at_rest(setting: Setting) -> Verdict:
     """Judge how far the top cylinder moves relative to the ground while the block moves."""
     machine = setting.machine
-    initial = pushed(machine, setting.release, setting.glide, setting.spin)
+    initial = with_initial_velocities(machine, setting.release, setting.glide, setting.spin)
     times = np.linspace(0.0, _JUDGED_PERIODS * machine.period, 64 * _JUDGED_PERIODS + 1)
     states, rates = motion(machine, initial, times)
     path = ground_positions(machine, states)["top"]

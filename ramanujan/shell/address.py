@@ -1,8 +1,8 @@
-"""What an address may say: each key of the app's URLs, judged before any widget is drawn.
+"""The parameters of the app's URLs, checked before any widget is drawn.
 
-A page declares its keys as `KEYS`, and `quantities` those of every page. `opened` reads the address when a page is
+A page declares its own as `URL_PARAMETERS`, `parameters` those of every page. `opened` reads the address when a page is
 opened. What fits goes into the session state, where the widgets find it; what does not fit is dropped, and one sentence
-says so. `keep` writes into the address what a widget holds. An option stands there by its id, never by its label.
+says so. `keep` writes into the address what a widget holds, an option by its id, never by its label.
 
 Only sliders of real numbers are bound to the address by Streamlit itself, so that a drag needs no answer from the
 server. Streamlit's other bindings write labels, and break off the run where a value is empty or infinite.
@@ -10,8 +10,8 @@ server. Streamlit's other bindings write labels, and break off the run where a v
 
 from __future__ import annotations
 
-import math
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -22,49 +22,42 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 from ramanujan.translation import _
 
 PRIVATE = ("lecturer",)
-"""Keys that say who somebody is in a class; *Copy link* leaves them out."""
+"""URL parameters that say who somebody is in a class; *Copy link* leaves them out."""
 
-_PLACE = "links_place"
+_PLACE = "address_page"
 """Session state: the page whose address was read last."""
-_MET = "links_met"
-"""Session state: name → whether Streamlit binds it, for the keys of every page that was opened."""
-_TOLD = "links_told"
+_MET = "address_met"
+"""Session state: name → whether Streamlit binds it, for the URL parameters of every page that was opened."""
+_TOLD = "address_told"
 _FEW = 8
 """As many options as a sentence can list."""
 
 
-@dataclass(frozen=True)
-class Measure:
-    """A real number within a range, held by a slider that Streamlit binds to the address."""
-
-    bound: ClassVar[bool] = True
-    name: str
-    least: float
-    most: float
-    unit: str = ""
-
-    def read(self, text: str) -> float:
-        """Return the number, written as Streamlit's sliders read it; ValueError if it does not fit."""
-        value = float(text)
-        if not (math.isfinite(value) and self.least <= value <= self.most):
-            raise ValueError(self.name)
-        return value
-
-    def complaint(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
-        if self.unit:
-            sentence = _(
-                "The value of {name} in the address was ignored: it must be a number from {least} to {most} {unit}."
-            )
-        return sentence.format(name=self.name, least=f"{self.least:g}", most=f"{self.most:g}", unit=self.unit)
-
-
-@dataclass(frozen=True)
-class Count:
-    """A whole number within a range."""
+class URLParameter(ABC):
+    """A parameter of the app's URLs; one that is missing means its default."""
 
     bound: ClassVar[bool] = False
+    """Whether Streamlit itself binds a widget to it."""
+    name: str
+    default: Any
+
+    @abstractmethod
+    def read(self, text: str) -> Any:
+        """Return the value that a text means; ValueError if it does not fit."""
+
+    def write(self, value: Any) -> str:
+        """Return a value as the address has it."""
+        return str(value)
+
+    @abstractmethod
+    def message(self) -> str:
+        """Return the sentence for a text that does not fit."""
+
+
+@dataclass(frozen=True)
+class Count(URLParameter):
+    """A whole number within a range."""
+
     name: str
     most: int
     default: int = 1
@@ -76,11 +69,7 @@ class Count:
             raise ValueError(self.name)
         return int(text)
 
-    def write(self, value: int) -> str:
-        """Return the number as the address has it."""
-        return str(value)
-
-    def complaint(self) -> str:
+    def message(self) -> str:
         """Return the sentence for a text that does not fit."""
         return _(
             "The value of {name} in the address was ignored: it must be a whole number from {least} to {most}."
@@ -88,18 +77,17 @@ class Count:
 
 
 @dataclass(frozen=True)
-class Choice:
+class Choice(URLParameter):
     """One of several options.
 
     Parameters
     ----------
-    name : of the key
+    name : of the URL parameter
     options : the options as session state and code have them: ids, or numbers
-    default : the option that an address without this key means; None where nothing is chosen
+    default : the option that an address without this parameter means; None where nothing is chosen
     write : option → its text in the address
     """
 
-    bound: ClassVar[bool] = False
     name: str
     options: tuple[Any, ...]
     default: Any = None
@@ -112,7 +100,7 @@ class Choice:
             raise ValueError(self.name)
         return offered[text]
 
-    def complaint(self) -> str:
+    def message(self) -> str:
         """Return the sentence for a text that does not fit."""
         texts = [self.write(option) for option in self.options]
         if len(texts) > _FEW:
@@ -125,10 +113,9 @@ class Choice:
 
 
 @dataclass(frozen=True)
-class Several:
+class Several(URLParameter):
     """Any number of options, with commas between them."""
 
-    bound: ClassVar[bool] = False
     name: str
     options: tuple[str, ...]
     default: tuple[str, ...] = ()
@@ -144,7 +131,7 @@ class Several:
         """Return the options as the address has them."""
         return ",".join(value)
 
-    def complaint(self) -> str:
+    def message(self) -> str:
         """Return the sentence for a text that does not fit."""
         return _(
             "The value of {name} in the address was ignored: it must be one or more of these, with commas between "
@@ -153,100 +140,99 @@ class Several:
 
 
 @dataclass(frozen=True)
-class Name:
-    """The name of something that only the drawn page knows; one that does not exist means the default."""
+class Text(URLParameter):
+    """A text that fits a regular expression; whether it names anything is known where it is used.
 
-    bound: ClassVar[bool] = False
+    Parameters
+    ----------
+    name : of the URL parameter
+    form : the regular expression
+    refused : the sentence for a text that does not fit, with the slot {name}
+    """
+
     name: str
+    form: str
+    refused: str
     default: str = ""
 
     def read(self, text: str) -> str:
-        """Return the name; ValueError if it cannot be one."""
-        if not re.fullmatch(r"[a-z0-9_]{1,40}", text):
+        """Return the text; ValueError if it does not fit."""
+        if not re.fullmatch(self.form, text, re.ASCII):
             raise ValueError(self.name)
         return text
 
-    def write(self, value: str) -> str:
-        """Return the name as the address has it."""
-        return value
-
-    def complaint(self) -> str:
+    def message(self) -> str:
         """Return the sentence for a text that does not fit."""
-        return _("The value of {name} in the address was ignored: it must be a short name.").format(name=self.name)
+        return self.refused.format(name=self.name)
 
 
-Key = Measure | Count | Choice | Several | Name
-
-
-def opened(page: str, keys: Sequence[Key]) -> list[str]:
+def opened(page: str, parameters: Sequence[URLParameter]) -> list[str]:
     """Read the address if a page has just been opened or gone back to; return what is to be said of it.
 
-    Call it once a run, before any widget of these keys is drawn.
+    Call it once a run, before any of their widgets is drawn.
 
     Parameters
     ----------
     page : name of the page
-    keys : all that its address may contain
+    parameters : all that its address may contain
     """
     back = _goes_back()
     if st.session_state.get(_PLACE) == page and not back:
         return []
     st.session_state[_PLACE] = page
-    said = [sentence for key in keys if (sentence := _take(key, back))]
+    said = [sentence for parameter in parameters if (sentence := _take(parameter, back))]
     met = st.session_state.setdefault(_MET, {})
-    said += _strangers({key.name for key in keys}, met)
-    met.update({key.name: key.bound for key in keys})
+    said += _strangers({parameter.name for parameter in parameters}, met)
+    met.update({parameter.name: parameter.bound for parameter in parameters})
     return said
 
 
-def held(key: Choice | Count | Several) -> Any:
-    """Return the value of a key that Streamlit does not bind."""
-    return st.session_state.get(key.name, key.default)
+def held(parameter: URLParameter) -> Any:
+    """Return the value of a URL parameter that Streamlit does not bind."""
+    return st.session_state.get(parameter.name, parameter.default)
 
 
-def keep(*keys: Choice | Count | Several) -> None:
-    """Write into the address what is chosen; a default stands there without words."""
-    for key in keys:
-        value = held(key)
-        text = None if value == key.default else key.write(value)
-        if st.query_params.get(key.name) == text:
-            continue
+def keep(*parameters: URLParameter) -> None:
+    """Write into the address what is chosen; a default is left out."""
+    for parameter in parameters:
+        value = held(parameter)
+        text = None if value == parameter.default else parameter.write(value)
         if text is None:
-            del st.query_params[key.name]
-        else:
-            st.query_params[key.name] = text
+            st.query_params.pop(parameter.name, None)
+        elif st.query_params.get(parameter.name) != text:
+            st.query_params[parameter.name] = text
 
 
-def fits(key: Key) -> bool:
-    """Tell whether the address says nothing of a key, or says it once and readably."""
-    texts = st.query_params.get_all(key.name)
+def fits(parameter: URLParameter) -> bool:
+    """Tell whether the address says nothing of a parameter, or says it once and readably."""
+    texts = st.query_params.get_all(parameter.name)
     try:
-        return not texts or (len(texts) == 1 and key.read(texts[0]) is not None)
+        return not texts or (len(texts) == 1 and parameter.read(texts[0]) is not None)
     except ValueError:
         return False
 
 
-def _take(key: Key, back: bool) -> str | None:
-    """Put what the address says of a key into the session, or drop it and return a sentence."""
-    texts = st.query_params.get_all(key.name)
+def _take(parameter: URLParameter, back: bool) -> str | None:
+    """Put what the address says of a parameter into the session, or drop it and return a sentence."""
+    texts = st.query_params.get_all(parameter.name)
     if not texts:
-        if back and not key.bound:
-            st.session_state[key.name] = key.default
+        if back and not parameter.bound:
+            st.session_state[parameter.name] = parameter.default
         return None
     if len(texts) > 1:
-        sentence = _("The address contains {name} more than once, so it was ignored.").format(name=key.name)
+        sentence = _("The address contains {name} more than once, so it was ignored.").format(name=parameter.name)
     else:
         try:
-            value = key.read(texts[0])
+            value = parameter.read(texts[0])
         except ValueError:
-            sentence = key.complaint()
+            sentence = parameter.message()
         else:
-            if not key.bound:
-                st.session_state[key.name] = value
+            if not parameter.bound:
+                st.session_state[parameter.name] = value
             return None
     # A bound slider drops by itself what it cannot use.
-    if not key.bound:
-        del st.query_params[key.name]
+    if not parameter.bound:
+        del st.query_params[parameter.name]
     return sentence
 
 

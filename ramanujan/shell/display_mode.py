@@ -23,9 +23,11 @@ PARTS = {
 """Part that a link can hide → what it is."""
 VIEW = address.Choice("view", ("projector",))
 HIDE = address.Several("hide", tuple(PARTS))
-SHEET = address.Name("sheet")
+SHEET = address.Text(
+    "sheet", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
+)
 _PAGE = "display_page"
-KEYS = (VIEW, HIDE, SHEET)
+URL_PARAMETERS = (VIEW, HIDE, SHEET)
 """What every page keeps in its address beside the machine."""
 
 _SWITCH = "projector"

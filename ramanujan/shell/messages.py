@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import streamlit as st
 
-_ABOUT_ADDRESS = "complaints_address"
-_NOTES = "complaints_notes"
-"""Session state: key of a quantity → what is to be said at its box in the next run, and whether it is a complaint."""
-_SHOWN = "complaints_shown"
+_ABOUT_ADDRESS = "messages_address"
+_NOTES = "messages_notes"
+"""Session state: key of a parameter → what is to be said at its box in the next run, and whether it is a warning."""
+_SHOWN = "messages_shown"
 _RUN_AGAIN = "run_again"
 
 Note = tuple[str, bool]
@@ -25,22 +25,22 @@ def begin(sentences: list[str]) -> None:
         st.warning(" ".join(said))
 
 
-def complain(sentence: str) -> None:
+def warn(sentence: str) -> None:
     """Say on the page what it cannot use of its address."""
     st.warning(sentence)
     st.session_state[_ABOUT_ADDRESS] = [*st.session_state.get(_ABOUT_ADDRESS, []), sentence]
 
 
-def note(key: str, sentence: str, complaint: bool = False) -> None:
-    """Say a sentence at the box of a quantity; where the box is drawn already, in the run that follows."""
-    st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, complaint)}
+def note(key: str, sentence: str, warning: bool = False) -> None:
+    """Say a sentence at the box of a parameter; where the box is drawn already, in the run that follows."""
+    st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, warning)}
 
 
 def show_note(key: str) -> None:
-    """Draw what is to be said at the box of a quantity."""
+    """Draw what is to be said at the box of a parameter."""
     if found := st.session_state.get(_SHOWN, {}).get(key):
-        sentence, complaint = found
-        (st.warning if complaint else st.info)(sentence)
+        sentence, warning = found
+        (st.warning if warning else st.info)(sentence)
 
 
 def are_shown() -> bool:

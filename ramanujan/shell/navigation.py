@@ -1,7 +1,7 @@
 """The pages of the app, in their order: a new page is one line here and one folder in `pages`.
 
-The file draws its page where Streamlit runs it (`if __name__ == "__main__":`), and declares as `KEYS` what it keeps in
-the address. Navigation, tests and benchmarks take everything from here.
+The file draws its page where Streamlit runs it (`if __name__ == "__main__":`), and declares as `URL_PARAMETERS` what it
+keeps in the address. Navigation, tests and benchmarks take everything from here.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from importlib import import_module
 
 import streamlit as st
 
-from ramanujan.shell.address import Key
+from ramanujan.shell.address import URLParameter
 from ramanujan.translation import _
 
 
@@ -46,9 +46,9 @@ class Page:
         return f"{self.path}?{self.quick}" if self.quick else self.path
 
     @property
-    def keys(self) -> tuple[Key, ...]:
+    def url_parameters(self) -> tuple[URLParameter, ...]:
         """What the page keeps in the address beside the machine."""
-        return import_module(f"ramanujan.pages.{self.name}.page").KEYS
+        return import_module(f"ramanujan.pages.{self.name}.page").URL_PARAMETERS
 
     def withheld(self) -> Collection[str]:
         """Return the presets of the sidebar that would tell what the page asks."""

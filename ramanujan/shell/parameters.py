@@ -1,33 +1,34 @@
-"""The quantities that a person sets: key, words, unit, range and scale of each, and how a typed number is read."""
+"""What a person sets with a slider: name, symbol, words, unit, range and step of each; how a typed number is read."""
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 import streamlit as st
 
-from ramanujan.shell import address
+from ramanujan.shell.address import URLParameter
 from ramanujan.translation import _
 
 
 @dataclass(frozen=True)
-class Quantity:
-    """A quantity that a slider sets.
+class Parameter(URLParameter):
+    """A real number that a slider sets; Streamlit binds the slider to the address.
 
     Parameters
     ----------
-    key : of the slider, in the session state and in the address
+    name : of the slider, in the session state and in the address
     symbol, meaning, unit : what the slider is called
-    short : the meaning in as few words as fit beside a box
     least, most, default, step, format : its range, in this unit
-    parameter : what the stage calls it; empty where the stage does not follow the slider
     scale : this unit in SI units
+    short : the meaning in as few words as fit beside a box
     """
 
-    key: str
+    bound: ClassVar[bool] = True
+    name: str
     symbol: str
     meaning: str
     unit: str
@@ -36,9 +37,24 @@ class Quantity:
     default: float
     step: float
     format: str
-    parameter: str = ""
     scale: float = 1.0
     short: str = ""
+
+    def read(self, text: str) -> float:
+        """Return the number, written as Streamlit's sliders read it; ValueError if it does not fit."""
+        value = float(text)
+        if not (math.isfinite(value) and self.least <= value <= self.most):
+            raise ValueError(self.name)
+        return value
+
+    def message(self) -> str:
+        """Return the sentence for a text that does not fit."""
+        sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
+        if self.unit:
+            sentence = _(
+                "The value of {name} in the address was ignored: it must be a number from {least} to {most} {unit}."
+            )
+        return sentence.format(name=self.name, least=f"{self.least:g}", most=f"{self.most:g}", unit=self.unit)
 
     @property
     def label(self) -> str:
@@ -48,14 +64,9 @@ class Quantity:
         return _("{meaning}, {symbol} [{unit}]").format(meaning=self.meaning, symbol=self.symbol, unit=self.unit)
 
     @property
-    def in_links(self) -> address.Measure:
-        """The key of the address."""
-        return address.Measure(self.key, self.least, self.most, self.unit)
-
-    @property
     def present(self) -> float:
         """The present value, in this unit."""
-        return st.session_state.get(self.key, self.default)
+        return st.session_state.get(self.name, self.default)
 
     @property
     def in_si(self) -> float:
@@ -76,31 +87,49 @@ class Quantity:
         return min(max(value, self.least), self.most)
 
 
-def _masses(key: str, symbol: str, least: float, most: float, meaning: str, short: str) -> Quantity:
-    return Quantity(key, symbol, meaning, "kg", least, most, 1.0, 0.01, "%.2f", key, short=short)
-
-
-def _length(key: str, symbol: str, least: float, most: float, default: float, step: float, **words: str) -> Quantity:
-    return Quantity(key, symbol, words["meaning"], "cm", least, most, default, step, "%.1f", key, 0.01, words["short"])
-
-
-QUANTITIES = {
-    quantity.key: quantity
-    for quantity in (
-        _masses("m", "m", 0.5, 5.0, _("mass of block, slab and top cylinder"), _("block, slab, top")),
-        _masses("m_prime", "m′", 0.05, 10.0, _("mass of each lower roller"), _("each lower roller")),
-        Quantity(
-            "k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", "k", short=_("stiffness")
+MACHINE = ("m", "m_prime", "k", "radius")
+"""The parameters that make an `Oscillator`; the compression says how it starts."""
+PARAMETERS = {
+    parameter.name: parameter
+    for parameter in (
+        Parameter(
+            "m",
+            "m",
+            _("mass of block, slab and top cylinder"),
+            "kg",
+            0.5,
+            5.0,
+            1.0,
+            0.01,
+            "%.2f",
+            short=_("block, slab, top"),
         ),
-        _length("compression", "x₀", 0.5, 12.0, 8.0, 0.1, meaning=_("compression at release"), short=_("compression")),
-        _length("radius", "R", 5.0, 20.0, 10.0, 0.5, meaning=_("radius of the rollers"), short=_("roller radius")),
+        Parameter(
+            "m_prime",
+            "m′",
+            _("mass of each lower roller"),
+            "kg",
+            0.05,
+            10.0,
+            1.0,
+            0.01,
+            "%.2f",
+            short=_("each lower roller"),
+        ),
+        Parameter("k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", short=_("stiffness")),
+        Parameter(
+            "compression", "x₀", _("compression at release"), "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", 0.01, _("compression")
+        ),
+        Parameter(
+            "radius", "R", _("radius of the rollers"), "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius")
+        ),
     )
 }
-KEYS = tuple(quantity.in_links for quantity in QUANTITIES.values())
-"""What every page keeps in its address."""
+"""What every page has in its sidebar and keeps in its address."""
+URL_PARAMETERS = tuple(PARAMETERS.values())
 WATCH: dict[str, dict[str, Any]] = {
-    quantity.key: {"parameter": quantity.parameter, "scale": quantity.scale, "step": quantity.step}
-    for quantity in QUANTITIES.values()
+    name: {"parameter": name, "scale": parameter.scale, "step": parameter.step}
+    for name, parameter in PARAMETERS.items()
 }
 """For the stage: which slider moves which parameter."""
 

@@ -102,14 +102,14 @@ async def _once(request: Request, call_next: RequestResponseEndpoint) -> Respons
     file = "" if is_page else path, coding
     content = b"".join([part async for part in answer.body_iterator])
     if file not in _KEPT:
-        packed = await run_in_threadpool(_PACKERS.get(coding, bytes), _dressed(content) if is_page else content)
+        packed = await run_in_threadpool(_PACKERS.get(coding, bytes), _with_css(content) if is_page else content)
         # What Streamlit says of its file's length and age is not true of this one.
         headers = {name: answer.headers[name] for name in ("content-type", "cache-control")}
         _KEPT[file] = Response(packed, headers={**headers, "content-encoding": coding, "vary": "accept-encoding"})
     return _KEPT[file]
 
 
-def _dressed(page: bytes) -> bytes:
+def _with_css(page: bytes) -> bytes:
     """Return Streamlit's start page with the app's own fonts, rules and modules."""
     place = f"./{modules.place()}"
     names = sorted(modules.contents())

@@ -1,6 +1,6 @@
 """The sidebar: sliders, exact entries, presets, link; what a person has set, as an `Oscillator`.
 
-Each quantity is one slider, bound to the address, and the slider is the only holder of its value. The box above it
+Each parameter is one slider, bound to the address, and the slider is the only holder of its value. The box above it
 shows that value in full, and what is typed into it comes as one message: the box holds nothing itself. What cannot be
 used, from wherever it comes, is answered with one sentence, and the last good value stays.
 """
@@ -17,10 +17,10 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import page
 from ramanujan.shell import address, cache, display_mode, messages, pending_updates, widgets
-from ramanujan.shell.parameters import QUANTITIES, Quantity, read_number
+from ramanujan.shell.parameters import MACHINE, PARAMETERS, Parameter, read_number
 from ramanujan.translation import _
 
-BOXES = {key: widgets.box(each) for key, each in QUANTITIES.items()}
+BOXES = {key: widgets.box(each) for key, each in PARAMETERS.items()}
 """What the page must know of the sliders' boxes."""
 
 PRESETS = {
@@ -42,7 +42,7 @@ _FIRST = "first_run"
 _FOLLOW = "follow"
 """Session state: the keys of the fragments that follow the machine, if the page was drawn to its end."""
 _LINKED = "linked"
-"""Session state: key of a quantity → its value when the session began."""
+"""Session state: key of a parameter → its value when the session began."""
 
 
 def draw(withheld: Collection[str] = ()) -> None:
@@ -63,15 +63,15 @@ def draw(withheld: Collection[str] = ()) -> None:
                 on_change=_take_preset,
                 label_visibility="collapsed",
             )
-        values = {key: _slider(QUANTITIES[key]) for key in ("m", "m_prime", "k", "compression")}
+        values = {key: _slider(PARAMETERS[key]) for key in ("m", "m_prime", "k", "compression")}
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-            values["radius"] = _slider(QUANTITIES["radius"])
+            values["radius"] = _slider(PARAMETERS["radius"])
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:
                 st.markdown(cache.symbols())
-        page.feed("boxes_feed", _boxes())
+        page.publish("boxes_published", _boxes())
         page.link(address.PRIVATE)
         display_mode.switch()
         pending_updates.draw()
@@ -96,7 +96,7 @@ def followed() -> dict[str, object]:
 
 def _boxes() -> dict[str, object]:
     judged = st.session_state.get(_JUDGED, 0)
-    held = {key: quantity.present for key, quantity in QUANTITIES.items()}
+    held = {key: parameter.present for key, parameter in PARAMETERS.items()}
     return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}
 
 
@@ -131,7 +131,7 @@ def take_wishes() -> None:
         pending_updates.hold()
     wishes = _wishes()
     for key, text in list(wishes.typed.items()):
-        _take_exact(QUANTITIES[key], text)
+        _take_exact(PARAMETERS[key], text)
         wishes.typed.pop(key, None)
     for wish in list(wishes.machines):
         wish()
@@ -140,12 +140,12 @@ def take_wishes() -> None:
 
 def oscillator() -> Oscillator:
     """Return the machine that the sliders describe."""
-    return Oscillator(**{name: QUANTITIES[name].in_si for name in ("m", "m_prime", "k", "radius")})
+    return Oscillator(**{name: PARAMETERS[name].in_si for name in MACHINE})
 
 
 def compression() -> float:
     """Return x₀ [m]."""
-    return QUANTITIES["compression"].in_si
+    return PARAMETERS["compression"].in_si
 
 
 def enter(key: str, text: str) -> None:
@@ -165,7 +165,7 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
 
 
 def _set_ratio(ratio: float, digits: int) -> None:
-    rollers, others = QUANTITIES["m_prime"], QUANTITIES["m"]
+    rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
     m = others.present
     m_prime = _times(ratio, m, digits)
     if rollers.least <= m_prime <= rollers.most:
@@ -194,29 +194,28 @@ def take_machine(machine: Oscillator, metres: float) -> None:
 
 def linked() -> bool:
     """Tell whether this run is the first of its session and the link says something of the machine."""
-    return st.session_state[_FIRST] and not set(QUANTITIES).isdisjoint(st.query_params)
+    return st.session_state[_FIRST] and not set(PARAMETERS).isdisjoint(st.query_params)
 
 
 def holds(machine: Oscillator, metres: float) -> bool:
     """Tell whether the sliders hold this machine and this x₀ [m]."""
-    return all(math.isclose(QUANTITIES[key].present, x) for key, x in _on_sliders(machine, metres).items())
+    return all(math.isclose(PARAMETERS[key].present, x) for key, x in _on_sliders(machine, metres).items())
 
 
 def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
     """Return what each slider says of a machine, in its own unit."""
-    values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k, "radius": machine.radius}
     # Ten digits keep 8 cm from turning into 8.000000000000002 cm; what is in SI units keeps all of its digits.
     return {
-        key: value if QUANTITIES[key].scale == 1 else round(value / QUANTITIES[key].scale, 10)
-        for key, value in {**values, "compression": metres}.items()
+        key: value if PARAMETERS[key].scale == 1 else round(value / PARAMETERS[key].scale, 10)
+        for key, value in {**{name: getattr(machine, name) for name in MACHINE}, "compression": metres}.items()
     }
 
 
 def _reset() -> None:
     """Put every parameter back to what the link has set, or from there to its default; say so where the two differ."""
-    defaults = {quantity.key: quantity.default for quantity in QUANTITIES.values()}
+    defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
-    there = all(QUANTITIES[key].present == value for key, value in linked.items())
+    there = all(PARAMETERS[key].present == value for key, value in linked.items())
     pending_updates.give(defaults if there else linked)
     if linked == defaults:
         return
@@ -233,7 +232,7 @@ def _gave_way(old: float, new: float, bound: float, too_heavy: bool) -> str:
         if too_heavy
         else _("m was changed from {old} to {new}, because m′ must be at least {bound}.")
     )
-    m, m_prime = QUANTITIES["m"], QUANTITIES["m_prime"]
+    m, m_prime = PARAMETERS["m"], PARAMETERS["m_prime"]
     return sentence.format(old=m.written(old), new=m.written(new), bound=m_prime.written(bound))
 
 
@@ -248,17 +247,17 @@ def _take_preset() -> None:
     pending_updates.give({_PRESET: None})
 
 
-def _slider(quantity: Quantity) -> float:
-    return widgets.slider_with_box(quantity, enter, _moved)
+def _slider(parameter: Parameter) -> float:
+    return widgets.slider_with_box(parameter, enter, _moved)
 
 
-def _take_exact(quantity: Quantity, text: str) -> None:
+def _take_exact(parameter: Parameter, text: str) -> None:
     """Take what was typed, or say what would do and that the old value stays."""
     # The box shows its value again whether it has changed or not, so that it must hear of every text that was judged.
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
     number = read_number(text)
-    if number is not None and quantity.least <= number <= quantity.most:
-        pending_updates.give({quantity.key: number})
+    if number is not None and parameter.least <= number <= parameter.most:
+        pending_updates.give({parameter.name: number})
         return
     sentence = (
         _("Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept.")
@@ -266,12 +265,12 @@ def _take_exact(quantity: Quantity, text: str) -> None:
         else _("{symbol} must be between {least} and {most}. The old value, {old}, was kept.")
     )
     sentence = sentence.format(
-        symbol=quantity.symbol,
-        least=f"{quantity.least:g}",
-        most=quantity.written(quantity.most),
-        old=quantity.written(quantity.present),
+        symbol=parameter.symbol,
+        least=f"{parameter.least:g}",
+        most=parameter.written(parameter.most),
+        old=parameter.written(parameter.present),
     )
-    messages.note(quantity.key, sentence, complaint=True)
+    messages.note(parameter.name, sentence, warning=True)
 
 
 def _times(ratio: float, m: float, digits: int) -> float:

@@ -7,9 +7,9 @@ from typing import Any
 
 from ramanujan.browser import stage
 from ramanujan.shell import display_mode
-from ramanujan.shell.parameters import QUANTITIES, WATCH
+from ramanujan.shell.parameters import PARAMETERS, WATCH
 
-LIMITS = QUANTITIES["compression"].limits
+LIMITS = PARAMETERS["compression"].limits
 """The least and the largest x₀ [m]."""
 
 

@@ -53,8 +53,8 @@ def _colors(shown: str) -> dict[str, str]:
     }
 
 
-def dress(boxes: Mapping[str, Mapping[str, Any]]) -> None:
-    """Dress Streamlit's pages, follow the theme when it is switched, and give each page its live region.
+def apply_css(boxes: Mapping[str, Mapping[str, Any]]) -> None:
+    """Bring the app’s CSS to Streamlit’s pages, follow a switch of the theme, and give each page its live region.
 
     Parameters
     ----------

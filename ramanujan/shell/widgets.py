@@ -1,4 +1,4 @@
-"""The widgets of the pages: each belongs to a key of the address (`links`), holds an id, and shows its words."""
+"""The widgets of the pages: each belongs to a URL parameter (`address`), holds an id, and shows its words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import streamlit as st
 from ramanujan.browser import page
 from ramanujan.shell import address, messages
 from ramanujan.shell.address import Choice, Count
-from ramanujan.shell.parameters import LONGEST, Quantity
+from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
 
 Words = Mapping[Any, str]
@@ -92,48 +92,48 @@ def tabs(key: Choice, words: Words) -> dict[str, Any]:
     return dict(zip(key.options, drawn, strict=True))
 
 
-def slider(quantity: Quantity, **more: Any) -> float:
-    """Draw a slider, bound to the address, and return its value in this quantity's unit."""
+def slider(parameter: Parameter, **more: Any) -> float:
+    """Draw a slider, bound to the address, and return its value in this parameter's unit."""
     return st.slider(
-        quantity.label,
-        quantity.least,
-        quantity.most,
-        quantity.default,
-        quantity.step,
-        format=quantity.format,
-        key=quantity.key,
+        parameter.label,
+        parameter.least,
+        parameter.most,
+        parameter.default,
+        parameter.step,
+        format=parameter.format,
+        key=parameter.name,
         bind="query-params",
         **more,
     )
 
 
-def page_slider(quantity: Quantity) -> float:
+def page_slider(parameter: Parameter) -> float:
     """Draw a slider that only the present page has, and return its value in SI units."""
-    value = slider(quantity)
-    return (value if quantity.least <= value <= quantity.most else quantity.default) * quantity.scale
+    value = slider(parameter)
+    return (value if parameter.least <= value <= parameter.most else parameter.default) * parameter.scale
 
 
-def slider_with_box(quantity: Quantity, enter: Callable[[str, str], None], moved: Callable[[], None]) -> float:
-    """Draw a slider with the box that takes an exact number, and return its value in this quantity's unit.
+def slider_with_box(parameter: Parameter, enter: Callable[[str, str], None], moved: Callable[[], None]) -> float:
+    """Draw a slider with the box that takes an exact number, and return its value in this parameter's unit.
 
     Parameters
     ----------
-    quantity : what is set
+    parameter : what is set
     enter : called with the key and what was typed into the box
     moved : called when the slider was moved
     """
-    page.exact(quantity.key, partial(enter, quantity.key))
-    messages.show_note(quantity.key)
-    return slider(quantity, label_visibility="collapsed", on_change=moved)
+    page.exact(parameter.name, partial(enter, parameter.name))
+    messages.show_note(parameter.name)
+    return slider(parameter, label_visibility="collapsed", on_change=moved)
 
 
-def box(quantity: Quantity) -> dict[str, Any]:
+def box(parameter: Parameter) -> dict[str, Any]:
     """Return what the page must know of the box of a slider."""
     return {
-        "symbol": quantity.symbol,
-        "unit": quantity.unit,
-        "meaning": quantity.short,
-        "label": _("Exact value: {quantity}").format(quantity=quantity.label),
+        "symbol": parameter.symbol,
+        "unit": parameter.unit,
+        "meaning": parameter.short,
+        "label": _("Exact value: {parameter}").format(parameter=parameter.label),
         "longest": LONGEST,
-        "default": quantity.default,
+        "default": parameter.default,
     }

@@ -1,6 +1,6 @@
 """The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
 
-bus.js carries messages between the components, hosts.js holds every selector into the host pages, page.css every style
+bus.js carries messages between the components, dom.js holds every selector into the host pages, page.css every style
 rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
 component each. No physics here.
 
@@ -9,13 +9,13 @@ import its module, which the server offers as a file (`ramanujan.browser.modules
 
 The topics of the bus, where NAME is the name of a stage:
 
-    machine/NAME      what `stage.payload` returns; published by the stage's feed, forgotten when the page is left
+    machine/NAME      what `stage.payload` returns; published by the stage’s messages, forgotten when the page is left
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     enter/KEY         a text that somebody else wants to be typed into the box of a slider
     box/KEY           what a slider's box must know of it, see `bring`; published by the library
-    exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar's feed
+    exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar
     moment/NAME       {time [s], label}: the instant to which a button takes the stage, and what the button says
     say               {sentence, urgent}: news for the page's live region
 """
@@ -56,7 +56,7 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     _component("library")(key="library", data=data, on_switched_change=lambda: None)
 
 
-def feed(key: str, topics: Mapping[str, Any]) -> Any:
+def publish(key: str, topics: Mapping[str, Any]) -> Any:
     """Publish values on the bus of the page; after a change only these values are sent.
 
     Parameters
@@ -64,7 +64,7 @@ def feed(key: str, topics: Mapping[str, Any]) -> Any:
     key : of the element
     topics : topic → value; a value that has not changed since the last run is not published again
     """
-    return _component("feed")(key=key, data=dict(topics))
+    return _component("publish")(key=key, data=dict(topics))
 
 
 def cursor(stage: str) -> Any:

@@ -1,7 +1,7 @@
 // Says that the server is away and that nothing is lost. Streamlit itself only disables its widgets until the server is back.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 const PAUSE = 300; // ms without a server before it is said
 
@@ -16,10 +16,10 @@ export default function ({ data, parentElement }) {
     };
     const observer = new MutationObserver(() => {
       clearTimeout(timer);
-      if (hosts.isConnected()) notice.hidden = true;
+      if (dom.isConnected()) notice.hidden = true;
       else if (notice.hidden) timer = setTimeout(say, PAUSE);
     });
-    hosts.watchConnection(observer);
+    dom.watchConnection(observer);
     signal.addEventListener("abort", () => {
       clearTimeout(timer);
       observer.disconnect();

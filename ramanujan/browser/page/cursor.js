@@ -4,7 +4,7 @@
 // line itself, or by a click on a figure over time.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 import { draw, erase, place } from "./marks.js";
 import { fill, fixed, withUnit } from "./sentences.js";
 
@@ -30,7 +30,7 @@ class Cursor {
     on(document, "pointermove", (event) => this.drag(event));
     on(document, "pointerup", (event) => this.letGo(event));
     on(document, "pointercancel", () => (this.pressed = null));
-    hosts.watchGraphs((graph) => this.drawn(graph), signal);
+    dom.watchGraphs((graph) => this.drawn(graph), signal);
     bus.subscribe(`time/${stage}`, ({ time }) => this.goTo(time), { signal });
     signal.addEventListener("abort", () => this.graphs.forEach((graph) => erase(graph, CURSOR)));
   }
@@ -68,7 +68,7 @@ class Cursor {
   }
 
   show(graph) {
-    const panels = hosts.panels(graph).map((panel) => panel.getBoundingClientRect());
+    const panels = dom.panels(graph).map((panel) => panel.getBoundingClientRect());
     if (panels.length) mark(graph, graph.layout.meta, this.share, panels);
     const { period, periods } = this.meta;
     const time = withUnit(fixed(this.share * period * periods, 2), "s");
@@ -81,10 +81,10 @@ class Cursor {
   // ---- the pointer on a figure over time
 
   press(event) {
-    const graph = hosts.graphOf(event.target);
+    const graph = dom.graphOf(event.target);
     if (event.button !== 0 || !event.isPrimary || graph?.layout?.meta?.cursor !== "time") return;
     const line = event.target.matches(`.${CURSOR}`);
-    if (!line && !hosts.isPanel(event.target)) return;
+    if (!line && !dom.isPanel(event.target)) return;
     this.pressed = { graph, line, id: event.pointerId, x: event.clientX, y: event.clientY };
     if (!line) return;
     event.target.setPointerCapture(event.pointerId);
@@ -104,7 +104,7 @@ class Cursor {
 
   shareAt({ clientX }) {
     const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number);
-    const { left, width } = hosts.panels(graph)[0].getBoundingClientRect();
+    const { left, width } = dom.panels(graph)[0].getBoundingClientRect();
     return (from + ((clientX - left) / width) * (to - from)) / this.span;
   }
 }

@@ -3,7 +3,7 @@
 // text to the server as one message; it sends no value of its own. The address follows slider and server where they agree.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => exactBox(parentElement, data.key, signal));
@@ -19,9 +19,9 @@ function exactBox(root, key, signal) {
   box.id = root.querySelector("label").htmlFor = "box";
 
   /** What the slider holds: the server's text in full, unless the thumb stands elsewhere by now. */
-  const held = () => (hosts.shows(hosts.slider(key), told.value) ? told.text ?? "" : hosts.slider(key).value);
+  const held = () => (dom.shows(dom.slider(key), told.value) ? told.text ?? "" : dom.slider(key).value);
   const show = () => {
-    if (data && told.text && held() === told.text) hosts.writeAddress(key, told.value, data.default);
+    if (data && told.text && held() === told.text) dom.writeAddress(key, told.value, data.default);
     const edited = root.activeElement === box && box.value !== box.dataset.shown;
     if (!edited) box.value = box.dataset.shown = held();
   };
@@ -29,7 +29,7 @@ function exactBox(root, key, signal) {
   const changes = new MutationObserver(show);
   signal.addEventListener("abort", () => changes.disconnect());
   const watch = () => {
-    const slider = hosts.slider(key);
+    const slider = dom.slider(key);
     if (!slider || slider === watched) return;
     watched = slider;
     changes.disconnect();

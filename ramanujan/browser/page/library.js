@@ -2,13 +2,13 @@
 
 import { begin } from "../begin.js";
 import { bus } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 // A figure is drawn as wide as the page on the screen, and on paper it must be as wide as the paper (A4: 180 mm).
-const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / hosts.contentWidth()));
+const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
 window.addEventListener("resize", fitPaper);
 fitPaper();
-hosts.keepOneEntry();
+dom.keepOneEntry();
 
 const rooms = new WeakMap(); // parentElement → part → its room
 

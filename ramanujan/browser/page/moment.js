@@ -2,7 +2,7 @@
 // the button says come by the topic moment/NAME.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 export default function ({ data, parentElement }) {
   return live(parentElement, (signal) => {
@@ -15,8 +15,8 @@ export default function ({ data, parentElement }) {
     button.addEventListener("click", () => {
       if (!moment) return;
       bus.publish(`seek/${data.stage}`, { time: moment.time, by: "moment" });
-      const away = hosts.stageAway();
-      if (away < 0) hosts.main().scrollBy({ top: away });
+      const away = dom.stageAway();
+      if (away < 0) dom.main().scrollBy({ top: away });
     }, { signal });
   }).end;
 }

@@ -2,7 +2,7 @@
 // them out; here it is decided which one is seen.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
 
@@ -44,7 +44,7 @@ class Pager {
 
   /** Take in the page's sheets where they have changed. The sheet that is seen stays; a new page begins where its address says. */
   look() {
-    const sheets = hosts.sheets();
+    const sheets = dom.sheets();
     if (sheets.length === this.sheets.length && sheets.every(({ node }, i) => node === this.sheets[i].node && node.hasAttribute(AWAY) === (i !== this.now))) return;
     const turned = page && page !== location.pathname;
     const seen = turned ? "" : this.sheets[this.now]?.name ?? new URLSearchParams(location.search).get("sheet");

@@ -2,14 +2,14 @@
 // same point changes none.
 
 import { live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => {
     const told = {};
     const tell = ({ points }) => points.length && told.send({ x: points[0].x, y: points[0].y });
     const listen = (event) => {
-      const graph = hosts.graphOf(event.target);
+      const graph = dom.graphOf(event.target);
       if (!graph?.on || !event.target.closest(told.figure)) return;
       // Plotly forgets its listeners when it draws a figure anew.
       graph.removeListener("plotly_click", tell);

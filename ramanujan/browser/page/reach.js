@@ -2,7 +2,7 @@
 // it by key. Boxes come, go and change their width with the page, so that the page is observed.
 
 import { live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 const PAUSE = 250; // ms from a change of the page to the next look at its boxes
 
@@ -18,7 +18,7 @@ export default function ({ data, parentElement }) {
     };
     const look = () => {
       timer = 0;
-      for (const [box, scrolls] of hosts.boxes().map((box) => [box, hosts.scrollsAside(box)])) mark(box, scrolls);
+      for (const [box, scrolls] of dom.boxes().map((box) => [box, dom.scrollsAside(box)])) mark(box, scrolls);
     };
     const soon = () => (timer ||= setTimeout(look, PAUSE));
     const observer = new MutationObserver(soon);

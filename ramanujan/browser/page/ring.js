@@ -2,7 +2,7 @@
 // figure is in __init__.py, the drawing in marks.js.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 import { draw, erase, place } from "./marks.js";
 import { fill, number } from "./sentences.js";
 
@@ -14,7 +14,7 @@ export default function ({ data: { ring }, parentElement }) {
     let graph = null;
     const show = () => {
       const machine = bus.last(`present/${ring.stage}`);
-      const panel = graph && hosts.panels(graph)[0];
+      const panel = graph && dom.panels(graph)[0];
       if (!machine || machine.normalized === undefined) graph && erase(graph, RING);
       else if (panel) mark(machine, graph, panel.getBoundingClientRect(), ring.label);
     };
@@ -24,7 +24,7 @@ export default function ({ data: { ring }, parentElement }) {
       show();
     };
     bus.subscribe(`present/${ring.stage}`, show, { signal });
-    hosts.watchGraphs(drawn, signal);
+    dom.watchGraphs(drawn, signal);
     signal.addEventListener("abort", () => graph && erase(graph, RING));
   }).end;
 }

@@ -2,7 +2,7 @@
 // sheet open, sliders and machine are seen together; choosing a page closes it.
 
 import { live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 import { deferSliders } from "./touch.js";
 
 const PULL = 16; // px that the handle must be pulled to open or close the sheet; less is a tap
@@ -11,7 +11,7 @@ export default function ({ parentElement }) {
   return live(parentElement, (signal) => {
     const button = parentElement.querySelector("button");
     const root = document.documentElement;
-    const narrow = matchMedia(hosts.NARROW);
+    const narrow = matchMedia(dom.NARROW);
     let back = null; // where the page was scrolled to before the sheet brought the machine into view
     let pulled = null;
 
@@ -19,10 +19,10 @@ export default function ({ parentElement }) {
       root.dataset.sheet = open ? "open" : "closed";
       button.setAttribute("aria-expanded", String(open));
       if (!bring || !narrow.matches) return;
-      const main = hosts.main();
+      const main = dom.main();
       if (open) {
         back = main?.scrollTop ?? null;
-        const away = hosts.stageAway();
+        const away = dom.stageAway();
         if (away) main.scrollBy({ top: away });
       } else if (back !== null) {
         main.scrollTo({ top: back });
@@ -45,17 +45,17 @@ export default function ({ parentElement }) {
       delete button.dataset.pulled;
     });
     on(document, "click", (event) => {
-      if (!hosts.isPageLink(event.target)) return;
+      if (!dom.isPageLink(event.target)) return;
       back = null;
       set(false, false);
     });
     for (const type of ["touchstart", "touchmove", "wheel"]) on(window, type, letSwipesThrough, { capture: true, passive: true });
     deferSliders(signal);
-    hosts.showPresentPage();
+    dom.showPresentPage();
   }).end;
 }
 
 /** Plotly takes every touch for the start of a drag, and a wheel for a zoom: it hears of taps alone, which come as clicks. */
 function letSwipesThrough(event) {
-  if (hosts.graphOf(event.target)) event.stopImmediatePropagation();
+  if (dom.graphOf(event.target)) event.stopImmediatePropagation();
 }

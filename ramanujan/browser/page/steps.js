@@ -2,7 +2,7 @@
 // which is told afterwards where the lecture has come to, so that the address holds the place.
 
 import { live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 import { showPlace, turnOf } from "./turning.js";
 
 const TELL = 300; // ms without a press after which the server is told
@@ -48,9 +48,9 @@ function lecture(root, signal) {
     const by = turnOf(event, { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 });
     if (!by) return;
     const focused = event.composedPath()[0];
-    if (focused.matches?.(event.key === " " ? hosts.TAKES_SPACE : hosts.TAKES_KEYS)) return;
+    if (focused.matches?.(event.key === " " ? dom.TAKES_SPACE : dom.TAKES_KEYS)) return;
     // These keys also scroll the page: they turn a step only while the lecture is what one looks at.
-    if (!event.key.startsWith("Arrow") && !hosts.inView(hosts.lecture())) return;
+    if (!event.key.startsWith("Arrow") && !dom.inView(dom.lecture())) return;
     if (go(now + (event.shiftKey && event.key === " " ? -by : by)) || event.key === " ") event.preventDefault();
   });
 

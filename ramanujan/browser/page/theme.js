@@ -2,7 +2,7 @@
 // Streamlit calls this function again whenever the theme changes.
 
 import { live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 const PAUSE = 400; // ms until the question, since Streamlit's own messages learn of the new theme later than its components
 const TIMES = 5; // that a switch is asked about: a server that does not follow is not asked for ever
@@ -14,7 +14,7 @@ export default function ({ data, parentElement, setTriggerValue }) {
   });
   Object.assign(begun, { drawn: data.theme, asked: 0 });
   const ask = () => {
-    const seen = hosts.theme(parentElement);
+    const seen = dom.theme(parentElement);
     if (!seen || seen === begun.drawn || begun.asked >= TIMES) return;
     begun.asked += 1;
     setTriggerValue("switched", `${seen} ${begun.asked}`);

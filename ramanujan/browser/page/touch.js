@@ -1,7 +1,7 @@
 // A finger on a slider: only a horizontal move or a tap is meant for the slider, everything else scrolls. The touch is kept
 // from Streamlit until it is known which of them it is; the browser itself ends it where the page scrolls.
 
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 
 const INTENT = 8; // px along the slider after which a touch is a drag
 
@@ -18,12 +18,12 @@ export function deferSliders(signal) {
     replayed = false;
   };
   on("pointerdown", (event) => {
-    if (replayed || event.pointerType !== "touch" || !hosts.isSliderTrack(event.target)) return;
+    if (replayed || event.pointerType !== "touch" || !dom.isSliderTrack(event.target)) return;
     event.stopImmediatePropagation();
     waiting = { target: event.target, down: event };
   });
   on("touchstart", (event) => {
-    if (hosts.isSliderTrack(event.target)) event.stopImmediatePropagation();
+    if (dom.isSliderTrack(event.target)) event.stopImmediatePropagation();
   });
   on("pointermove", (event) => {
     if (replayed || waiting?.down.pointerId !== event.pointerId) return;
@@ -31,7 +31,7 @@ export function deferSliders(signal) {
     event.stopImmediatePropagation();
     if (Math.abs(x) < INTENT || Math.abs(x) < Math.abs(y)) return;
     // From where the finger came down, so that a thumb that was touched stays under it.
-    replay("pointerdown", waiting.down, hosts.onThumb(waiting.target) ? waiting.down : event);
+    replay("pointerdown", waiting.down, dom.onThumb(waiting.target) ? waiting.down : event);
     waiting = null;
   });
   on("pointerup", (event) => {

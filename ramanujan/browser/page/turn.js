@@ -2,7 +2,7 @@
 // so that nothing of the others is on the page. Until it has answered, the stop that was asked for counts.
 
 import { bus, live } from "./bus.js";
-import { hosts } from "./hosts.js";
+import { dom } from "./streamlit_dom.js";
 import { showPlace, turnOf } from "./turning.js";
 
 const PATIENCE = 5000; // ms after which an answer that did not come is no longer waited for
@@ -35,7 +35,7 @@ function turner(root, signal) {
   on(document, "keydown", (event) => {
     const by = turnOf(event, { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 });
     if (!by) return;
-    if (event.composedPath()[0].matches?.(hosts.TAKES_KEYS)) return;
+    if (event.composedPath()[0].matches?.(dom.TAKES_KEYS)) return;
     if (event.key.startsWith("Page") && !data.clicker) return;
     // On a projector, a clicker turns the sheets of this stop first.
     if (event.key.startsWith("Page") && bus.last("sheets")?.has(by)) return;

@@ -6,11 +6,11 @@ each concern: motion, drawing and playback are pure; picture, layers and dial dr
 what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript.
 
 The stage itself is mounted with constant arguments, so that Streamlit sends it once in a session. After a change only a
-small feed of the page (`page.feed`) is sent, which carries the numbers.
+small message (`page.publish`) is sent, which carries the numbers.
 
 The contract, version 1. To the page, once:
 
-    stage        the name under which the feed speaks to it
+    stage        the name under which its messages are published
     limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the
                  same, it cannot be dragged
     watch        key of a slider → {parameter, scale, step}: its value times scale is that parameter in SI units
@@ -22,7 +22,7 @@ The contract, version 1. To the page, once:
     periods      after so many periods the motion begins again; left out: never
     label        the text under the picture
 
-and by the feed, at every change:
+and by `page.publish`, at every change:
 
     version      1
     parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
@@ -81,7 +81,7 @@ def payload(
     lit: str | None = None,
     awaiting: bool = False,
 ) -> dict[str, Any]:
-    """Return the content of the feed: the machine and its motion as plain numbers.
+    """Return what is published at every change: the machine and its motion as plain numbers.
 
     Parameters
     ----------
@@ -183,7 +183,9 @@ def tell(
     if unknown := set(hidden := sorted(hide)).difference(PARTS):
         sentence = _("hide must be among {known}, and {unknown} is not")
         raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
-    page.feed(f"{key}_feed", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})})
+    page.publish(
+        f"{key}_published", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})}
+    )
 
 
 @cache

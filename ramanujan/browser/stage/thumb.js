@@ -4,7 +4,7 @@
 // sends its value as after a key stroke, or as soon as the server is there again.
 
 import { bus } from "../page/bus.js";
-import { hosts } from "../page/hosts.js";
+import { dom } from "../page/streamlit_dom.js";
 
 export class Hand {
   held = null; // m, x₀ as it is drawn while the slab is in a hand, and until its slider has sent it
@@ -20,7 +20,7 @@ export class Hand {
   }
 
   input(key) {
-    if (!this.inputs.get(key)?.isConnected) this.inputs.set(key, hosts.slider(key));
+    if (!this.inputs.get(key)?.isConnected) this.inputs.set(key, dom.slider(key));
     return this.inputs.get(key);
   }
 
@@ -29,7 +29,7 @@ export class Hand {
     const set = {};
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
       const input = this.input(key);
-      if (!hosts.shows(input, this.told(parameter) / scale)) set[parameter] = Number(input.value) * scale;
+      if (!dom.shows(input, this.told(parameter) / scale)) set[parameter] = Number(input.value) * scale;
     }
     if (this.held !== null) set.compression = this.held;
     this.seen = JSON.stringify(set);
@@ -39,13 +39,13 @@ export class Hand {
   /** x₀ as its box shows it, with all digits. */
   text() {
     const { value, text } = bus.last(`exact/${this.slabKey}`), input = this.input(this.slabKey);
-    return hosts.shows(input, value) ? text : input.value;
+    return dom.shows(input, value) ? text : input.value;
   }
 
   /** Look at the sliders, once a frame; return whether a value has changed. */
   look() {
     if (this.due !== null) {
-      if (hosts.sendSlider(this.input(this.slabKey), this.due / this.watch[this.slabKey].scale)) this.due = null;
+      if (dom.sendSlider(this.input(this.slabKey), this.due / this.watch[this.slabKey].scale)) this.due = null;
     } else if (!this.isHolding) this.held = null; // the slider has sent it since the last frame
     const before = this.seen;
     this.values();
@@ -65,7 +65,7 @@ export class Hand {
     this.isHolding = true;
     this.held = drawn;
     this.due = null;
-    hosts.moveSlider(this.input(this.slabKey), compression / this.watch[this.slabKey].scale);
+    dom.moveSlider(this.input(this.slabKey), compression / this.watch[this.slabKey].scale);
   }
 
   drop(compression) {

@@ -25,7 +25,7 @@ VIEW = address.Choice("show", ("lecture", "reading"), "lecture")
 VALUES = address.Choice("values", ("symbols", "numbers"), "symbols")
 BODY = address.Choice("body", tuple(PARTS))
 STEP = address.Count("step", LONGEST_ROUTE)
-KEYS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION)
+URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION)
 
 VIEW_WORDS = {"lecture": _("One step"), "reading": _("All steps")}
 VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}
@@ -165,7 +165,7 @@ def turn_pages(route: str, headings: list[str]) -> None:
 def the_steps(setting: Setting, part: str | None) -> None:
     """Draw the steps of the route; of a lecture the page shows one."""
     if address.held(STEP) > setting.steps:
-        messages.complain(address.Count(STEP.name, setting.steps).complaint())
+        messages.warn(address.Count(STEP.name, setting.steps).message())
         start_over()
     address.keep(STEP)
     if not setting.is_lecture:

@@ -14,7 +14,7 @@ from ramanujan.pages.lesson import cache, classroom, ending, progress, stops, ta
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.translation import _, ngettext
 
-KEYS = (*progress.KEYS, *tasks.KEYS)
+URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS)
 PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
 
 
@@ -43,7 +43,7 @@ def withheld() -> tuple[str, ...]:
 
 def keep_address() -> None:
     """Keep in the address also what the present part of the page does not draw, and drop what it cannot use."""
-    for key in KEYS:
+    for key in URL_PARAMETERS:
         if not key.bound:
             address.keep(key)
         elif not address.fits(key):

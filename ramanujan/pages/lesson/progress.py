@@ -1,10 +1,9 @@
-"""How far a reader has come in the lesson: the keys of the address, held in the session, and the predictions."""
+"""How far a reader has come in the lesson: the URL parameters, held in the session, and the predictions."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar
 
 import streamlit as st
 
@@ -25,13 +24,12 @@ LENGTH = address.Choice("stops", ("short", "all"))
 
 
 @dataclass(frozen=True)
-class Predictions:
-    """A key of the address that lists predictions: stop → option and how far the reader has come with it.
+class Predictions(address.URLParameter):
+    """Predictions in the address: stop → option and how far the reader has come with it.
 
     In the address: block.opposite~radius.same.predicted; without a third word, the answer was shown.
     """
 
-    bound: ClassVar[bool] = False
     name: str
     default: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
@@ -49,7 +47,7 @@ class Predictions:
         """Return the predictions as the address has them."""
         return "~".join(".".join((stop, *said)).removesuffix(f".{ANSWERED}") for stop, said in made.items())
 
-    def complaint(self) -> str:
+    def message(self) -> str:
         """Return the sentence for a text that does not fit."""
         return _("The value of {name} in the address was ignored: it must list predictions, such as {example}.").format(
             name=self.name, example="radius.same~block.rest"
@@ -57,7 +55,7 @@ class Predictions:
 
 
 CHOSEN = Predictions("chosen")
-KEYS = (PART, STOP, TASK, LENGTH, CHOSEN)
+URL_PARAMETERS = (PART, STOP, TASK, LENGTH, CHOSEN)
 
 
 def prediction(stop: Stop) -> tuple[str | None, str]:

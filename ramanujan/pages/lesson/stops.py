@@ -22,7 +22,7 @@ from ramanujan.pages.lesson import cache, classroom, progress
 from ramanujan.shell import class_session, display_mode, messages, sidebar, stages
 from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
-from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 _LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
@@ -165,7 +165,7 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
             said = solved.label
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
     # With the button that was clicked the focus has gone: who cannot see the page is told here.
-    page.feed(f"told_{stop.id}_feed", {"say": {"sentence": said, "urgent": True}})
+    page.publish(f"told_{stop.id}_published", {"say": {"sentence": said, "urgent": True}})
 
 
 def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
@@ -253,7 +253,7 @@ def _caption(stop: Stop, running: bool) -> str:
 
 def _written(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
-    return ", ".join(f"{QUANTITIES[key].symbol} = {QUANTITIES[key].written(x)}" for key, x in values.items())
+    return ", ".join(f"{PARAMETERS[key].symbol} = {PARAMETERS[key].written(x)}" for key, x in values.items())
 
 
 def _show_hint(key: str, count: int) -> None:

@@ -8,19 +8,19 @@ from ramanujan.browser import page, stage
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting, Task
 from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
-from ramanujan.motion import pushed
+from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
 from ramanujan.pages.lesson import stops
 from ramanujan.shell import address, sidebar, stages, widgets
 from ramanujan.shell.display_mode import sheet
-from ramanujan.shell.parameters import WATCH, Quantity, read_number
+from ramanujan.shell.parameters import WATCH, Parameter, read_number
 from ramanujan.translation import _
 
-RELEASE = Quantity("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", "", 0.01)
-GLIDE = Quantity(
-    "task_glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01
+RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
+GLIDE = Parameter(
+    "task_glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01
 )
-SPIN = Quantity("task_spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+SPIN = Parameter("task_spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
 METHOD = address.Choice("task_method", tuple(METHODS), "rk4")
 STEPS = address.Count("task_steps", MOST_STEPS, 100, FEWEST_STEPS)
 PERIODS = address.Count("task_periods", 100, 10)
@@ -29,7 +29,7 @@ PLACES = {
     address.Choice("task_right", tuple(BODIES), "cylinder"): _("Right roller"),
     address.Choice("task_top", tuple(BODIES), "cylinder"): _("Body on top"),
 }
-KEYS = (RELEASE.in_links, GLIDE.in_links, SPIN.in_links, METHOD, STEPS, PERIODS, *PLACES)
+URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 METHOD_WORDS = {name: METHODS[name].title for name in METHODS}
 BODY_WORDS = {
     "hoop": _("hoop"),
@@ -77,7 +77,7 @@ def machine(task: Task, setting: Setting) -> None:
             stages.mount(payload, **shown)
             return
         # How this machine starts is set beside it, and not with the slab.
-        initial = pushed(setting.machine, setting.release, setting.glide, setting.spin)
+        initial = with_initial_velocities(setting.machine, setting.release, setting.glide, setting.spin)
         stages.mount(
             stage.payload(setting.machine, setting.release, initial=initial),
             limits=(RELEASE.limits[1],) * 2,

@@ -13,14 +13,14 @@ from ramanujan.pages.motion.plots import Friction, centimetres
 from ramanujan.record import Record, table
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import sheet
-from ramanujan.shell.parameters import Quantity
+from ramanujan.shell.parameters import Parameter
 from ramanujan.translation import _
 
-GLIDE = Quantity("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", "", 0.01)
-SPIN = Quantity("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
-MU = Quantity("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
+GLIDE = Parameter("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01)
+SPIN = Parameter("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+MU = Parameter("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
 FIGURE = address.Choice("figure", tuple(cache.VIEWS), "displacements")
-KEYS = (GLIDE.in_links, SPIN.in_links, MU.in_links, FIGURE)
+URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE)
 VIEW_WORDS = {
     "displacements": _("Displacements"),
     "energy": _("Energy"),
@@ -112,7 +112,7 @@ def freeze(motion: Record) -> None:
     label = _("Pause at the greatest friction ({contact}, t = {time})").format(
         contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)
     )
-    page.feed("moment_feed", {"moment/motion": {"time": instant, "label": label}})
+    page.publish("moment_published", {"moment/motion": {"time": instant, "label": label}})
     page.moment("motion")
 
 

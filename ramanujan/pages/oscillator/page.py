@@ -13,7 +13,7 @@ from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages,
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
-KEYS = ()
+URL_PARAMETERS = ()
 
 
 def show() -> None:

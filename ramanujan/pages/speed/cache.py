@@ -77,7 +77,7 @@ _ALONE = threading.Lock()
 @st.cache_resource(show_spinner=False, max_entries=512)
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
     """Return one integration, which is the same for every machine."""
-    return downsampling.thinned(error_history(method, steps, periods, dtype), steps, periods)
+    return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
 
 
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:

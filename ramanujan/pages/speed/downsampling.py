@@ -1,4 +1,4 @@
-"""What the experiments of page 5 found, thinned to what a screen can show: fewer numbers for stage and figures."""
+"""What the experiments of page 5 found, downsampled to what a screen can show: fewer numbers for stage and figures."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.motion import released
 
 SAMPLES_PER_PERIOD = 32
-"""A run with more steps than that is thinned: straight pieces between so many points of a swing look round."""
+"""A run with more steps than that is downsampled: straight pieces between so many points of a swing look round."""
 FIGURE_HEIGHT, SCREEN_HEIGHT = 400, 1080
 """Pixels that errors on screen are held against."""
 SHOWN_PERIODS = 8
@@ -31,7 +31,7 @@ CURVE_POINTS = 96
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """One integration, thinned to what the screen shows.
+    """One integration, downsampled to what the screen shows.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ def sweep(sweeps: Sequence[Sweep]) -> tuple[np.ndarray, np.ndarray, list[figures
     return np.log10(x[starts]), sound.value[starts], curves
 
 
-def thinned(history: History, steps: int, periods: int) -> Run:
+def downsampled(history: History, steps: int, periods: int) -> Run:
     """Return a run in as many points as a screen can part."""
     every = next(n for n in range(-(-steps // SAMPLES_PER_PERIOD), steps + 1) if steps % n == 0)
     # Equal ratios between neighbours show how an error grows.

@@ -22,7 +22,7 @@ METHOD = address.Choice("method", tuple(METHODS), "velocity_verlet")
 STEPS = address.Choice("steps", (3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192), 12)
 PERIODS = address.Choice("periods", cache.PERIODS, 30)
 PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
-KEYS = (METHOD, STEPS, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
+URL_PARAMETERS = (METHOD, STEPS, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
 
 PRECISION_WORDS = {"float64": _("float64"), "float32": _("float32")}
 

@@ -15,7 +15,7 @@ from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
 PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
-KEYS = tuple(address.Choice(place, tuple(BODIES), body) for place, body in PAPER.items())
+URL_PARAMETERS = tuple(address.Choice(place, tuple(BODIES), body) for place, body in PAPER.items())
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
@@ -34,7 +34,7 @@ def other_bodies() -> None:
             )
         )
         choose()
-        chosen = [address.held(key) for key in KEYS]
+        chosen = [address.held(key) for key in URL_PARAMETERS]
         story = cache.story(*chosen)
         the_machine(story, chosen)
     with sheet("forty", _("All machines")):
@@ -49,7 +49,7 @@ def choose() -> None:
     """Draw the choosers, set out like the machine: the body on top stands above, to the right."""
     pictures, above = st.columns(2, vertical_alignment="center")
     pictures.html(emblems.legend(theme.colors()["block"]))
-    for column, key in zip((*st.columns(2), above), KEYS, strict=True):
+    for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
         with column:
             widgets.chips(key, PLACE_WORDS[key.name], emblems.WORDS)
 

@@ -18,7 +18,7 @@ from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
 P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
-KEYS = (P, Q)
+URL_PARAMETERS = (P, Q)
 _LAST = "last_target"
 FOLLOWERS = ("unit_curve",)
 """Keys of the fragments that depend on the machine of the sidebar."""

@@ -17,7 +17,7 @@ from ramanujan.shell.display_mode import folded, sheet
 from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
-KEYS = (*other_bodies.KEYS, *other_targets.KEYS, DIGITS)
+URL_PARAMETERS = (*other_bodies.URL_PARAMETERS, *other_targets.URL_PARAMETERS, DIGITS)
 
 
 def show() -> None:

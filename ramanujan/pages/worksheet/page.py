@@ -9,13 +9,13 @@ from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, questions
 from ramanujan.shell import address, drawings, sidebar, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
-from ramanujan.shell.parameters import QUANTITIES
+from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 PAPER = address.Choice("paper", ("questions", "key"), "questions")
 SEED = address.Count("seed", 9999)
 LEVEL = address.Choice("level", (1, 2, 3), 1)
-KEYS = (PAPER, SEED, LEVEL)
+URL_PARAMETERS = (PAPER, SEED, LEVEL)
 PAPER_WORDS = {"questions": _("Questions"), "key": _("Key")}
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 _LINE = "<span style='display:inline-block;width:35%;border-bottom:1px solid'></span>"
@@ -54,7 +54,7 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
     if paper == "questions":
         name, date = _("Name"), _("Date")
         st.html(f"<p class='name'>{name} {_LINE} {date} {_LINE}</p>")
-    values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in QUANTITIES.values())
+    values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in PARAMETERS.values())
     with st.container(key="sheet_picture"):
         drawings.draw(
             machine_svg(machine, sidebar.compression()),

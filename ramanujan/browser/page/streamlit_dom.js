@@ -1,7 +1,7 @@
 // What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file. Where an
 // assumption breaks, a function here returns null or nothing, and what depends on it stays still without an error.
 
-export const hosts = {
+export const dom = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
@@ -25,7 +25,7 @@ export const hosts = {
   sendSlider(input, value) {
     if (!input || input.disabled) return false;
     const [by, key] = value - input.min < input.step ? [1, "ArrowLeft"] : [-1, "ArrowRight"];
-    hosts.moveSlider(input, value + by * input.step);
+    dom.moveSlider(input, value + by * input.step);
     // React draws the slider in a microtask of its own, which is queued already.
     queueMicrotask(() => input.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true })));
     return true;
@@ -78,7 +78,7 @@ export const hosts = {
   watchGraphs(listener, signal) {
     const known = new Map(); // graph → its own listener
     const look = () => {
-      const present = new Set(hosts.graphs().filter((graph) => graph.on));
+      const present = new Set(dom.graphs().filter((graph) => graph.on));
       for (const [graph, drawn] of known)
         if (!present.has(graph)) {
           graph.removeListener?.("plotly_afterplot", drawn);
