@@ -75,13 +75,13 @@ MUTATIONS = [
     ),
     Mutation(
         "the slab goes half as far",
-        "stage/__init__.py",
+        "stage/formulas.py",
         '"displacement": {body.name: body.displacement for',
         '"displacement": {body.name: body.displacement / (1 + (body.name == "slab")) for',
     ),
     Mutation(
         "the rollers' spin has no energy",
-        "stage/__init__.py",
+        "stage/formulas.py",
         '"kinetic_energy": {body.name: body.kinetic_energy for',
         '"kinetic_energy": {body.name: body.mass * body.velocity**2 / 2 for',
     ),
@@ -180,6 +180,13 @@ MUTATIONS = [
         "set(svg, { viewBox: `",
         "svg.style.aspectRatio = 1 + place.R / 10, set(svg, { viewBox: `",
         "nothing_below",
+    ),
+    Mutation(
+        "old ghosts stay",
+        "stage/picture.js",
+        "for (const ghost of ghosts) ghost.remove();",
+        "",
+        "reduced_motion_starts",
     ),
     Mutation("the wrong body is lit", "stage/picture.js", "body === name)", 'body === "hoop")', "lights"),
     Mutation(

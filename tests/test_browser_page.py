@@ -231,24 +231,6 @@ def test_the_view_does_not_jump_when_a_push_begins(visit):
     assert inside(page, "root.querySelector('.ruler').transform.baseVal[0].matrix.e") == pytest.approx(ruler, abs=0.2)
 
 
-def test_nothing_moves_before_it_is_computed(visit):
-    page = visit("speed?periods=1", motion="no-preference")
-    stepped = (
-        "document.querySelector('.st-key-stepped [data-testid=stBidiComponentIsolated]').shadowRoot"
-        ".querySelector('.moving .slab').transform.baseVal[0].matrix.e"
-    )
-    exact = stepped.replace("stepped", "exact")
-    waiting = stepped.replace(".moving .slab').transform.baseVal[0].matrix.e", ".awaiting')")
-    page.evaluate(f"{BUS}.publish('machine/stepped', {{ ...{BUS}.last('machine/exact'), awaiting: true }})")
-    page.wait_for_function(f"{waiting} !== null")
-    page.wait_for_timeout(300)
-    place, moving = page.evaluate(stepped), page.evaluate(exact)
-    page.wait_for_timeout(400)
-    # What is left of its last jump may still fade by less than a pixel; the machine beside it runs on by centimetres.
-    assert page.evaluate(stepped) == pytest.approx(place, abs=0.05)
-    assert abs(page.evaluate(exact) - moving) > 0.5
-
-
 # ---- the screen reader's tree
 
 
@@ -261,6 +243,18 @@ def test_the_slab_is_a_slider_of_its_own_and_the_picture_names_its_bodies(visit)
     assert "a sphere on the left and a cylinder on the right" in named
     assert "a hoop rolls freely" in named
     assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00\u202fcm"
+
+
+def test_a_stage_that_has_not_been_told_its_machine_names_nothing_without_a_value(visit):
+    """Its numbers come after it, later the further it lies below the screen."""
+    page = visit()
+    unnamed = """async (begin) => {
+      const root = document.body.appendChild(document.createElement("div"));
+      const data = { stage: "untold", clock: "untold", layers: [], limits: { compression: [0, 0.1] }, watch: {} };
+      (await begin).begin("stage/stage", { data, parentElement: root });
+      return root.querySelectorAll("[role=img]:not([aria-label]), [role=slider]:not([aria-valuenow])").length;
+    }"""
+    assert page.evaluate(f"({unnamed})({module('begin')})") == 0
 
 
 def test_controls_by_arrow_keys(visit):

@@ -30,7 +30,6 @@ and by `page.publish`, at every change:
     samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
     slipping     the contact that is marked, such as hoop_slab; left out: none
     unity        the text at the gauge's mark 1; left out: the paper's number
-    awaiting     true while samples are being computed: the machine stands still
     lit          the highlighted body, or spring; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
 
@@ -79,7 +78,6 @@ def payload(
     slipping: str | None = None,
     unity: str | None = None,
     lit: str | None = None,
-    awaiting: bool = False,
 ) -> dict[str, Any]:
     """Return what is published at every change: the machine and its motion as plain numbers.
 
@@ -93,7 +91,6 @@ def payload(
     slipping : the contact to mark, such as hoop_slab
     unity : the text at the gauge's mark 1, for bodies whose number is not the paper's
     lit : the highlighted body, such as hoop, or spring
-    awaiting : samples are still being computed
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional = {
@@ -102,7 +99,6 @@ def payload(
         "slipping": slipping,
         "unity": unity,
         "lit": lit,
-        "awaiting": awaiting or None,
     }
     return {
         "version": VERSION,

@@ -75,7 +75,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
   function machine({ parameters, solution, data, parts: { hides } }) {
     for (const name of BODIES) parts[name].group.style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
-    set(find(".picture"), { "aria-label": pictured(parameters) });
+    set(find(".picture"), { role: "img", "aria-label": pictured(parameters) });
     light(data.lit);
     dial.machine(solution, data, !hides("clocks"));
     layers.machine(parameters, solution, data);

@@ -110,9 +110,8 @@ export class Slab {
     const fixed = stage.compact || stage.limits[0] === stage.limits[1];
     Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
     stage.host.classList.toggle("fixed", fixed);
-    if (!fixed) listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
-    else for (const name of ["tabindex", "role", "aria-label", "aria-orientation"]) node.removeAttribute(name);
-    if (fixed) node.setAttribute("aria-hidden", "true");
+    if (fixed) set(node, { "aria-hidden": true });
+    else listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
   }
 
   deformation() {
@@ -173,7 +172,12 @@ export class Slab {
   show(compression) {
     if (this.fixed) return;
     const [least, most] = this.stage.limits, value = this.compression();
+    // With its value: before that it is no slider.
     set(this.node, {
+      role: "slider",
+      tabindex: 0,
+      "aria-label": WORDS.slab_slider,
+      "aria-orientation": "horizontal",
       "aria-valuemin": least * CM,
       "aria-valuemax": most * CM,
       "aria-valuenow": value * CM,

@@ -53,10 +53,7 @@ class Stage {
     const before = this.data;
     this.hide(data.hide ?? []);
     this.change(() => (this.data = data));
-    this.host.classList.toggle("awaiting", Boolean(data.awaiting));
     if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
-    // What is compared begins together.
-    if (before?.awaiting && !data.awaiting) this.releaseAll();
     if (before) return;
     this.picture.show(this.layers);
     this.calmed();
@@ -104,7 +101,7 @@ class Stage {
   advance(elapsed) {
     if (!this.solution) return;
     if (this.hand.look()) this.change(() => {});
-    const stands = this.hand.isHolding || this.data.awaiting || this.parts.hides("motion");
+    const stands = this.hand.isHolding || this.parts.hides("motion");
     const running = this.clock.playing && !stands;
     if (running) this.run(elapsed * this.clock.speed * this.clock.slowing);
     const fading = this.playback.fade(elapsed);

@@ -50,6 +50,7 @@ SENTENCES = {
     "bound": _("x₀ must be between {least} and {most}. It will be {value} when you let go."),
     "kept": _("x₀ is {value} again."),
     "undo": _("Back to x₀ = {value}"),
+    "slab_slider": _("Slab: compression x₀"),
     "each": _("m′ each"),
 }
 """Key → sentence, with slots for what the page knows."""
@@ -87,7 +88,6 @@ TEXTS = {
     "left_roller": _("Left roller, mass m′"),
     "right_roller": _("Right roller, mass m′"),
     "top_roller": _("Top roller, mass m"),
-    "slab_slider": _("Slab: compression x₀"),
     "slab": _("Slab, mass m. Drag it and let go."),
     "centre": _("Centre of mass of the whole machine"),
     "centre_caption": _("centre of mass"),
