@@ -23,6 +23,7 @@ ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
     "headings": ("SourceSerifVariable-Roman", {"wght": (600, 700), "opsz": 24}),
     "text": ("SourceSansVF-Upright", {"wght": (400, 700)}),
+    "symbols": ("SourceSansVF-Italic", {"wght": 400}),
 }
 """File → its original's name, and the part of each axis that is kept."""
 COPYRIGHT_AND_LICENCE = [0, 13, 14]

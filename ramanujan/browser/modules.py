@@ -28,8 +28,9 @@ _MARKUP = {"turn": "steps"}
 
 @cache
 def contents() -> dict[str, bytes]:
-    """Return path → content of all that the server offers: modules, page.css and its fonts."""
-    offered = [path for pattern in ("**/*.js", "page/page.css", "**/*.woff2") for path in sorted(_HERE.glob(pattern))]
+    """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
+    patterns = ("**/*.js", "page/page.css", "page/type.css", "**/*.woff2")
+    offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     markup = {"stage/stage": _markup("stage/stage", words.TEXTS)}
     for name in (path.stem for path in offered if path.match("page/*.js")):
         markup[f"page/{name}"] = _markup(f"page/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))

@@ -10,8 +10,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from ramanujan.figures.drawn import Drawn, drawn, kept
+from ramanujan.translation import _
 
-__all__ = ["Drawn", "drawn", "kept", "template"]
+__all__ = ["MASS_RATIO", "NORMALIZED", "Drawn", "drawn", "kept", "template"]
+
+MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
+NORMALIZED = "Ω²<i>m</i>/<i>k</i>"
+"""The axes of the curve of Ω². Symbols are italic, as in formulas: capital Greek letters and units are upright."""
+
+
+_FAMILY = '"Source Sans", sans-serif'
+"""The typeface of the page, which page.css brings."""
 
 
 def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, Any]:
@@ -33,7 +42,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "automargin": True,
     }
     layout = {
-        "font": {"color": colors["ink"], "size": 14},
+        "font": {"color": colors["ink"], "size": 14, "family": _FAMILY},
         "paper_bgcolor": "rgba(0,0,0,0)",
         "plot_bgcolor": "rgba(0,0,0,0)",
         "margin": {"l": 56, "r": 16, "t": 12, "b": 48},

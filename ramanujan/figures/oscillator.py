@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import plotly.graph_objects as go
 
-from ramanujan.figures import template
+from ramanujan.figures import MASS_RATIO, NORMALIZED, template
 from ramanujan.translation import _
 
 
@@ -45,7 +45,7 @@ def frequency_curve(
     equal, unit : the marked machines
     colors : ink, faint, paper, primary, marker, accent
     """
-    hover = "ε = %{x:.5g}<br>Ω²m/k = %{y:.5g}<extra>%{fullData.name}</extra>"
+    hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
     # Single precision is a thousand times finer than a pixel, and half the bytes.
     ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
     # Further up the asymptote is far from the curve and would cross a label.
@@ -87,7 +87,7 @@ def frequency_curve(
     label = {"xref": "x", "yref": "y", "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
     label |= {"bgcolor": colors["paper"], "align": "left"}
     # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
-    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=12, ay=-66, xanchor="left")
+    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=4, ay=-66, xanchor="left")
     figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-16, ay=62, xanchor="right")
     beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
     light_label, heavy_label = limit_labels
@@ -102,20 +102,20 @@ def frequency_curve(
         font={"color": colors["primary"]},
     )
     # Here the space to the right of the asymptote is empty, above the line “in step”.
-    there = int(np.argmin(np.abs(heavy_limit - 0.65 * light_limit)))
+    there = int(np.argmin(np.abs(heavy_limit - 0.59 * light_limit)))
     figure.add_annotation(
         beside,
         x=_log(ratios[there]),
         y=heavy_limit[there],
         text=heavy_label,
         yanchor="bottom",
-        xshift=14,
-        align="right",
+        xshift=8,
+        align="left",
     )
     figure.update_xaxes(
-        type="log", title=_("mass ratio ε = m′/m"), range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
+        type="log", title=MASS_RATIO, range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
     )
-    figure.update_yaxes(title="Ω²m/k", range=[0, 1.16 * light_limit], fixedrange=True)
+    figure.update_yaxes(title=NORMALIZED, range=[0, 1.16 * light_limit], fixedrange=True)
     return figure
 
 

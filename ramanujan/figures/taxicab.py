@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import plotly.graph_objects as go
 
-from ramanujan.figures import Drawn, drawn, template
+from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, drawn, template
 from ramanujan.translation import _
 
 
@@ -32,7 +32,7 @@ def level_crossing(
     present : ε and Ω²m/k of the present machine
     colors : ink, faint, paper, primary, top
     """
-    yours = _("your machine")
+    yours, hover = _("your machine"), f"<i>ε</i> = %{{x:.6g}}<br>{NORMALIZED} = %{{y:.6g}}<extra></extra>"
     traces = [
         {
             "x": [ratios[0], ratios[-1]],
@@ -51,7 +51,7 @@ def level_crossing(
             "y": [present[1]],
             "mode": "markers",
             "marker": {"symbol": "circle-open", "size": 20, "color": colors["primary"], "line": {"width": 3}},
-            "hovertemplate": f"{yours}<br>ε = %{{x:.6g}}<br>Ω²m/k = %{{y:.6g}}<extra></extra>",
+            "hovertemplate": f"{yours}<br>{hover}",
         },
         {
             "x": [root],
@@ -89,14 +89,14 @@ def level_crossing(
         "xshift": -6 if at_start else 6,
         "font": {"size": 13},
     }
-    ratio_axis = {"type": "log", "title": {"text": _("mass ratio ε = m′/m")}, "range": [left, right], "dtick": 1}
+    ratio_axis = {"type": "log", "title": {"text": MASS_RATIO}, "range": [left, right], "dtick": 1}
     layout = {
-        "template": template(colors, "ε = %{x:.6g}<br>Ω²m/k = %{y:.6g}<extra></extra>"),
+        "template": template(colors, hover),
         "height": 330,
         "showlegend": False,
         "annotations": [root_note, level_note],
         "xaxis": {**ratio_axis, "fixedrange": True},
-        "yaxis": {"title": {"text": "Ω²m/k"}, "range": [0, 1.3 * float(values[0])], "fixedrange": True},
+        "yaxis": {"title": {"text": NORMALIZED}, "range": [0, 1.3 * float(values[0])], "fixedrange": True},
     }
     return drawn(({"type": "scatter", **trace} for trace in traces), layout)
 

@@ -116,7 +116,8 @@ def _with_css(page: bytes) -> bytes:
     fonts = (f'<link rel="preload" as="font" crossorigin href="{place}/{name}">' for name in names if "fonts/" in name)
     scripts = (f'<script type="module" async src="{place}/{name}"></script>' for name in names if name.endswith(".js"))
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
-    end = f'<link rel="stylesheet" href="{place}/page/page.css">{"".join(scripts)}</body>'
+    rules = (f'<link rel="stylesheet" href="{place}/{name}">' for name in names if name.endswith(".css"))
+    end = f"{''.join(rules)}{''.join(scripts)}</body>"
     return _FONT.sub("".join(fonts).encode(), page, count=1).replace(b"</body>", end.encode(), 1)
 
 

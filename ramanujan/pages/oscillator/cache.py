@@ -37,8 +37,8 @@ class Curve:
     heavy_limit: np.ndarray
     equal: Mark
     unit: Mark
-    light_label: str
-    heavy_label: str
+    light: str
+    heavy: str
 
 
 @st.cache_resource(show_spinner=False)
@@ -58,9 +58,9 @@ def curve() -> Curve:
         float(light),
         sp.lambdify(epsilon, heavy, "numpy")(ratios),
         Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
-        Mark(UNIT_MASS_RATIO, 1.0, f"<b>Ω² = k/m</b><br>ε = {root}"),
-        _("{value} for ε → 0").format(value=light),
-        _("{value}<br>for ε → ∞").format(value=sp.sstr(heavy).replace("varepsilon", "ε").replace("*", "")),
+        Mark(UNIT_MASS_RATIO, 1.0, f"Ω² = <i>k</i>/<i>m</i><br><i>ε</i> = {root}"),
+        str(light),
+        sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
     )
 
 
@@ -79,7 +79,10 @@ def figure(light_or_dark: str) -> Drawn:
             base.values,
             light_limit=base.light_limit,
             heavy_limit=base.heavy_limit,
-            limit_labels=(base.light_label, base.heavy_label),
+            limit_labels=(
+                _("light rollers: {value}").format(value=base.light),
+                _("heavy rollers:<br>{value}").format(value=base.heavy.replace("ε", "<i>ε</i>")),
+            ),
             equal=base.equal,
             unit=base.unit,
             colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},

@@ -80,9 +80,9 @@ def the_curve() -> None:
         "curve",
         # What changes with the machine is said by the ring: so the figure is sent to a page only once.
         _(
-            "Ω²m/k over the mass ratio ε, falling from {light} to {heavy}: heavier rollers make the machine slower. It "
-            "is {equal} at equal masses, and exactly 1 at one ratio only."
-        ).format(light=base.light_label, heavy=base.heavy_label.replace("<br>", " "), equal=cache.equal_masses_value()),
+            "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "
+            "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
+        ).format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value()),
     )
     page.pick("curve", take_clicked)
     st.caption(_("Click on the curve to build the machine with that mass ratio."))

@@ -8,6 +8,7 @@ from math import isqrt
 import streamlit as st
 
 from ramanujan import number_theory
+from ramanujan.figures import NORMALIZED
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import number
@@ -80,13 +81,13 @@ def the_curve() -> None:
     story, machine = _reached(), sidebar.oscillator()
     target: Fraction = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
-    level, ratio = _("Ω²m/k = {target}").format(target=target), number(story.ratio, 10)
+    level, ratio = f"{NORMALIZED} = {target}", number(story.ratio, 10)
     figure = level_crossing(
         *cache.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
         root=story.ratio,
-        root_label=_("ε = {ratio}").format(ratio=ratio),
+        root_label=f"<i>ε</i> = {ratio}",
         present=present,
         colors=theme.colors(),
     )
