@@ -108,7 +108,7 @@ def count_anew(page: Page) -> None:
 
 MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
   component.shadowRoot?.querySelector("style, section") ||
-  component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""
+  component.closest("[class*=_published], [class*=_pick], .st-key-arrival, .st-key-keys"))"""
 """Whether every component that shows something is there: until then nobody hears a key."""
 
 

@@ -35,6 +35,37 @@ def slab_over_block(page) -> float:
     return slab - block
 
 
+# ---- the machine first
+
+FIRST = """
+const look = () => {
+  const stage = document.querySelector(".st-key-stage");
+  const root = stage?.querySelector("[data-testid=stBidiComponentIsolated]")?.shadowRoot;
+  const drawn = root?.querySelector(".slab[transform]");
+  if (!drawn) return requestAnimationFrame(look);
+  const { x, y, width } = stage.getBoundingClientRect();
+  window.first = { place: [x, y, width], heavy: document.querySelectorAll(".js-plotly-plot, .katex-display").length };
+};
+requestAnimationFrame(look);
+"""
+"""Notes, at the stage's first frame, where the stage is, and how much of what takes long stands on the page."""
+
+
+@pytest.mark.parametrize("height", [720, 2400])
+def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(profile, server, height):
+    page = profile.new_page()
+    page.set_viewport_size({"width": 1280, "height": height})
+    page.add_init_script(FIRST)
+    page.goto(server)
+    page.locator(".st-key-curve .scatterlayer path").first.wait_for(state="attached")
+    page.locator(".st-key-steps .katex-display").last.wait_for(state="attached")
+    first = page.evaluate("first")
+    assert first["heavy"] == 0
+    box = page.locator(".st-key-stage").bounding_box()
+    assert first["place"] == [box["x"], box["y"], box["width"]]
+    page.close()
+
+
 # ---- theme, pages, motion
 
 

@@ -1,5 +1,8 @@
 """A first visit over a classroom's Wi-Fi: bytes, and seconds to the first picture, with and without compression.
 
+Then a later visit, which finds all scripts in the browser: seconds until the machine moves, beside those until a bare
+page shows its two sliders, also with a processor of a quarter of the speed.
+
     python -m tests.benchmarks.visit [--megabits 20] [--delay 40] [--processes 0]
 
 The browser is slowed down to so many megabits a second, and each request by so many milliseconds. "plain" is what
@@ -9,15 +12,22 @@ Streamlit sends by itself, as to a browser that takes no compressed answer.
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
 from time import perf_counter
 
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
 from tests.browser import CHROMIUM, FLAGS, ROOT, running
 from tests.deployed import deployed
 
 DRAWN = """[...document.querySelectorAll('[data-testid=stBidiComponentIsolated]')].some(
   (component) => component.shadowRoot?.querySelector('svg .body'))"""
+
+BARE = "import streamlit as st\nfor name in 'ab': st.slider(name, 0.5, 5.0, 1.0, 0.01)\n"
+SLIDERS = "document.querySelectorAll('input[type=range]').length === 2"
+VISITS = 5
 
 CURVE = ".js-plotly-plot .scatterlayer path"
 
@@ -42,7 +52,40 @@ def main() -> None:
             for name, address, headers in visits:
                 size, requests, picture, curve = visit(browser, address, headers, given.megabits * 1e6 / 8, given.delay)
                 print(f"{name:<14}{size:>12}{requests:>10}{picture:>13.2f} s{curve:>8.2f} s")
+            later_visits(browser, visits[1][1])
             browser.close()
+
+
+def later_visits(browser: Browser, address: str) -> None:
+    """Print how long a visitor who has been here before waits for the machine, and for a bare page's sliders."""
+    with TemporaryDirectory() as folder:
+        (script := Path(folder) / "bare.py").write_text(BARE)
+        with running(script) as bare:
+            pages = {"machine": (address, DRAWN), "bare page": (bare, SLIDERS)}
+            profiles = {name: browser.new_context(viewport={"width": 1280, "height": 720}) for name in pages}
+            for slower in (1, 1, 4):  # the first round fills the browser's caches
+                seconds = {name: [] for name in pages}
+                for _ in range(VISITS):
+                    for name, (place, drawn) in pages.items():
+                        seconds[name].append(later_visit(profiles[name], place, drawn, slower))
+                machine, sliders = (median(seconds[name]) for name in pages)
+                print(
+                    f"later, processor 1/{slower}: {machine:.2f} s, bare {sliders:.2f} s, {machine / sliders:.2f} times"
+                )
+
+
+def later_visit(profile: BrowserContext, address: str, drawn: str, slower: int) -> float:
+    """Return the seconds until a page has drawn, by the browser's own clock."""
+    page = profile.new_page()
+    profile.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slower})
+    page.add_init_script(
+        f"const look = () => ({drawn}) ? (window.at = performance.now()) : requestAnimationFrame(look); look();"
+    )
+    page.goto(address, wait_until="commit")
+    page.wait_for_function("window.at", timeout=120_000)
+    at = page.evaluate("at")
+    page.close()
+    return at / 1000
 
 
 def visit(

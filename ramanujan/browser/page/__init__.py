@@ -67,6 +67,16 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     return _component("publish")(key=key, data=dict(topics))
 
 
+def arrived(stage: str) -> bool:
+    """Tell whether a stage has drawn its first frame on the page; when it does, the fragment that asks runs again.
+
+    Parameters
+    ----------
+    stage : the name of the stage
+    """
+    return bool(_component("arrival")(key="arrival", data={"stage": stage}, on_seen_change=lambda: None).seen)
+
+
 def cursor(stage: str) -> Any:
     """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
 

@@ -6,7 +6,6 @@ import math
 
 import streamlit as st
 
-from ramanujan import Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.pages.oscillator import cache
 from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages, theme
@@ -21,28 +20,43 @@ def show() -> None:
     with sheet("machine", _("The machine")):
         opening()
         stages.mount(None, name="oscillator")
-    if not display_mode.hides("curve"):
-        with sheet("curve", _("The curve")):
-            the_curve()
-    steps = not display_mode.hides("steps")
-    with st.container(key="steps"):
-        what_follows(steps)
-    if steps and not display_mode.is_projector():
-        st.page_link(
-            navigation.PAGES["derivation"].file,
-            label=_("The whole derivation, in five ways"),
-            icon=":material/function:",
-        )
-    sidebar.follow("machine")
+    told()
+    curve, steps = (not display_mode.hides(part) for part in ("curve", "steps"))
+    if curve:
+        # Not in the fragment below: a click moves the sliders, and so concerns the whole page.
+        page.pick("curve", take_clicked)
+    if curve or steps:
+        below(curve, steps)
+    else:
+        sidebar.follow("machine")
 
 
 @st.fragment(key="machine")
-def what_follows(steps: bool) -> None:
-    """Tell the stage, the boxes and the reader what the sliders hold: a slider reruns nothing else."""
-    machine = sidebar.oscillator()
-    stages.tell(stage.payload(machine, sidebar.compression()), name="oscillator", more=sidebar.followed())
+def told() -> None:
+    """Tell the stage and the boxes what the sliders hold."""
+    machine = stage.payload(sidebar.oscillator(), sidebar.compression())
+    stages.tell(machine, name="oscillator", more=sidebar.followed())
+
+
+@st.fragment
+def below(curve: bool, steps: bool) -> None:
+    """Draw what a browser loads for seconds, once the machine moves."""
+    # A projector's sheets are there from the start; without a browser, which names its time zone, nothing ever moves.
+    if not (page.arrived("oscillator") or display_mode.is_projector() or st.context.timezone is None):
+        return
+    if curve:
+        with sheet("curve", _("The curve")):
+            the_curve()
     if steps:
-        six_steps(machine)
+        with st.container(key="steps"):
+            six_steps()
+        if not display_mode.is_projector():
+            st.page_link(
+                navigation.PAGES["derivation"].file,
+                label=_("The whole derivation, in five ways"),
+                icon=":material/function:",
+            )
+    sidebar.follow("machine", *(["steps"] if steps else []))
 
 
 def opening() -> None:
@@ -84,7 +98,6 @@ def the_curve() -> None:
             "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
         ).format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value()),
     )
-    page.pick("curve", take_clicked)
     st.caption(_("Click on the curve to build the machine with that mass ratio."))
 
 
@@ -99,8 +112,10 @@ def take_clicked(point: dict[str, float]) -> None:
         sidebar.take_ratio(mark)
 
 
-def six_steps(machine: Oscillator) -> None:
+@st.fragment(key="steps")
+def six_steps() -> None:
     """Draw the derivation in short, in symbols and with the present numbers."""
+    machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else (machine.m, machine.m_prime, machine.k)
     summary = cache.summary(numbers)
     texts = [
