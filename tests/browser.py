@@ -106,10 +106,11 @@ def count_anew(page: Page) -> None:
     page.frames_sent, page.frames_received, page.unanswered = [], [], True
 
 
-MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
-  component.shadowRoot?.querySelector("style, section") ||
-  component.closest("[class*=_published], [class*=_pick], .st-key-arrival, .st-key-keys"))"""
-"""Whether every component that shows something is there: until then nobody hears a key."""
+MOUNTED = """() => !document.querySelector(".st-key-arrival:last-child") &&
+  [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
+    component.shadowRoot?.querySelector("style, section") ||
+    component.closest("[class*=_published], [class*=_pick], .st-key-arrival, .st-key-keys"))"""
+"""Whether every component that shows something is there, and the first page has asked for what follows its machine."""
 
 
 def settle(page: Page, seconds: float = 60) -> None:

@@ -116,6 +116,7 @@ def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable
         page.wait_for_selector("[data-testid=stMainBlockContainer]")
         settle(page)
         page.wait_for_function(MOUNTED)
+        settle(page)  # the first page has asked for what follows its machine
         return page
 
     yield open_page

@@ -6,14 +6,14 @@ const PATIENCE = 10000; // ms after which the rest is asked for without a machin
 
 export default function ({ data, parentElement, setStateValue }) {
   return live(parentElement, (signal) => {
-    const told = new AbortController();
+    let told = false;
     const tell = () => {
-      told.abort();
+      if (told || signal.aborted) return;
+      told = true;
       // What has just been drawn is on the screen when the next frame begins.
       requestAnimationFrame(() => signal.aborted || setStateValue("seen", true));
     };
-    const timer = setTimeout(tell, PATIENCE);
-    for (const end of [signal, told.signal]) end.addEventListener("abort", () => clearTimeout(timer));
-    bus.subscribe(`time/${data.stage}`, tell, { signal: AbortSignal.any([signal, told.signal]) });
+    bus.subscribe(`time/${data.stage}`, tell, { signal });
+    setTimeout(tell, PATIENCE);
   }).end;
 }
