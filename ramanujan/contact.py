@@ -37,7 +37,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import InitialState
 from ramanujan.numerals import quantity
-from ramanujan.oscillator import Oscillator, drawn_spacing
+from ramanujan.oscillator import GRAVITY, Oscillator, drawn_spacing
 from ramanujan.rounding import in_range, nearest, product, scaled, square_root
 from ramanujan.translation import _
 from ramanujan.validation import coordinates, instance, positive, real
@@ -87,7 +87,7 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
 
 
 def normal_forces(
-    oscillator: Oscillator, q: ArrayLike, g: float = 9.81, spacing: float = math.inf
+    oscillator: Oscillator, q: ArrayLike, g: float = GRAVITY, spacing: float = math.inf
 ) -> dict[str, NDArray[np.float64]]:
     """Return the normal force [N] at the five contacts; the load shifts as the slab moves.
 
@@ -162,7 +162,7 @@ def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
 
 
 def required_friction(
-    oscillator: Oscillator, compression: float, g: float = 9.81, spacing: float = math.inf
+    oscillator: Oscillator, compression: float, g: float = GRAVITY, spacing: float = math.inf
 ) -> dict[str, float]:
     """Return the least coefficient of static friction at which each contact does not slip after a release from rest.
 
@@ -234,7 +234,7 @@ def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: flo
 
 
 def largest_compression(
-    oscillator: Oscillator, friction_coefficient: float, g: float = 9.81, spacing: float = math.inf
+    oscillator: Oscillator, friction_coefficient: float, g: float = GRAVITY, spacing: float = math.inf
 ) -> float:
     """Return the largest compression x₀ [m] from which the machine can be released without slip at any contact.
 

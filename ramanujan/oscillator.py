@@ -37,6 +37,10 @@ DRAWN_SPACING = (Fraction(12, 5), Fraction(1, 20))
 """a and b [m] of the drawn distance aR + b between the axes of hoop and lower cylinder."""
 
 
+GRAVITY = 9.81
+"""g [m/s²], the gravitational acceleration in every picture and, unless another one is given, in every function."""
+
+
 def drawn_spacing(radius: float) -> float:
     """Return L [m], the distance between the axes of hoop and lower cylinder in every picture of the machine.
 

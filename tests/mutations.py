@@ -33,7 +33,7 @@ class Mutation:
 
 
 _SPIN = "rotate(${(FORMULAS.angle[name](known) * 360) / TURN})"
-_ARROWS = "velocityArrow(start, from[name][1], FORMULAS.velocity[name](known) * speed"
+_ARROWS = "velocityArrow(start, from[name][1], velocity(name, known) * per.speed"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
     Mutation(
@@ -97,12 +97,14 @@ MUTATIONS = [
         "energies.reduce((sum, energy) => sum + energy, 0)",
         "Math.max(...energies)",
     ),
-    Mutation("velocities point the wrong way", "stage/layers.js", _ARROWS, _ARROWS.replace("FORMULAS", "-FORMULAS")),
+    Mutation(
+        "velocities point the wrong way", "stage/layers.js", _ARROWS, _ARROWS.replace("velocity(name", "-velocity(name")
+    ),
     Mutation(
         "forces point the wrong way",
         "stage/layers.js",
-        "FORMULAS.contact_force[contact](known) * force",
-        "-FORMULAS.contact_force[contact](known) * force",
+        "forceArrow(x, y, force * scale",
+        "forceArrow(x, y, -force * scale",
     ),
     Mutation(
         "the reference arrow is too long",
@@ -148,8 +150,8 @@ MUTATIONS = [
     Mutation(
         "the speed buttons are dead",
         "stage/toolbar.js",
-        "speed: Number(button.dataset.speed)",
-        "",
+        "stage.setClock(JSON.parse(button.dataset.clock))",
+        "{}",
         "speed_buttons",
     ),
     Mutation(
@@ -162,15 +164,15 @@ MUTATIONS = [
     Mutation(
         "the view jumps after a threshold",
         "stage/playback.js",
-        "shift: this.solution.drift * time",
-        "shift: Math.abs(this.solution.drift) > 1e-12 ? this.solution.drift * time + 0.03 : 0",
+        ": this.solution.drift * time",
+        ": Math.abs(this.solution.drift) > 1e-12 ? this.solution.drift * time + 0.03 : 0",
         "smallest_push",
     ),
     Mutation(
         "the view stays behind",
         "stage/playback.js",
-        "shift: this.solution.drift * time",
-        "shift: 0",
+        ": this.solution.drift * time",
+        ": 0",
         "pushed_machine",
     ),
     Mutation("X counts to the right", "stage/coordinates.js", "length = -7.5", "length = 7.5", "layer_of_coordinates"),

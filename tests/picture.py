@@ -56,7 +56,8 @@ _READ = f"""() => {{
   const arrow = (group) => {{
     const path = group.querySelector("path:last-of-type");
     if (!path.getAttribute("d")) return null;
-    return [...box(path), path.getPointAtLength(0).matrixTransform(path.getScreenCTM()).x];
+    const tail = path.getPointAtLength(0).matrixTransform(path.getScreenCTM());
+    return [...box(path), tail.x, tail.y];
   }};
   const scale = (name) => {{
     const group = root.querySelector(`.scales .${{name}}`), text = group.querySelector("text").textContent;
@@ -77,8 +78,10 @@ _READ = f"""() => {{
     centre: middle(root.querySelector(".centre circle")),
     hands: {{ machine: hand("machine"), plain: hand("plain") }},
     arrows: byKey(".arrows [data-body]", "body", arrow),
-    forces: byKey(".forces [data-contact]", "contact", arrow),
-    scales: {{ speed: scale("speed"), force: scale("force") }},
+    rolling: byKey(".rolling [data-point]", "point", arrow),
+    forces: byKey(".forces [data-force]", "force", arrow),
+    weights: byKey(".weights [data-force]", "force", arrow),
+    scales: {{ speed: scale("speed"), force: scale("force"), weight: scale("weight") }},
     step: root.querySelector("[data-step]").dataset.step,
   }};
 }}"""
@@ -129,7 +132,7 @@ class Picture:
         """Show these layers and no others."""
         for button in self.page.locator(".st-key-stage [data-layer]").all():
             if (button.get_attribute("aria-pressed") == "true") != (button.get_attribute("data-layer") in names):
-                button.click()
+                button.evaluate("button => button.click()")
         next_frame(self.page)
 
     def painted(self) -> np.ndarray:
@@ -152,8 +155,16 @@ def length(arrow: list[float] | None) -> float:
     """The length of an arrow in pixels, positive to the right; its path begins at its tail."""
     if arrow is None:
         return 0.0
-    left, _, right, _, tail = arrow
+    left, _, right, _, tail, _ = arrow
     return right - left if abs(tail - left) < abs(tail - right) else left - right
+
+
+def upwards(arrow: list[float] | None) -> float:
+    """The length of an upright arrow in pixels, positive upwards."""
+    if arrow is None:
+        return 0.0
+    _, upper, _, lower, _, tail = arrow
+    return lower - upper if abs(tail - lower) < abs(tail - upper) else upper - lower
 
 
 def difference(a: float, b: float) -> float:

@@ -15,14 +15,14 @@ import pytest
 from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, mass_ratio_for
-from ramanujan.contact import contact_forces
+from ramanujan.contact import contact_forces, normal_forces
 from ramanujan.energy import energies
 from ramanujan.motion import InitialState, ground_positions, ground_velocities, released
 from ramanujan.pages.motion.cache import drawn_spacing
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import STAGE, next_frame, settle
-from tests.picture import ROLLERS, Picture, difference, length, middle, places
+from tests.picture import ROLLERS, Picture, difference, length, middle, places, upwards
 from tests.reading import NUMBER, read
 from tests.test_look import THEME, rgb
 
@@ -116,7 +116,7 @@ def check_bodies(picture: Picture, drawn: dict, home: dict[str, float]) -> None:
 
 
 def test_all_that_is_drawn_agrees_with_the_core(picture):
-    picture.layers("energy", "arrows", "forces")
+    picture.layers("energy", "arrows", "forces", "weights")
     known: dict[float, dict[str, float]] = {}
     for machine, compression in [*machines(MACHINES), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]:
         picture.show(machine, compression)
@@ -130,8 +130,9 @@ def test_all_that_is_drawn_agrees_with_the_core(picture):
             velocity = ground_velocities(machine, picture.q_dot)
             check_arrows(drawn["arrows"], velocity, drawn["scales"]["speed"], "m/s")
             force = contact_forces(machine, picture.q)
-            del force["spring"]
-            check_arrows(drawn["forces"], force, drawn["scales"]["force"], "N")
+            springs = {"spring slab": force["spring"], "spring block": -force.pop("spring")}
+            check_arrows(drawn["forces"], in_pairs(force) | springs, drawn["scales"]["force"], "N")
+            check_weights(picture, drawn)
             for name in ROLLERS:
                 if arrow := drawn["arrows"][name]:
                     assert arrow[4] == pytest.approx(places(drawn)[name], abs=HALF_A_PIXEL), "it begins at the axis"
@@ -140,6 +141,72 @@ def test_all_that_is_drawn_agrees_with_the_core(picture):
         (least, left), (most, right) = drawn["ticks"][0], drawn["ticks"][-1]
         expected = left + (machine.normalized_frequency_squared - least) / (most - least) * (right - left)
         assert drawn["pointer"] == pytest.approx(expected, abs=2 * HALF_A_PIXEL)
+
+
+def in_pairs(on_rollers: dict[str, float]) -> dict[str, float]:
+    """The force at every contact on its roller, and the opposite one on the other body."""
+    bodies = {contact: contact.split("_") for contact in on_rollers}
+    return {
+        f"{contact} {body}": sign * on_rollers[contact]
+        for contact, pair in bodies.items()
+        for body, sign in zip(pair, (1, -1), strict=True)
+    }
+
+
+def check_weights(picture: Picture, drawn: dict) -> None:
+    """Weights and normal forces: opposite and equal in pairs, at their contacts, and no body leaves the floor."""
+    machine, g = picture.machine, 9.81
+    normal = normal_forces(machine, picture.q, spacing=drawn_spacing(machine.radius))
+    sides = {name: -1 if name.endswith("slab") else 1 for name in normal}
+    expected = in_pairs({name: sides[name] * normal[name] for name in normal})
+    masses = dict.fromkeys(("block", "slab", "top"), machine.m) | dict.fromkeys(("hoop", "cylinder"), machine.m_prime)
+    expected |= {f"weight {name}": -g * mass for name, mass in masses.items()} | {
+        "floor block": g * sum(masses.values())
+    }
+    check_arrows(drawn["weights"], expected, drawn["scales"]["weight"], "N", upwards)
+    for body in masses:
+        total = sum(upwards(arrow) for name, arrow in drawn["weights"].items() if name.split()[1] == body)
+        assert total == pytest.approx(0, abs=6 * HALF_A_PIXEL), f"{body} neither rises nor falls"
+    for name, arrow in drawn["weights"].items():
+        contact, body = name.split()
+        if arrow and contact in normal:
+            x, y = drawn["rollers"][contact.split("_")[0]]["centre"]
+            R = drawn["rollers"]["hoop"]["radius"]
+            assert [middle(arrow), arrow[5]] == pytest.approx([x, y + sides[contact] * R], abs=2 * HALF_A_PIXEL), name
+
+
+def test_seen_from_the_block_it_stands_still_and_rolling_is_seen(picture):
+    """The floor moves then, and on a lower roller the velocities are 0, Rφ̇ and 2Rφ̇, whatever the block does."""
+    switch = picture.page.get_by_role("button", name="From the block")
+    picture.layers("arrows")
+    switch.click()
+    try:
+        for machine, compression in machines(MACHINES)[-2:]:
+            picture.show(machine, compression)
+            blocks, zeros = [], []
+            for periods in (0.1, 0.25, 0.6, 0.95):
+                drawn = picture.at(periods)
+                check_bodies(picture, drawn, homes(picture, drawn))
+                blocks.append(drawn["block"])
+                zeros.append(picture.zero - picture.q[0] * picture.pixels)
+                ground = ground_velocities(machine, picture.q_dot)
+                relative = {name: velocity - ground["block"] for name, velocity in ground.items()}
+                scale = drawn["scales"]["speed"]
+                assert "relative to the block" in scale["text"]
+                check_arrows(drawn["arrows"], relative, scale, "m/s")
+                rolling = machine.radius * picture.q_dot[1]
+                check_arrows(drawn["rolling"], {"contact": 0, "centre": rolling, "top": 2 * rolling}, scale, "m/s")
+                (x, y), R = drawn["rollers"]["hoop"]["centre"], drawn["rollers"]["hoop"]["radius"]
+                tails = [[*drawn["rolling"][point][4:]] for point in ("contact", "centre", "top")]
+                assert np.array(tails) == pytest.approx(
+                    np.array([[x, y + R], [x, y], [x, y - R]]), abs=2 * HALF_A_PIXEL
+                )
+            assert np.ptp(blocks, axis=0).max() < HALF_A_PIXEL
+            assert np.ptp(zeros) < 2 * HALF_A_PIXEL, "the floor moves by X"
+    finally:
+        switch.click()
+    # Negative control: seen from the ground it is the block that moves.
+    assert np.ptp([picture.at(periods)["block"][0] for periods in (0.1, 0.6)]) > 2
 
 
 def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: float) -> None:
@@ -194,16 +261,16 @@ def check_bars(picture: Picture, drawn: dict) -> None:
         assert said == pytest.approx(100 * shares[name], abs=0.51), name
 
 
-def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str) -> None:
+def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str, size=length) -> None:
     """Each arrow is as long as its value says by the reference arrow beside them, whose size is round."""
-    assert scale["text"].endswith(f"\u202f{unit}")
+    assert re.fullmatch(rf".+\u202f{unit}(, .*)?", scale["text"])
     mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
     assert round(mantissa, 9) in (1, 2, 5)
     per_unit = length(scale["box"]) / scale["value"]
     assert per_unit > 0
     assert arrows.keys() == expected.keys()
     for name, value in expected.items():
-        assert length(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name
+        assert size(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name
 
 
 def test_the_traces_follow_the_marks_on_the_rims(picture):

@@ -266,6 +266,7 @@ def test_the_keyboard_does_everything(visit):
 
 def test_layers(visit):
     page = visit(motion="no-preference")
+    page.get_by_role("button", name="Show").click()
     for layer, selector in [("Velocities", ".arrows"), ("Forces", ".forces"), ("Traces", ".traces")]:
         assert inside(page, f"root.querySelector('{selector}').style.display") == "none"
         page.get_by_role("button", name=layer).click()

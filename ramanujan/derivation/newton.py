@@ -141,6 +141,40 @@ def contact_forces(bodies: Machine | None = None) -> dict[str, sp.Expr]:
     return {contact.name: _by_acceleration(contact, solution) for contact in CONTACTS}
 
 
+def spring_forces(bodies: Machine) -> dict[str, sp.Expr]:
+    """Return the force of the spring ON slab and block, to the right, −∂U/∂x of each [N].
+
+    >>> spring_forces(machine())["slab"]
+    -2*R*k*varphi(t)
+    """
+    return {name: _spring_on(bodies[name], bodies) for name in ("slab", "block")}
+
+
+def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the normal force at every contact [N], from the balances of vertical forces and, for the slab, of moments.
+
+    The slab is thin; for φ = 0 its middle lies midway between the axes of the rollers.
+
+    Parameters
+    ----------
+    bodies : the machine
+    spacing : L, distance between the axes of hoop and lower cylinder [m]
+    g : gravitational acceleration [m/s²]
+
+    >>> L, g = sp.symbols("L g")
+    >>> sp.factor(normal_forces(machine(), L, g)["hoop_slab"])
+    g*m*(L - 2*R*varphi(t))/(2*L)
+    """
+    on_hoop, on_cylinder = sp.symbols("N_hoop N_cylinder")
+    ahead = bodies["slab"].displacement - bodies["hoop"].displacement
+    vertical = on_hoop + on_cylinder - bodies["slab"].mass * g
+    moments = on_hoop * (spacing / 2 + ahead) - on_cylinder * (spacing / 2 - ahead)
+    carried = sp.solve((vertical, moments), (on_hoop, on_cylinder))
+    loads = {"hoop": carried[on_hoop], "cylinder": carried[on_cylinder], "top": sp.S.Zero}
+    own = {contact.name: bodies[contact.roller].mass * g if contact.side == BOTTOM else 0 for contact in CONTACTS}
+    return {contact.name: sp.factor(loads[contact.roller] + own[contact.name]) for contact in CONTACTS}
+
+
 @ROUTES.add("newton")
 def build() -> Route:
     """Return the route: balances, rolling, solution, contact forces, Ω²."""

@@ -10,7 +10,7 @@ from functools import cache, lru_cache
 from typing import Any
 
 import sympy as sp
-from sympy.physics.vector.printing import VectorLatexPrinter
+from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinter
 from sympy.printing.latex import translate
 
 from ramanujan.derivation.exact import LONG, Number, truncated
@@ -22,6 +22,7 @@ from ramanujan.derivation.symbols import (
     epsilon_star,
     m_prime,
     normalized_frequency_squared,
+    t,
 )
 
 _NAMES = {
@@ -126,6 +127,17 @@ def _printed(expression: sp.Basic, highlight: tuple[tuple[sp.Basic, str], ...]) 
 def colored(formula: str, color: str | None) -> str:
     """Return LaTeX in a colour, #rrggbb; without a colour, as it is."""
     return rf"\textcolor{{{color}}}{{{formula}}}" if color else formula
+
+
+def plain_text(expression: sp.Expr) -> str:
+    """Return a short expression as a label: Unicode on one line, factors side by side.
+
+    >>> from ramanujan.derivation.symbols import R, phi
+    >>> plain_text(2 * R * phi)
+    '2Rφ'
+    """
+    named = expression.subs({q: sp.Function(str(q.func).replace("var", ""))(t) for q in COORDINATES}).doit()
+    return VectorPrettyPrinter({"use_unicode": True, "wrap_line": False}).doprint(named).replace("⋅", "")
 
 
 def javascript(formulas: Mapping[str, Any]) -> str:

@@ -12,6 +12,7 @@ The topics of the bus, where NAME is the name of a stage:
     machine/NAME      what `stage.payload` returns; published by the stage’s messages, forgotten when the page is left
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
+    dragged           true as soon as a slab has been dragged: the hint to do so has served its purpose
     seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
     enter/KEY         a text that somebody else wants to be typed into the box of a slider
     box/KEY           what a slider's box must know of it, see `bring`; published by the library

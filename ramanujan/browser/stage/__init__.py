@@ -15,7 +15,7 @@ The contract, version 1. To the page, once:
                  same, it cannot be dragged
     watch        key of a slider → {parameter, scale, step}: its value times scale is that parameter in SI units
     clock        stages with the same clock run and pause together
-    layers       which of energy, arrows, traces, forces, coordinates are shown at first
+    layers       which of `LAYERS` are shown at first
     compact      only the picture and its label, without controls
     dials        whether the two clock hands, the gauge and the readouts are shown
     narrow       whether these are shown below the picture
@@ -61,11 +61,14 @@ PARTS = {
     "motion": "the motion itself and what shows it: the machine stands still as it was released",
     "energy": "the energy bar, with its button",
     "arrows": "the velocity arrows, with their button",
-    "forces": "the contact forces, with their button",
+    "forces": "contact forces and spring forces, with their button",
+    "weights": "weights and normal forces, with their button",
     "traces": "the traces, with their button",
     "coordinates": "the coordinates, with their button",
 }
 """Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
+LAYERS = ("energy", "arrows", "forces", "weights", "traces", "coordinates")
+"""Parts of a stage that a person shows by a button."""
 
 
 def payload(
@@ -133,7 +136,7 @@ def mount(
     key : of the stage among the page's elements
     name : the stage's name on the page's bus, unique in the whole app; without it, the key
     clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
-    layers : shown at first, of energy, arrows, traces, forces, coordinates
+    layers : shown at first, of `LAYERS`
     compact : only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
     narrow : show them below the picture

@@ -5,13 +5,13 @@ import { clamp } from "./motion.js";
 export const EYE = 0.7; // s, the shortest period that an eye can follow; what is faster is slowed
 
 const running = new Set(); // stages on the page
-const clocks = new Map(); // name → { playing, speed, slowing, stages }
+const clocks = new Map(); // name → { playing, speed, slowing, seenFrom, stages }
 let frame = 0;
 let lastTick = 0;
 
 /** Put a stage on the clock of that name until the signal aborts, and return the clock. */
 export function joinClock(name, stage, playing, signal) {
-  if (!clocks.has(name)) clocks.set(name, { playing, speed: 1, slowing: 1, stages: new Set() });
+  if (!clocks.has(name)) clocks.set(name, { playing, speed: 1, slowing: 1, seenFrom: "ground", stages: new Set() });
   const clock = clocks.get(name);
   clock.stages.add(stage);
   running.add(stage);

@@ -17,6 +17,7 @@ function coordinateMarks(known, g, shift) {
     ...blockMarks(over.block, -shift * CM, g),
     ...Object.assign({}, ...ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), over[name], g))),
     ...springMarks(over.block, known.compression * CM, g),
+    ...slabMarks(over.block, over.slab, g),
     ...radiusMarks(over.top, g),
     ...sharedMarks(over.hoop, g),
   };
@@ -61,6 +62,17 @@ function springMarks(block, compression, g) {
   };
 }
 
+/** 2Rφ: from where the slab's end is with the spring at its own length to where it is now. */
+function slabMarks(block, slab, g) {
+  const [rest, end] = [block, slab].map((moved) => g.slab.left + moved), low = g.slab.bottom + g.thick / 2;
+  const y = g.slab.bottom + g.thick + 5.8 * Math.max(1, g.R / 10);
+  return {
+    slab_guide: { d: `M${rest} ${-low}V${-y - 1.2}M${end} ${-low}V${-y - 1.2}` },
+    slab_value: { d: velocityArrow(rest, y, end - rest, headOf(g.R)) },
+    slab_label: { x: Math.max(rest, end) + 1, y: -y },
+  };
+}
+
 /** R, drawn in the top roller; all three are of one size. */
 function radiusMarks(moved, g) {
   const [x0, y0] = g.centre.top, x = x0 + moved, at = (-38 * TURN) / 360, side = 0.24 * g.R;
@@ -80,7 +92,7 @@ function sharedMarks(moved, g) {
   };
 }
 
-const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", shared_label: WORDS.each };
+const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", slab_label: WORDS.deformation, shared_label: WORDS.each };
 
 /** Put the marks under a node; `frame` moves them. */
 export function makeCoordinates(root) {

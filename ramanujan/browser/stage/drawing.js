@@ -28,7 +28,9 @@ export function layout({ radius }, [, largest]) {
   const shelf = upper + R * 0.45; // of the plain mass, with its caption above
   const view = fitted({ left: -9, right: right + travel + 2, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
-  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, shelf };
+  const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
+  const middle = { block: (low * deck + high * upper) / (low + high) / 2, slab: slab.bottom + thick / 2, ...mapValues(centre, ([, y]) => y) };
+  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, middle, shelf };
 }
 
 /** The view widened to both sides, or upwards, until it has the shape of every picture. */
@@ -65,13 +67,14 @@ export function velocityArrow(x, y, length, longest) {
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
-/** A force: a broad, filled arrow. */
-export function forceArrow(x, y, length, longest) {
+/** A force, to the right or, if upright, upwards: a broad, filled arrow. */
+export function forceArrow(x, y, length, longest, upright = false) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longest), shaft = length - head;
   const [thick, wide] = [0.22 * head, 0.62 * head];
-  const barb = wide - thick;
-  return `M${x} ${-y - thick}h${shaft}v${-barb}l${head} ${wide}l${-head} ${wide}v${-barb}h${-shaft}z`;
+  const corners = [[0, thick], [shaft, thick], [shaft, wide], [length, 0], [shaft, -wide], [shaft, -thick], [0, -thick]];
+  const points = corners.map(([along, across]) => (upright ? `${x + across} ${-y - along}` : `${x + along} ${-y - across}`));
+  return `M${points.join("L")}z`;
 }
 
 /** The largest of 1, 2, 5, 10, 20, … that is not above a value. */
@@ -89,6 +92,33 @@ export const CONTACTS = {
   cylinder_block: ["cylinder", -1],
   top_block: ["top", -1],
 };
+
+const ASIDE = 1.1; // cm, how far beside the surface a friction force is drawn, on the side of the body on which it acts
+
+/**
+ * The forces on every body, name → [the body on which it acts, x, y, newtons to the right or upwards]: at a contact two that are
+ * opposite and equal. `forces` lie along the floor, `weights` upright.
+ */
+export function forcesOn(known, g, shift) {
+  const over = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+  const home = centresOfMass(g), beside = 0.22 * g.R, weights = mapValues(FORMULAS.weight, (weight) => weight(known)), forces = {}, upright = {};
+  for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
+    const other = contact.split("_")[1], x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
+    const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
+    forces[`${contact} ${roller}`] = [roller, x, y - side * ASIDE, friction];
+    forces[`${contact} ${other}`] = [other, x, y + side * ASIDE, -friction];
+    upright[`${contact} ${roller}`] = [roller, x, y, normal];
+    upright[`${contact} ${other}`] = [other, x, y, -normal];
+  }
+  const along = g.slab.bottom + g.thick - ASIDE;
+  forces["spring slab"] = ["slab", g.slab.right + over.slab, along, FORMULAS.spring_force.slab(known)];
+  forces["spring block"] = ["block", g.riser + over.block, along, FORMULAS.spring_force.block(known)];
+  // Beside the line of a roller's normal forces, which would hide its weight.
+  for (const name of BODIES) upright[`weight ${name}`] = [name, home[name] + over[name] + (ROLLERS.includes(name) ? beside : 0), g.middle[name], -weights[name]];
+  const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
+  upright["floor block"] = ["block", centreOfMass(known, g, shift), 0, total];
+  return { forces, weights: upright };
+}
 
 /** A spring between two points at one height: a zigzag whose ends are straight. */
 export function coil(from, to, y, height) {
@@ -138,6 +168,7 @@ export function placed(known, g, shift = 0) {
     bodies: mapValues(home, ([x0, y0], name) => `translate(${x0 + x[name]} ${-y0})`),
     spins: Object.fromEntries(ROLLERS.map((name) => [name, `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})`])),
     spring: coil(g.slab.right + x.slab, g.riser + x.block, g.slab.bottom + g.thick / 2, 2),
+    stiffness: (g.slab.right + x.slab + g.riser + x.block) / 2,
   };
 }
 
@@ -153,12 +184,15 @@ export function centreOfMass(known, g, shift) {
   return moment / total;
 }
 
-/** How a roller's rim travels over the floor through these states: the path of the mark on it. */
-export function rimTrace(name, states, g) {
-  const [x, y] = g.centre[name];
+/** What stands still where one looks from: the block, or the ground; of a formula for every body, its value there. */
+export const standing = (formulas, known, seenFrom) => (seenFrom === "block" ? formulas.block(known) : 0);
+
+/** How a roller's rim travels through these states over the floor or the block: the path of the mark on it. */
+export function rimTrace(name, states, g, seenFrom) {
+  const [x, y] = g.centre[name], { displacement } = FORMULAS;
   const points = states.map((known) => {
     const angle = FORMULAS.angle[name](known);
-    return `${x + FORMULAS.displacement[name](known) * CM + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
+    return `${x + (displacement[name](known) - standing(displacement, known, seenFrom)) * CM + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
   });
   return `M${points.join("L")}`;
 }

@@ -7,11 +7,12 @@ from typing import Any
 import sympy as sp
 
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.newton import contact_forces
+from ramanujan.derivation.newton import contact_forces, normal_forces, spring_forces
 from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.printers import plain_text
 from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, R, epsilon, k, m, m_prime, machine, phi, t
-from ramanujan.oscillator import DRAWN_SPACING
+from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, Machine, R, epsilon, k, m, m_prime, machine, phi, t
+from ramanujan.oscillator import DRAWN_SPACING, GRAVITY
 
 SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
 """β of the paper's rollers."""
@@ -24,6 +25,7 @@ def formulas() -> dict[str, Any]:
     frequency_squared = eliminate(bodies).natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
     per_radius, gap = map(sp.Rational, DRAWN_SPACING)
+    spacing, g = per_radius * R + gap, sp.Rational(str(GRAVITY))
     # φ has no drift, so that φ̈ = −Ω²φ at every moment.
     forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
     return {
@@ -36,7 +38,7 @@ def formulas() -> dict[str, Any]:
             str(q.func).replace("varphi", "phi"): dict(zip("abcd", parts, strict=True))
             for q, parts in coefficients(bodies).items()
         },
-        "spacing": per_radius * R + gap,
+        "spacing": spacing,
         "deformation": bodies.deformation,
         "released_angle": sp.solve(bodies.deformation - sp.Symbol("compression"), bodies["hoop"].angle)[0],
         "mass": {body.name: body.mass for body in bodies.bodies},
@@ -45,5 +47,25 @@ def formulas() -> dict[str, Any]:
         "velocity": {body.name: body.velocity for body in bodies.bodies},
         "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
         "potential_energy": bodies.potential_energy,
+        "rolling": _rolling(bodies),
         "contact_force": forces,
+        "spring_force": spring_forces(bodies),
+        "normal_force": normal_forces(bodies, spacing, g),
+        "weight": {body.name: body.mass * g for body in bodies.bodies},
     }
+
+
+def labels() -> dict[str, Any]:
+    """Return the expressions that stand in the picture, as text."""
+    bodies = machine()
+    return {
+        "deformation": plain_text(bodies.deformation),
+        "rolling": {name: plain_text(velocity) for name, velocity in _rolling(bodies).items()},
+    }
+
+
+def _rolling(bodies: Machine) -> dict[str, sp.Expr]:
+    """Return the velocities of three points of a lower roller relative to the block: its contact, centre and top."""
+    roller = bodies["hoop"]
+    centre, rim = sp.expand(roller.velocity - bodies["block"].velocity), R * roller.angle.diff(t)
+    return {"contact": centre - rim, "centre": centre, "top": centre + rim}

@@ -1,9 +1,10 @@
-// The layers that can be chosen: energy bars by body, velocity arrows, contact forces, traces of the rims, coordinates.
+// The layers that can be chosen: energy bars by body, velocity arrows, forces along the floor and upright, traces of the rims,
+// coordinates.
 
 import { fill, fixed, number, withUnit } from "../page/sentences.js";
 import { makeCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, headOf, rimTrace, roundBelow, velocityArrow,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, rimTrace, roundBelow, standing, velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -16,7 +17,7 @@ const PERIOD_POINTS = 24; // in which the greatest speed and force of a period a
 
 export function makeLayers(root) {
   const find = finder(root);
-  let shown = new Set(), place = null, peak = { speed: 0, force: 0 }, data = {};
+  let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground";
 
   const bars = [], shares = [], names = [];
   for (const name of [...BODIES, "spring"]) {
@@ -32,7 +33,12 @@ export function makeLayers(root) {
   }
   const line = (layer, name, data) => makeLine(name, data, find(`.${layer}`));
   const arrows = Object.fromEntries(BODIES.map((name) => [name, line("arrows", name, { body: name })]));
-  const forces = mapValues(CONTACTS, ([roller], contact) => line("forces", roller, { contact }));
+  const forces = {}, weights = {}; // name → its line
+  const rolling = mapValues(FORMULAS.rolling, (_, point) => {
+    const label = element("text", {}, find(".rolling"));
+    label.textContent = WORDS.rolling[point];
+    return { line: line("rolling", "hoop", { point }), label };
+  });
   const traces = Object.fromEntries(ROLLERS.map((name) => [name, line("traces", name, { body: name })]));
   const coordinates = makeCoordinates(find(".coordinates"));
 
@@ -43,68 +49,94 @@ export function makeLayers(root) {
     find(".shared").textContent = fill(WORDS.shared, words);
   }
 
-  function machine(parameters, solution, newData) {
-    data = newData;
-    findPeaks(onePeriod(parameters, solution, PERIOD_POINTS));
+  function machine(parameters, solution, newData, from) {
+    [data, seenFrom] = [newData, from];
+    show(shown);
+    findScales(onePeriod(parameters, solution, PERIOD_POINTS));
     drawScales();
     const states = onePeriod(parameters, solution, TRACE_POINTS);
-    for (const name of ROLLERS) traces[name](rimTrace(name, states, place));
+    for (const name of ROLLERS) traces[name](rimTrace(name, states, place, from));
   }
 
-  /** The greatest speed and the greatest contact force of a period: they set the scale of the arrows. */
-  function findPeaks(states) {
-    const largest = (formulas, known) => Math.max(...Object.values(formulas).map((formula) => Math.abs(formula(known))));
-    peak = {
-      speed: Math.max(...states.map((known) => largest(FORMULAS.velocity, known))),
-      force: Math.max(...states.map((known) => largest(FORMULAS.contact_force, known))),
-    };
-  }
+  const velocity = (name, known) => FORMULAS.velocity[name](known) - standing(FORMULAS.velocity, known, seenFrom);
 
-  /** How long an arrow is [cm] for a metre per second, and for a newton. */
-  const lengthOf = () => ({
-    speed: (1.5 * Math.max(place.R, 8)) / (peak.speed || 1),
-    force: (1.1 * Math.max(place.R, 8)) / (peak.force || 1),
-  });
+  /** The greatest speed and forces of a period set the scale of the arrows: how long one is [cm] for a m/s, and for a newton. */
+  function findScales(states) {
+    const largest = (values) => Math.max(...states.map((known) => Math.max(...values(known).map(Math.abs)))) || 1;
+    const size = Math.max(place.R, 8), newtons = (of) => Object.values(of).map(([, , , force]) => force);
+    const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
+    const force = largest((known) => newtons(forcesOn(known, place, 0).forces));
+    // The normal forces of a lower roller point at each other, and must not meet.
+    const pair = largest((known) => ["hoop", "cylinder"].map((name) => FORMULAS.normal_force[`${name}_slab`](known) + FORMULAS.normal_force[`${name}_block`](known)));
+    const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
+    const total = largest((known) => newtons(forcesOn(known, place, 0).weights));
+    peak = { speed, force, weight: pair / 2 };
+    per = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight: Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total) };
+  }
 
   /** An arrow of each kind of a round size, with its value: without it lengths would mean nothing. */
   function drawScales() {
-    const x = place.view.left + 2, above = place.slab.bottom + place.thick, per = lengthOf();
-    const rows = { speed: [above + 16, velocityArrow, "m/s"], force: [above + 10, forceArrow, "N"] };
-    for (const [name, [y, draw, unit]] of Object.entries(rows)) {
-      const value = roundBelow(peak[name] || 1), length = value * per[name];
+    const x = place.view.left + 2, above = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
+    const first = Math.min(above + 20 * row, place.view.top - 3.5), step = (first - above - 9 * row) / 2;
+    const rows = [
+      ["speed", velocityArrow, "m/s", seenFrom === "block" ? WORDS.relative : "{speed}"],
+      ["force", forceArrow, "N", "{force}"],
+      ["weight", forceArrow, "N", WORDS.vertical],
+    ];
+    for (const [i, [name, draw, unit, sentence]] of rows.entries()) {
+      const value = roundBelow(peak[name]), length = value * per[name], y = first - i * step;
       set(find(`.${name} path`), { d: draw(x, y, length, headOf(place.R)) });
-      const label = find(`.${name} text`);
+      const label = find(`.${name} text`), text = withUnit(number(value, 1), unit);
       set(label, { x: x + length + 1.5, y: -y });
-      label.textContent = withUnit(number(value, 1), unit);
+      label.textContent = fill(sentence, { speed: text, force: text });
     }
   }
 
   function frame(known, shift, write) {
-    if (shown.has("traces")) set(find(".traces"), { transform: `translate(${-shift * CM})` });
+    const origin = standing(FORMULAS.displacement, known, seenFrom);
+    if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
     if (shown.has("arrows")) drawArrows(known, shift);
+    if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces")) drawForces(known, shift);
+    if (shown.has("weights")) drawAll(weights, forcesOn(known, place, shift).weights, per.weight, true);
     if (shown.has("coordinates")) coordinates.frame(known, place, shift);
     if (shown.has("energy")) drawEnergy(known, write);
   }
 
   function drawArrows(known, shift) {
-    const from = anchors(place), { speed } = lengthOf();
+    const from = anchors(place);
     for (const name of BODIES) {
       const start = from[name][0] + (FORMULAS.displacement[name](known) - shift) * CM;
-      arrows[name](velocityArrow(start, from[name][1], FORMULAS.velocity[name](known) * speed, headOf(place.R)));
+      arrows[name](velocityArrow(start, from[name][1], velocity(name, known) * per.speed, headOf(place.R)));
+    }
+  }
+
+  /** Rolling: on a lower roller the velocities of its contact, its centre and its top relative to the block. */
+  function drawRolling(known, shift) {
+    const [home, middle] = place.centre.hoop, x = home + (FORMULAS.displacement.hoop(known) - shift) * CM;
+    for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
+      const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
+      rolling[point].line(velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0`);
+      set(rolling[point].label, { x: x + length + 1.2 * side, y: -y });
+      // Where an arrow turns round, its letters would jump.
+      const visibility = formula !== FORMULAS.rolling.contact && Math.abs(length) < 1.5 ? "hidden" : "";
+      Object.assign(rolling[point].label.style, { textAnchor: side < 0 ? "end" : "start", visibility });
     }
   }
 
   function drawForces(known, shift) {
-    const { centre, R } = place, { force } = lengthOf();
-    for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
-      const [x, y] = centre[roller];
-      const start = x + (FORMULAS.displacement[roller](known) - shift) * CM;
-      // On the roller's own side of the contact.
-      forces[contact](forceArrow(start, y + side * R * 0.9, FORMULAS.contact_force[contact](known) * force, headOf(R)));
-      if (contact === data.slipping) set(find(".slipping"), { transform: `translate(${start} ${-(y + side * R)})` });
+    const all = forcesOn(known, place, shift).forces;
+    drawAll(forces, all, per.force, false);
+    const slips = CONTACTS[data.slipping], [, x] = all[`${data.slipping} ${slips?.[0]}`] ?? [];
+    if (slips) set(find(".slipping"), { transform: `translate(${x} ${-(place.centre[slips[0]][1] + slips[1] * place.R)})` });
+    find(".slipping").style.display = slips ? "" : "none";
+  }
+
+  function drawAll(lines, all, scale, upright) {
+    for (const [name, [body, x, y, force]] of Object.entries(all)) {
+      lines[name] ??= makeLine(body, { force: name }, find(upright ? ".weights" : ".forces"));
+      lines[name](forceArrow(x, y, force * scale, Math.min(headOf(place.R), 1.8), upright));
     }
-    find(".slipping").style.display = data.slipping ? "" : "none";
   }
 
   function drawEnergy(known, write) {
@@ -120,9 +152,13 @@ export function makeLayers(root) {
     shown = layers;
     find(".energy").hidden = !shown.has("energy");
     find(".shared").hidden = !shown.has("coordinates");
-    for (const name of ["arrows", "traces", "forces", "coordinates"]) see(`.${name}`, shown.has(name));
-    see(".speed", shown.has("arrows"));
+    for (const name of ["arrows", "traces", "forces", "weights", "coordinates"]) see(`.${name}`, shown.has(name));
+    see(".rolling", seenFrom === "block");
+    see(".speed", shown.has("arrows") || seenFrom === "block");
     see(".force", shown.has("forces"));
+    see(".weight", shown.has("weights"));
+    find(".machine").classList.toggle("weighed", shown.has("weights"));
+    find(".machine").classList.toggle("layered", [...shown].some((name) => name !== "energy"));
   }
   const see = (selector, seen) => (find(selector).style.display = seen ? "" : "none");
 

@@ -2,8 +2,8 @@
 // the page: neither the eye nor a screen reader nor a look into the document finds it.
 
 const SAID = ".verdict, .parting"; // what is said of the clocks, in numbers
-const SHOWS_MOTION = ["energy", "arrows", "forces", "traces"];
-const MARKS = { arrows: ", .scales .speed", forces: ", .scales .force", coordinates: ", .shared" };
+const SHOWS_MOTION = ["energy", "arrows", "forces", "weights", "traces"];
+const MARKS = { arrows: ", .scales .speed", forces: ", .scales .force", weights: ", .scales .weight", coordinates: ", .shared" };
 const layerNodes = (name) => `.scene .${name}, [data-layer=${name}]${MARKS[name] ?? ""}`;
 
 /** Part → the nodes that belong to it. `PARTS` of __init__.py explains the names. */
@@ -11,7 +11,7 @@ const PART_NODES = {
   clocks: `.dial, .key, ${SAID}`,
   numbers: `.gauge, .readouts, .legend b, .scales, ${SAID}`,
   plain: ".machine > .plain",
-  motion: [".transport, .scrub, .speeds, .scales", ...SHOWS_MOTION.map(layerNodes)].join(", "),
+  motion: [".transport, .scrub, .speeds, .controls .viewpoint, .scales", ...SHOWS_MOTION.map(layerNodes)].join(", "),
   ...Object.fromEntries([...SHOWS_MOTION, "coordinates"].map((name) => [name, layerNodes(name)])),
 };
 

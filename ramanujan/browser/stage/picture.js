@@ -8,6 +8,7 @@ import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
 import { finder } from "./parts.js";
 import { element, set } from "./svg.js";
+import { WORDS } from "./texts.js";
 import { pictured } from "./words.js";
 
 /**
@@ -72,13 +73,13 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
     set(find(".plain .caption"), { x: place.riser - 1, y: -place.shelf - high - 4 });
   }
 
-  function machine({ parameters, solution, data, parts: { hides } }) {
+  function machine({ parameters, solution, data, clock, parts: { hides } }) {
     for (const name of BODIES) parts[name].group.style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
     set(find(".picture"), { role: "img", "aria-label": pictured(parameters) });
     light(data.lit);
     dial.machine(solution, data, !hides("clocks"));
-    layers.machine(parameters, solution, data);
+    layers.machine(parameters, solution, data, clock.seenFrom);
   }
 
   /** Let one body, or the spring, stand out; without a name, all are alike. */
@@ -105,7 +106,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
     ghosts = (states ?? []).map((known) => {
       const ghost = moving.cloneNode(true);
       set(ghost, { class: "ghost" });
-      for (const node of ghost.querySelectorAll("text, title, .grip")) node.remove();
+      for (const node of ghost.querySelectorAll("text, title, .grip, .handle")) node.remove();
       for (const node of ghost.querySelectorAll("*"))
         for (const name of node.getAttributeNames()) if (name === "tabindex" || name === "role" || name.startsWith("aria-")) node.removeAttribute(name);
       find(".ghosts").append(ghost);
@@ -145,11 +146,17 @@ function drawBodies(root, g, parameters) {
   // A finger needs more than the slab's own height.
   set(body("slab", ".grip"), { ...slab, y: slab.y - 3, height: slab.height + 6 });
   set(body("slab", "text"), { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 });
+  const held = slab.x + 0.77 * slab.width; // clear of the letter, of the velocity's arrow and of x₀
+  set(body("slab", ".handle path"), { d: [-1.2, 0, 1.2].map((x) => `M${held + x} ${slab.y + 1}v${slab.height - 2}`).join("") });
+  set(body("slab", ".handle text"), { x: held, y: -(g.slab.bottom + g.thick + g.shelf) / 2 });
+  body("slab", ".handle text").textContent = WORDS.drag;
+  set(root.querySelector(".stiffness"), { y: -g.slab.bottom - g.thick / 2 + 4.5 });
+  root.querySelector(".stiffness").textContent = WORDS.stiffness;
 }
 
 /** The nodes that move, looked up once. */
 function movingParts(root) {
-  const found = { spring: root.querySelector(".spring") };
+  const found = { spring: root.querySelector(".spring"), stiffness: root.querySelector(".stiffness") };
   for (const name of BODIES) {
     const group = root.querySelector(`.body.${name}`);
     found[name] = { group, spin: group.querySelector(".spin") };
@@ -164,6 +171,7 @@ function moveBodies(parts, known, g, shift) {
     if (parts[name].spin) set(parts[name].spin, { transform: at.spins[name] });
   }
   set(parts.spring, { d: at.spring });
+  if (parts.stiffness) set(parts.stiffness, { x: at.stiffness });
 }
 
 /** The floor and its ruler: both far beyond the view, so that they end at the edge of the screen and not before. */

@@ -1,5 +1,6 @@
 // Where a machine is on its way: the two phases, what is left of a jump, and where the way ends. Pure, without a page.
 
+import { FORMULAS } from "./formulas.js";
 import { TURN, mapValues, sampleAt, stateAt } from "./motion.js";
 
 const SMOOTHING = 0.07; // s, the time in which a change of parameters fades into the picture
@@ -12,10 +13,10 @@ export class Playback {
   offset = NO_OFFSET;
   exit = null; // the phase at which the machine has left its place, if somebody has gone beyond it
 
-  /** Take a machine: its parameters, its solution, samples in place of the exact motion, and what tells that it has left. */
-  take({ parameters, solution, samples, leaves }) {
+  /** Take a machine: its parameters, its solution, samples in place of the exact motion, what tells that it has left, and from where it is seen. */
+  take({ parameters, solution, samples, leaves, seenFrom }) {
     const ratio = this.solution && this.solution.Omega / this.solution.plain;
-    Object.assign(this, { parameters, solution, samples, leaves });
+    Object.assign(this, { parameters, solution, samples, leaves, seenFrom });
     this.exit = null;
     // The clocks compare frequencies: they start together whenever these change.
     if (ratio !== solution.Omega / solution.plain) this.plainPhase = this.phase;
@@ -31,7 +32,8 @@ export class Playback {
     const time = phase / this.solution.Omega;
     const state = this.samples ? sampleAt(this.samples, time) : stateAt(this.solution, phase, time);
     const plain = this.parameters.compression * Math.cos(this.plainPhase);
-    return { ...state, plain, shift: this.solution.drift * time };
+    const shift = this.seenFrom === "block" ? FORMULAS.displacement.block(state) : this.solution.drift * time;
+    return { ...state, plain, shift };
   }
 
   now() {

@@ -111,7 +111,8 @@ export class Slab {
     Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
     stage.host.classList.toggle("fixed", fixed);
     if (fixed) set(node, { "aria-hidden": true });
-    else listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
+    else bus.subscribe("dragged", () => stage.host.classList.add("dragged"), { signal });
+    if (!fixed) listenToSlab(node, { picture: stage.picture, limits: stage.limits, stage: this, signal });
   }
 
   deformation() {
@@ -146,6 +147,7 @@ export class Slab {
   letGo() {
     this.stage.change(() => this.stage.hand.drop(this.value));
     this.stage.host.classList.remove("held");
+    bus.publish("dragged", true);
     this.last = this.before.compression;
     this.show(this.value);
   }

@@ -81,7 +81,8 @@ class Stage {
     if (shapes !== this.shapes) this.picture.geometry(this.parameters);
     this.shapes = shapes;
     const leaves = (state) => leftPlace({ ...this.parameters, ...state }, this.picture.place);
-    this.playback.take({ parameters: this.parameters, solution: this.solution, samples, leaves });
+    const { seenFrom } = this.clock;
+    this.playback.take({ parameters: this.parameters, solution: this.solution, samples, leaves, seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const { parameters } = this, normalized = this.parts.hides("numbers") ? undefined : this.solution.normalized;
@@ -156,10 +157,14 @@ class Stage {
     if (this.solution && !this.hand.isHolding) this.stay((playback) => playback.goToTime(time));
   }
 
-  /** Set the clock, { playing, speed }, for every stage on it. */
+  /** Set the clock, { playing, speed, seenFrom }, for every stage on it. */
   setClock(clock) {
     Object.assign(this.clock, clock);
-    for (const stage of this.clock.stages) stage.showClock();
+    if (clock.seenFrom) this.voice.tell(clock.seenFrom === "block" ? WORDS.from_block : WORDS.from_ground);
+    for (const stage of this.clock.stages) {
+      if (clock.seenFrom && stage.solution) stage.change(() => {});
+      stage.showClock();
+    }
   }
 
   layer(name) {
@@ -197,7 +202,7 @@ class Stage {
   showClock() {
     if (this.clock.playing) this.still = false;
     if (!this.still) this.picture.ghosts(null);
-    showControls(this.root, { ...this.clock, layers: this.layers });
+    showControls(this.root, this.clock, this.layers);
     this.showSlowing();
     this.dirty = true;
   }

@@ -1,6 +1,7 @@
 // The controls under the picture: what each does, and how the keyboard goes from one to the next.
 
 import { finder } from "./parts.js";
+import { set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 /**
@@ -10,15 +11,18 @@ import { WORDS } from "./texts.js";
 export function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
+  const layers = root.querySelector(".layers");
   const actions = {
     restart: () => stage.release(),
     play: () => stage.play(),
     back: () => stage.step(-1),
     forward: () => stage.step(1),
     undo: () => stage.slab.undo(),
+    viewpoint: () => stage.setClock({ seenFrom: stage.clock.seenFrom === "block" ? "ground" : "block" }),
+    show: ({ currentTarget: button }) => set(button, { "aria-expanded": !(layers.hidden = !layers.hidden) }),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
-  for (const button of all("[data-speed]")) on(button, "click", () => stage.setClock({ speed: Number(button.dataset.speed) }));
+  for (const button of all("[data-clock]")) on(button, "click", () => stage.setClock(JSON.parse(button.dataset.clock)));
   for (const button of all("[data-layer]")) on(button, "click", () => stage.layer(button.dataset.layer));
   const scrub = root.querySelector(".scrub input");
   on(scrub, "input", () => stage.scrub(Number(scrub.value)));
@@ -34,7 +38,7 @@ export function listenToControls(root, stage, signal) {
 
   const groups = [
     rove(all(".transport button"), { signal }),
-    rove(all("[data-speed]"), { signal, choose: (button) => button.click() }),
+    rove(all("[data-clock]"), { signal, choose: (button) => button.click() }),
     rove(all("[data-layer]"), { signal }),
   ];
   return () => groups.forEach((mend) => mend());
@@ -71,12 +75,13 @@ function rove(all, { signal, choose }) {
   };
 }
 
-/** Show what is set: whether the machine plays, its speed, its layers, how far it is in its period. */
-export function showControls(root, { playing, speed, layers }) {
-  root.querySelector(".stage").classList.toggle("playing", playing);
-  finder(root)("[data-do=play]").setAttribute("aria-label", playing ? WORDS.pause : WORDS.play);
-  for (const button of root.querySelectorAll("[data-speed]")) {
-    const checked = Number(button.dataset.speed) === speed;
+/** Show what is set: what the clock says, { playing, speed, seenFrom }, and which layers are seen. */
+export function showControls(root, clock, layers) {
+  root.querySelector(".stage").classList.toggle("playing", clock.playing);
+  finder(root)("[data-do=play]").setAttribute("aria-label", clock.playing ? WORDS.pause : WORDS.play);
+  set(finder(root)(".viewpoint"), { "aria-pressed": clock.seenFrom === "block" });
+  for (const button of root.querySelectorAll("[data-clock]")) {
+    const checked = Object.entries(JSON.parse(button.dataset.clock)).every(([name, value]) => clock[name] === value);
     button.setAttribute("aria-checked", String(checked));
     button.tabIndex = checked ? 0 : -1;
   }

@@ -51,7 +51,16 @@ SENTENCES = {
     "kept": _("x₀ is {value} again."),
     "undo": _("Back to x₀ = {value}"),
     "slab_slider": _("Slab: compression x₀"),
-    "each": _("m′ each"),
+    "each": _("mass m′ each"),
+    "relative": _("{speed}, relative to the block"),
+    "vertical": _("{force}, vertical"),
+    "stiffness": "k",
+    "drag": _("↔ drag"),
+    "from_ground": _("Seen from the ground."),
+    "from_block": _(
+        "Seen from the block: the block stands still, and the ground moves. Velocities and traces are relative to the "
+        "block, energies still relative to the ground."
+    ),
 }
 """Key → sentence, with slots for what the page knows."""
 
@@ -109,10 +118,15 @@ TEXTS = {
     "scrub": _("Within one period"),
     "scrub_label": _("Position within one period"),
     "speed": _("Speed"),
+    "viewpoint": _("From the block"),
+    "viewpoint_hint": _("Seen from the block, which then stands still"),
+    "show": _("Show …"),
     "layers": _("Layers"),
     "energy": _("Energy"),
     "velocities": _("Velocities"),
     "forces": _("Forces"),
+    "weights": _("Weights"),
+    "weights_hint": _("Weights and normal forces"),
     "traces": _("Traces"),
     "coordinates": _("Coordinates"),
 }

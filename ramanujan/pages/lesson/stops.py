@@ -25,7 +25,6 @@ from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
-_LAYERS = ("energy", "arrows", "forces", "traces", "coordinates")
 _PLACES = ("hoop", "cylinder", "top")
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
@@ -199,7 +198,7 @@ def hints(name: str, sentences: tuple[str, ...]) -> None:
 def observe(stop: Stop, running: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
-    hidden = [layer for layer in _LAYERS if layer not in stop.layers] if running else {*stop.hides, *_LAYERS}
+    hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
     # Machines side by side belong to the stop; a single one follows the sliders.
     own = {"watch": {}} if several else {}
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
