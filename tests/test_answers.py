@@ -16,10 +16,12 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from ramanujan.answers import QUESTIONS, judge, machines, question
-from ramanujan.answers.grammar import MAX_WEIGHT, UnreadableError, parse, typeset
+from ramanujan.answers.formulas import typeset
+from ramanujan.answers.grammar import MAX_WEIGHT, parse
+from ramanujan.answers.spelling import UnreadableError
 from ramanujan.answers.values import unit
 from ramanujan.derivation.elimination import eliminate, phi_ddot
-from tests.test_wrong_answers import RIGHT_RATIO
+from tests.test_wrong_answers import EQUATIONS, RIGHT_RATIO
 
 OMEGA, RATIO, POTENTIAL = "natural_frequency_squared", "unit_mass_ratio", "potential_energy"
 BLOCK, HOOP, CYLINDER, SLAB, TOP = (f"kinetic_energy_{body}" for body in ("block", "hoop", "cylinder", "slab", "top"))
@@ -38,6 +40,16 @@ RIGHT = {
     SLAB: ["½m(2Rφ'-X')²", "m/2*(X' - 2R phi')^2", "2mR²φ'² - 2mRφ'X' + ½mX'²"],
     TOP: ["½m(RΦ'-X')² + ¼mR²Φ'²", "m(3R²Phi'^2 - 4R Phi' X' + 2X'^2)/4"],
     POTENTIAL: ["2kR²φ²", "½k(2Rφ)²", "2 k (R phi)^2"],
+    "lagrangian": [
+        "½mX'² + ½m'(Rφ'-X')² + ½m'R²φ'² + ½m'(Rφ'-X')² + ¼m'R²φ'² + ½m(2Rφ'-X')² + ½m(RΦ'-X')² + ¼mR²Φ'² - 2kR²φ²",
+        "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ' - 2kR²φ²",
+    ],
+    "block_momentum": ["(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", "3mX' + 2m'X' - 2mRφ' - 2m'Rφ' - mRΦ'"],
+    "block_equation": [
+        "(3m+2m')X'' - 2(m+m')Rφ'' - mRΦ'' = 0",
+        "(3m+2m')Ẍ = 2(m+m')Rφ̈ + mRΦ̈",
+        "2(m+m')R d²φ/dt² - (3m+2m')d²X/dt² + mR d²Φ/dt²",
+    ],
     "phi_equation": ["R(8m+7m')/2", "4mR + 7/2 m'R", "R(4m + 3.5m')", "(8m+7m')R 0.5", "R(4m + 3,5m')"],
     "block_coupling": ["6R(m+m')/(7m+6m')", "6R(1+ε)/(7+6ε)", "R(6m+6m')/(6m'+7m)"],
     "top_coupling": ["4(m+m')/(7m+6m')", "4(1+eps)/(7+6eps)"],
@@ -50,6 +62,7 @@ RIGHT = {
         r"\frac{8k(7m+6m')}{32m^2+49mm'+18m'^2}",
         r"$\frac{8\,k\,\left(7\,m + 6\,m'\right)}{32\,m^{2} + 49\,m\,m' + 18\,{m'}^{2}}$",
     ],
+    "unit_quadratic": ["18ε²+ε-24=0", "18 eps^2 + eps = 24", "48 - 2ε = 36ε²", "(36ε+1)² = 1729"],
     RATIO: [
         "(√1729-1)/36",
         "(sqrt(1729) - 1)/36",
@@ -87,6 +100,10 @@ UNSIMPLIFIED = [
     (HOOP, "½m'v² + ½Iω²", "What is v in terms of X′ and φ′? What is ω? What is I?"),
     (BLOCK, "½mv²", "What is v in terms of X′?"),
     (POTENTIAL, "½kx²", "What is x in terms of φ?"),
+    ("unit_quadratic", "7ε = 24(1+ε)²/(7+6ε)", "multiply by the denominator"),
+    ("unit_quadratic", "8(7+6ε)/(32+49ε+18ε²) = 1", "multiply by the denominator"),
+    ("unit_quadratic", "18m'² + mm' = 24m²", "without m and m′"),
+    ("block_equation", "k(3m+2m')X'' = 2k(m+m')Rφ'' + kmRΦ''", "without k"),
 ]
 
 WRONG = [
@@ -133,6 +150,26 @@ WRONG = [
     (POTENTIAL, "0 + kR²φ²", "½ is missing"),
     (POTENTIAL, "k(√3 R φ)²", "coefficient of φ² is 3/2 times"),
     (POTENTIAL, "k(1.41 R φ)²", "exact number agrees"),
+    ("lagrangian", RIGHT["lagrangian"][0].replace("- 2k", "+ 2k"), "add the potential energy"),
+    ("lagrangian", RIGHT["lagrangian"][0].removesuffix(" - 2kR²φ²"), "the kinetic energy alone"),
+    (
+        "lagrangian",
+        RIGHT["lagrangian"][0].replace("¼m'", "½m'"),
+        "the lower cylinder has the moment of inertia of a hoop",
+    ),
+    ("lagrangian", RIGHT["lagrangian"][0].replace("2kR", "kR"), "coefficient of φ² is half of"),
+    ("block_momentum", "(3m+2m')X' - 2(m+m')Rφ'", "term with Φ′ is missing"),
+    ("block_momentum", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", "leave out the 2 when you differentiate"),
+    ("block_momentum", "(3/2)mR²Φ' - mRX'", "the momentum of Φ"),
+    ("block_equation", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", "the momentum of X is zero"),
+    ("block_equation", "(3/2)RΦ'' = X''", "the equation of Φ"),
+    ("block_equation", "(3m+2m')X'' = 2(m+m')Rφ''", "term with Φ″ is missing"),
+    ("block_equation", "X'' = X''", "Both sides of your equation are equal"),
+    ("block_equation", "(3m+2m')X'' - 2(m+m')Rφ'' - mRΦ'' = kX", "depends on k and X"),
+    ("unit_quadratic", "18ε²-ε-24=0", "coefficient of ε should be positive"),
+    ("unit_quadratic", "18ε²+ε+24=0", "constant term has the wrong sign"),
+    ("unit_quadratic", "18ε² = 24", "term with ε is missing"),
+    ("unit_quadratic", "ε = (√1729-1)/36", "contains a root"),
     ("phi_equation", "R(8m+6m')/2", "rotation of the lower cylinder"),
     ("phi_equation", "R(8m+9m')/2", "coefficient of m′R is 9/7 times"),
     ("phi_equation", "R²(8m+7m')/2", "R times"),
@@ -260,6 +297,9 @@ HOSTILE = [
     "{" * 300,
     "(m^12+1)(k^12+1)(R^12+1)(X^12+1)(phi^12+1)",
     "".join(f"+m^{n % 12}k^{(5 * n) % 12}" for n in range(9)),
+    "(X''+phi''+Phi''+X'+phi'+Phi'+phi+m+m'+k)^2 = 0",
+    "(m+k+R+m')^4*99999999999999999999^12 = eps",
+    "=" * 300,
 ]
 
 
@@ -299,20 +339,27 @@ def test_a_decimal_agrees_if_it_is_the_ratio_rounded_to_its_last_digit(places, o
     assert ("off by one unit" in message) == (off != 0 and distance <= Fraction(3, 2))
 
 
+def zero_on_the_right(text: str) -> str:
+    """Return a formula; of an equation its left side minus its right side."""
+    left, equals, right = text.partition("=")
+    return f"{left} - ({right})" if equals else text
+
+
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_a_right_answer_to_one_question_is_wrong_for_the_others(name):
     """Negative control: nothing is right everywhere."""
     for other in set(QUESTIONS) - {name}:
-        assert judge(other, RIGHT[name][0]).kind == "wrong"
+        assert judge(other, zero_on_the_right(RIGHT[name][0])).kind == "wrong"
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
 def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name):
     asked = question(name)
     assert judge(name, asked.example).kind == "wrong"
-    assert unit(parse(asked.example)) == unit(parse(RIGHT[name][0]))
-    assert asked.prompt.endswith("?")
-    assert asked.prompt.count("$") % 2 == 0
+    example, right = (zero_on_the_right(text) for text in (asked.example, RIGHT[name][0]))
+    assert unit(parse(example)) == unit(parse(right))
+    assert asked.prompt().endswith("?")
+    assert asked.prompt().count("$") % 2 == 0
 
 
 def test_only_the_named_names_are_in_the_answers():
@@ -344,12 +391,13 @@ def test_verdicts_are_frozen():
 @settings(deadline=None, max_examples=100)
 @given(st.sampled_from(QUESTIONS), st.fractions(-9, 9, max_denominator=9), st.integers(0, 5))
 def test_a_multiple_of_the_right_answer_is_right_only_for_one(name, factor, spelling):
-    text = RIGHT[name][spelling % len(RIGHT[name])].strip("$")
+    text = zero_on_the_right(RIGHT[name][spelling % len(RIGHT[name])].strip("$"))
     verdict = judge(name, f"({factor})*({text})")
-    assert (verdict.kind in ("right", "unsimplified")) == (factor == 1)
+    # An equation may be multiplied by anything but zero.
+    assert (verdict.kind in ("right", "unsimplified")) == (factor != 0 if name in EQUATIONS else factor == 1)
 
 
-@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("name", set(QUESTIONS) - set(EQUATIONS))
 def test_half_the_right_answer_is_wrong(name):
     """Each question is tried, and each in the form that its page would show."""
     verdict = judge(name, f"({RIGHT[name][0]})/2")
@@ -357,7 +405,7 @@ def test_half_the_right_answer_is_wrong(name):
 
 
 @settings(deadline=None, max_examples=60)
-@given(st.sampled_from(QUESTIONS), st.integers(1, 10**19), st.sampled_from(["", "*√2"]))
+@given(st.sampled_from([*RIGHT.keys() - EQUATIONS.keys()]), st.integers(1, 10**19), st.sampled_from(["", "*√2"]))
 def test_a_tiny_addition_is_not_overlooked(name, size, root):
     text = RIGHT[name][0]
     assert judge(name, f"({text})*(1 + 1/{size}{root})").kind == "wrong"
@@ -470,6 +518,6 @@ def test_any_formula_gets_a_verdict(name, text):
 
 def test_no_hint_is_given_for_a_plain_number():
     """Negative control: machines that a mistake leaves without oscillation are compared with nothing."""
-    for name in set(QUESTIONS) - {RATIO, "top_coupling"}:
+    for name in set(QUESTIONS) - {RATIO, "top_coupling", *EQUATIONS}:
         for text in ("1", "√(1)", "√2/√2"):
             assert judge(name, text).message.startswith("Your answer is a plain number, but ")

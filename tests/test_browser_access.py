@@ -103,7 +103,7 @@ FOCUSED = (
     ".st-key-preset button",
     "[data-testid=stExpander] summary",
     ".st-key-route button",
-    ".st-key-body button",
+    ".st-key-more button",
     ".st-key-question input",
     ".stTextInput input",
     "[data-testid=stFormSubmitButton] button",

@@ -12,6 +12,8 @@ from tests.browser import settle
 from tests.test_look import THEME, rgb
 
 STEP = ".st-key-lecture h2:visible"
+MORE = ".st-key-more button"
+"""What opens the choices that are folded."""
 
 
 def step(page) -> str:
@@ -36,6 +38,7 @@ def test_arrow_keys_turn_the_steps_and_the_link_keeps_the_place(visit):
     settle(page)
     assert step(page) == "1"
     assert press(page, "ArrowRight") == "2"
+    page.locator(MORE).click()
     for view in (1, 0):
         page.locator(".st-key-show button").nth(view).click()
         settle(page)
@@ -69,6 +72,7 @@ def test_the_back_button_takes_a_choice_back_and_keeps_the_sliders(visit):
 
 def test_choices_work_by_keyboard_alone(visit):
     page = visit("derivation")
+    page.locator(MORE).click()
     page.locator(".st-key-values button").first.focus()
     page.keyboard.press("ArrowRight")
     page.keyboard.press("Space")
@@ -117,6 +121,7 @@ def test_three_machines_run_side_by_side(visit):
 
 def test_the_route_as_it_stands_can_be_taken_home(visit):
     page = visit("derivation?route=energy&values=numbers")
+    page.locator(".st-key-files button").first.click()
     for kind, suffix in (("latex", "tex"), ("markdown", "md"), ("notebook", "ipynb")):
         page.wait_for_selector(f".st-key-file_{kind} button")
         sent = len(page.frames_sent)
@@ -155,6 +160,54 @@ def test_every_control_has_a_name(visit):
         .filter(each => !(each.ariaLabel || each.innerText || each.labels?.length || each.title
             || each.getAttribute('aria-labelledby'))).map(each => each.outerHTML.slice(0, 200))""")
     assert nameless == []
+
+
+BEFORE_THE_FIRST_EQUATION = """() => {
+  const top = [...document.querySelectorAll('.st-key-lecture .katex-display')].find((each) => each.checkVisibility())
+    .getBoundingClientRect().top;
+  const found = [];
+  const look = (root) => [...root.querySelectorAll('*')].forEach((node) => {
+    if (node.shadowRoot) look(node.shadowRoot);
+    const { width, height, top: y } = node.getBoundingClientRect();
+    const seen = node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && width > 1 && height > 1;
+    if (seen && y < top && node.matches('button, input, select, summary')) found.push(node.ariaLabel ?? node.innerText);
+  });
+  look(document.querySelector('[data-testid=stMain]'));
+  return found;
+}"""
+ALONE = """() => [...document.querySelectorAll('[data-testid=stMain] .katex')].filter((formula) => {
+  const after = formula.nextSibling;
+  if (after?.nodeType !== Node.TEXT_NODE || !/^[.,;:!?]/.test(after.data) || !formula.checkVisibility()) return false;
+  const sign = document.createRange();
+  sign.setStart(after, 0);
+  sign.setEnd(after, 1);
+  const last = [...formula.querySelectorAll('.base')].at(-1).getBoundingClientRect();
+  return sign.getBoundingClientRect().top >= last.bottom - 4;
+}).map((formula) => formula.textContent)"""
+"""Formulas whose full stop or comma has gone to the next line."""
+
+
+@pytest.mark.parametrize("view", ["", "&view=projector"])
+def test_headings_stay_where_they_are_and_few_controls_come_before_the_first_equation(visit, view):
+    page = visit(f"derivation?route=newton&body=hoop{view}")
+    page.locator(STEP).wait_for()
+    assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= (10 if not view else 18)
+    places = set()
+    for number in range(1, len(ROUTES["newton"].steps) + 1):
+        assert step(page) == str(number)
+        places.add(page.locator(STEP).bounding_box()["y"])
+        if view:
+            # The machine and the choice of a body are seen beside the step.
+            beside = page.locator(".st-key-beside").bounding_box(), page.locator(".st-key-body").bounding_box()
+            assert all(box["x"] >= 800 and box["y"] > 0 and box["y"] + box["height"] <= 720 for box in beside)
+        page.keyboard.press("ArrowRight")
+    assert len(places) == 1
+    if not view:
+        alone = []
+        for width in range(800, 1300, 20):
+            page.set_viewport_size({"width": width, "height": 720})
+            alone += page.evaluate(ALONE)
+        assert alone == []
 
 
 def test_the_first_page_leads_here(visit):

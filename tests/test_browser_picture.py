@@ -532,6 +532,7 @@ def test_the_derivation_lights_the_chosen_body_beside_its_steps(visit):
       .querySelectorAll(".moving > *")].map(({ classList }) => [...classList])"""
     page.wait_for_selector(".st-key-beside .moving", state="attached")
     page.wait_for_function(f"{bodies}.some((names) => names.includes('lit'))")
+    page.locator(".st-key-more button").click()
     for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
         if chosen != "hoop":
             page.locator(".st-key-body button", has_text=chosen).first.click()

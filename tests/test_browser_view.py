@@ -145,7 +145,7 @@ DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 SHEETS = {
     "?m=3.7&m_prime=0.41&k=33.3&radius=20": 7,
-    "derivation?route=newton&step=4": 5,
+    "derivation?route=newton&step=4": 4,
     "motion?spin=3&mu=0.01": 6,
     "1729?left=sphere&top=shell": 8,
     "speed?periods=1": 9,

@@ -11,22 +11,15 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ramanujan.answers.grammar import (
-    MAX_DEPTH,
-    MAX_DIGITS,
-    MAX_EXPONENT,
-    MAX_LENGTH,
-    MAX_WEIGHT,
-    SYMBOLS,
-    UnreadableError,
-    is_decimal,
-    parse,
-    typeset,
-)
+from ramanujan.answers.formulas import is_decimal, typeset
+from ramanujan.answers.grammar import MAX_DEPTH, MAX_EXPONENT, MAX_LENGTH, MAX_WEIGHT, parse
+from ramanujan.answers.spelling import MAX_DIGITS, SYMBOLS, UnreadableError
 
 DEEP = bool(os.environ.get("RAMANUJAN_DEEP"))
-POINT = {name: Fraction(p) for name, p in zip(SYMBOLS, (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31), strict=True)}
-m, mp, k, R, X, Xd, phi, phid, Phi, Phid, eps = POINT.values()
+POINT = {
+    name: Fraction(p) for name, p in zip(SYMBOLS, (2, 3, 5, 7, 11, 13, 37, 17, 19, 41, 23, 29, 43, 31), strict=True)
+}
+m, mp, k, R, X, Xd, Xdd, phi, phid, phidd, Phi, Phid, Phidd, eps = POINT.values()
 
 
 def _outcome(text: str) -> tuple[sp.Expr | None, str]:

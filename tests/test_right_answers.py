@@ -10,9 +10,11 @@ import pytest
 import sympy as sp
 
 from ramanujan.answers import QUESTIONS, judge
-from ramanujan.answers.grammar import MAX_LENGTH, SYMBOLS, parse, typeset
+from ramanujan.answers.formulas import typeset
+from ramanujan.answers.grammar import MAX_LENGTH, parse_equation
+from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.derivation.printers import latex
-from tests.test_wrong_answers import ENERGIES, QUOTIENTS, RATIO, RIGHT_RATIO, TYPED, R, Xd, k, m, mp, phid
+from tests.test_wrong_answers import ENERGIES, EQUATIONS, QUOTIENTS, RATIO, RIGHT_RATIO, TYPED, R, Xd, k, m, mp, phid
 
 COUNT = 1000 if os.environ.get("RAMANUJAN_DEEP") else 25
 SPELLINGS = {
@@ -21,6 +23,10 @@ SPELLINGS = {
     "X'": ["X'", "Ẋ", "X_dot", "X′", "(dX/dt)", "X\u0307"],
     "phi'": ["phi'", "φ'", "φ̇", "phi_dot", "dphi", "(dφ/dt)", "φ′", "ϕ'"],
     "Phi'": ["Phi'", "Φ'", "Φ̇", "Phi_dot", "(dΦ/dt)", "Φ′"],
+    "X''": ["X''", "Ẍ", "X_ddot", "X″", "(d²X/dt²)", "X\u0308"],
+    "phi''": ["phi''", "φ''", "φ̈", "phi_ddot", "(d^2φ/dt^2)", "φ′′"],
+    "Phi''": ["Phi''", "Φ″", "Φ̈", "Phi_ddot", "(d²Φ/dt²)"],
+    "eps": ["eps", "ε", "varepsilon", "ϵ"],
 }
 SIGNS = {
     "*": ["*", " * ", "·", " × "],
@@ -56,8 +62,8 @@ def some_form(name: str, source: random.Random) -> sp.Expr:
         n = source.choice([1, 2, 3, 5, -1, m, k])
         above, below = source.choice([(sp.sqrt(1729) - 1, 36), (48, 1 + sp.sqrt(1729)), (RIGHT_RATIO, 1)])
         return sp.Mul(sp.expand(n * above), sp.Pow(sp.expand(n * below), -1, evaluate=False), evaluate=False)
-    if name in ENERGIES:
-        return rewritten(ENERGIES[name], source)
+    if name in ENERGIES or name in EQUATIONS:
+        return rewritten((ENERGIES | EQUATIONS)[name], source)
     above, below = QUOTIENTS[name]
     if source.randrange(2):
         return rewritten(above / below, source)
@@ -94,6 +100,6 @@ def test_the_right_answer_is_right_in_any_form_and_spelling(name):
             continue
         assert verdict.kind in ("right", "unsimplified"), (text, verdict.message)
         # What the page shows as read can be typed again.
-        again = typeset(parse(text))
+        again = typeset(parse_equation(text)[0])
         assert len(again) > MAX_LENGTH or judge(name, again).kind == verdict.kind, (text, again)
     assert refused < COUNT / 4

@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 
 from ramanujan.answers import QUESTIONS
+from ramanujan.answers import question as question_of
 from ramanujan.derivation import ROUTES, rayleigh
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
@@ -167,6 +168,21 @@ def test_choosing_a_body_shows_it_in_the_colour_that_it_has_on_the_stage(page):
     assert "textcolor" not in formulas(page)
 
 
+@pytest.mark.parametrize("part", ["top", "spring"])
+def test_a_step_without_a_term_of_the_chosen_part_says_so(page, part):
+    choose(page, show="reading", body=part)
+    # A step is its words, then its formulas.
+    steps: list[list[str]] = []
+    for element in page.main:
+        if element.type == "markdown" and element.value.startswith("## "):
+            steps.append([element.value, ""])
+        elif element.type == "latex" and len(steps) < len(ROUTES["euler_lagrange"].steps):
+            steps[-1][1] += element.value
+    said = [f"it does not list the {PARTS[part]} separately" in words for words, _ in steps]
+    assert said == ["textcolor" not in formulas for _, formulas in steps]
+    assert {True, False} == set(said)
+
+
 # Modes and notes
 
 
@@ -189,7 +205,8 @@ def test_every_note_on_the_paper_is_checked(page):
 def answer(app, question: str, text: str):
     choose(app, question=question)
     app.text_input(key=f"answer_{question}").set_value(text)
-    return sound(app.button[-1].click().run())
+    (check,) = (button for button in app.button if button.label == "Check")
+    return sound(check.click().run())
 
 
 def test_each_kind_of_verdict_has_its_box(page):
@@ -203,8 +220,8 @@ def test_each_kind_of_verdict_has_its_box(page):
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_every_question_can_be_asked_and_its_own_answer_is_not_given_away(page, question):
     choose(page, question=question)
-    asked = cache.questions()[question]
-    assert any(asked.prompt in text.value for text in page.markdown)
+    asked = question_of(question)
+    assert any(asked.prompt() in text.value for text in page.markdown)
     sound(answer(page, question, asked.example))
     assert not page.success
 

@@ -37,6 +37,18 @@ ENERGIES = {
     "potential_energy": 2 * k * R**2 * phi**2,
     "phi_equation": 4 * m * R + sp.Rational(7, 2) * mp * R,
 }
+ENERGIES["lagrangian"] = (
+    sum(ENERGIES[f"kinetic_energy_{body}"] for body in machines.CALLED) - ENERGIES["potential_energy"]
+)
+ENERGIES["block_momentum"] = (3 * m + 2 * mp) * Xd - 2 * (m + mp) * R * phid - m * R * Phid
+Xdd, phidd, Phidd, ratio = ACCELERATIONS = sp.symbols("Xdd phidd Phidd ratio")
+TYPED |= dict(zip(ACCELERATIONS, ("X''", "phi''", "Phi''", "eps"), strict=True))
+SHOWN |= dict(zip(ACCELERATIONS, ("X″", "φ″", "Φ″", "ε"), strict=True))
+EQUATIONS = {
+    "block_equation": (3 * m + 2 * mp) * Xdd - 2 * (m + mp) * R * phidd - m * R * Phidd,
+    "unit_quadratic": 18 * ratio**2 + ratio - 24,
+}
+"""Each is zero."""
 QUOTIENTS = {
     "block_coupling": (6 * R * m + 6 * R * mp, 7 * m + 6 * mp),
     "top_coupling": (4 * m + 4 * mp, 7 * m + 6 * mp),
@@ -50,7 +62,7 @@ FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 
 def shown(monomial: sp.Expr) -> str:
     """A product of names as a sentence shows it."""
     powers = monomial.as_powers_dict()
-    return "".join(SHOWN[s] + {1: "", 2: "²", 3: "³"}[powers[s]] for s in SYMBOLS if s in powers)
+    return "".join(SHOWN[s] + {1: "", 2: "²", 3: "³"}[powers[s]] for s in SHOWN if s in powers)
 
 
 @lru_cache(maxsize=4096)
@@ -62,7 +74,7 @@ def spoiled_text(whole: sp.Expr, term: sp.Expr, ratio: sp.Expr, source: random.R
     """The text of a sum of which one term is multiplied by a ratio: written out, or with a correction at its end."""
     if source.randrange(2):
         return f"{text_of(whole)} + ({text_of((ratio - 1) * term)})"
-    terms = [text_of(each * ratio if each == term else each) for each in sp.Add.make_args(sp.expand(whole))]
+    terms = [text_of(each) for each in (ratio * term, *sp.Add.make_args(sp.expand(whole - term)))]
     source.shuffle(terms)
     return " + ".join(f"({text})" for text in terms)
 
@@ -75,7 +87,7 @@ def typed(text: str, source: random.Random) -> str:
 @cache
 def points() -> tuple[dict[str, Fraction], ...]:
     source = random.Random(41)
-    return tuple({name: Fraction(source.randrange(10, 10**4), 97) for name in NAMES} for _ in range(2))
+    return tuple({name: Fraction(source.randrange(10, 10**4), 97) for name in TYPED.values()} for _ in range(2))
 
 
 def value(expression: sp.Expr, point: dict[str, Fraction]) -> Fraction:
@@ -113,8 +125,14 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
     if right is None and name in QUOTIENTS:
         above, below = QUOTIENTS[name]
         right = above / below
+    is_spring = name == "lagrangian" and message not in HINTED and "Lagrangian" not in message
+    of_spring = is_spring and _from_hint("potential_energy", message, point)
+    if of_spring:
+        return value(right + ENERGIES["potential_energy"], point) - of_spring
     of_formula = {
         "as if the block stood still": lambda: 8 * k / (8 * m + 7 * mp),
+        "add the potential energy": lambda: right + 2 * ENERGIES["potential_energy"],
+        "This is the kinetic energy alone": lambda: right + ENERGIES["potential_energy"],
         "subtract one energy": lambda: right - 2 * _rotation(name),
         "leave out R.": lambda: right.subs(R, 1),
         "This is the reciprocal": lambda: 1 / right,
@@ -141,18 +159,24 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
             return value(sp.sympify(formula()), point)
     if name == "potential_energy" and "the slab moves only as far" in message:
         return value(half * k * R**2 * phi**2, point)
+    if name == "block_momentum" and "when you differentiate X′²" in message:
+        return value(right - (3 * m + 2 * mp) * Xd / 2, point)
     machine = HINTED.get(message.removesuffix(" A factor ½ is missing as well."))
     if machine is None:
         return None
     at_point = {symbol: sp.Rational(str(point[name])) for symbol, name in SPELLED.items()}
+    if name in ("lagrangian", "block_momentum"):
+        lagrangian = machine.kinetic_energy - machine.potential_energy
+        given = lagrangian if name == "lagrangian" else lagrangian.diff(symbols.VELOCITIES[0])
+        return Fraction(str(given.subs(at_point)))
     if name.startswith("kinetic_energy_"):
         return Fraction(str(machine[name.removeprefix("kinetic_energy_")].kinetic_energy.subs(at_point)))
     return Fraction(str(by_the_inverse_matrix(machine, at_point)[name]))
 
 
 HINTED = {mistake.hint: mistake.bodies for mistake in (*machines.common(), *machines.exotic())}
-SPELLED = dict(zip((*symbols.VELOCITIES, symbols.m, symbols.m_prime, symbols.k, symbols.R),
-                   ("X'", "phi'", "Phi'", "m", "m'", "k", "R"), strict=True))  # fmt: skip
+SPELLED = dict(zip((*symbols.VELOCITIES, symbols.m, symbols.m_prime, symbols.k, symbols.R, *symbols.COORDINATES),
+                   ("X'", "phi'", "Phi'", "m", "m'", "k", "R", "X", "phi", "Phi"), strict=True))  # fmt: skip
 
 
 def by_the_inverse_matrix(machine: symbols.Machine, at_point: dict) -> dict[str, sp.Expr]:
@@ -283,6 +307,38 @@ def test_a_term_too_many_is_named(name: str) -> None:
         assert verdict.kind == "wrong"
         said = f"Your answer contains a term with {shown(extra)}. The right answer has none."
         assert said in verdict.message or true_hint(name, verdict.message, given), (given, verdict.message)
+
+
+# Spoiled equations
+
+
+@pytest.mark.parametrize("name", EQUATIONS)
+def test_an_equation_is_right_up_to_a_factor_and_a_spoiled_term_is_named(name: str) -> None:
+    source = random.Random(name)
+    variables = ACCELERATIONS[:3] if name == "block_equation" else (ratio,)
+    right = monomials(EQUATIONS[name], variables)
+    hints = 0
+    for _ in range(COUNT):
+        factor = source.choice([1, -1, 3, sp.Rational(-2, 7), *([m, -R] if name == "block_equation" else [])])
+        whole = sp.expand(factor * EQUATIONS[name])
+        moved = source.choice([sp.S.Zero, *sp.Add.make_args(whole)])
+        verdict = judge(name, f"{text_of(whole - moved)} = {text_of(-moved)}")
+        assert verdict.kind == "right" or "without" in verdict.message, (whole, verdict.message)
+        monomial, off = source.choice(list(right)), spoiled_factor(source, of_energy=False)
+        if off == 1:
+            continue
+        spoiled = whole + sp.expand(factor * (off - 1) * right[monomial] * monomial)
+        verdict = judge(name, f"{text_of(spoiled - moved)} = {text_of(-moved)}")
+        assert verdict.kind == "wrong", (spoiled, verdict.message)
+        if monomial == 1:
+            said = "The constant term is missing" if off == 0 else "constant term has the wrong sign"
+            times = re.search(r"Your constant term is (.+?) the right one\.", verdict.message)
+            told = factor_of(times[1]) == off if times else said in verdict.message and off <= 0
+        else:
+            told = true_difference(verdict.message, shown(monomial), off, factor * right[monomial])
+        hints += not told
+        assert told or "if " in verdict.message or "term with ε is missing" in verdict.message, (spoiled, verdict)
+    assert hints < COUNT / 3
 
 
 # Spoiled quotients
@@ -429,4 +485,4 @@ def test_a_false_sentence_would_be_found() -> None:
 
 
 def test_every_question_is_covered() -> None:
-    assert {*ENERGIES, *QUOTIENTS, RATIO} == set(QUESTIONS)
+    assert {*ENERGIES, *EQUATIONS, *QUOTIENTS, RATIO} == set(QUESTIONS)

@@ -7,19 +7,31 @@ machines last: the first mistake that gives a result is the one that is named.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache, partial
-from itertools import chain
 from typing import Any
 
 import sympy as sp
-from sympy.polys.fields import FracElement, field
 
 from ramanujan.answers import machines
-from ramanujan.answers.values import POINTS, Values, evaluate, square_root
+from ramanujan.answers.procedures import Row, conditions, equations, inertias, through
+from ramanujan.answers.values import POINTS, Values
 from ramanujan.derivation.elimination import Elimination, UnitCondition, eliminate, phi_ddot, unit_condition
-from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Machine, R, k, m, m_prime, machine, phi, t
+from ramanujan.derivation.symbols import (
+    ACCELERATIONS,
+    COORDINATES,
+    VELOCITIES,
+    Machine,
+    R,
+    epsilon,
+    k,
+    m,
+    m_prime,
+    machine,
+    phi,
+    t,
+)
 from ramanujan.translation import _
 
 Variants = Iterator[tuple[str, sp.Expr | Values | None]]
@@ -124,109 +136,63 @@ def spring() -> Variants:
     )
 
 
+# The Lagrangian, and what is derived from it
+
+
+def lagrangian(right: sp.Expr) -> Variants:
+    """Yield the mistakes in the Lagrangian: those with U, those in the energy of the spring, and altered machines."""
+    stored = machine().potential_energy
+    yield (
+        _("You get this result if you add the potential energy. Which sign does it have in the Lagrangian?"),
+        right + 2 * stored,
+    )
+    yield _("This is the kinetic energy alone. What does the Lagrangian contain besides it?"), right + stored
+    for hint, wrong in spring():
+        yield hint, right + stored - wrong
+    for mistake in (*machines.common(), *machines.exotic()):
+        yield mistake.hint, mistake.bodies.kinetic_energy - mistake.bodies.potential_energy
+
+
+def momentum(right: sp.Expr) -> Variants:
+    """Yield the mistakes in p_X: the momentum of another coordinate, a square’s factor 2 lost, altered machines."""
+    for (q, other), shown in zip(elimination().momenta.items(), ("X", "φ", "Φ"), strict=True):
+        if q != COORDINATES[0]:
+            sentence = _("This is the momentum of {coordinate}. With respect to which velocity do you differentiate?")
+            yield sentence.format(coordinate=shown), other
+    rate = VELOCITIES[0]
+    yield (
+        _("You get this result if you leave out the 2 when you differentiate X′². What is the derivative of a square?"),
+        right - right.coeff(rate) * rate / 2,
+    )
+    yield from _first_row(VELOCITIES)
+
+
+def block_equation(right: sp.Expr) -> Variants:
+    """Yield the mistakes in the equation of X: the momentum itself, the equation of another coordinate, machines."""
+    slowed = dict(zip(ACCELERATIONS, VELOCITIES, strict=True))
+    yield (
+        _("This says that the momentum of X is zero. What does Lagrange’s equation say about its derivative?"),
+        right.xreplace(slowed),
+    )
+    for (q, other), shown in zip(elimination().motion.items(), ("X", "φ", "Φ"), strict=True):
+        if q != COORDINATES[0]:
+            yield _("This is the equation of {coordinate}. Which one is asked for?").format(coordinate=shown), other
+    for hint, wrong in _first_row(ACCELERATIONS):
+        # An equation with one term says no more than that this term is zero.
+        yield hint, wrong if wrong.is_Add else None
+
+
+def _first_row(states: tuple[sp.Expr, ...]) -> Iterator[tuple[str, sp.Expr]]:
+    """Yield the first row of the mass matrix of altered machines times velocities, or times accelerations."""
+    for mistake in (*machines.common(), *machines.exotic()):
+        terms: dict[sp.Expr, sp.Expr] = dict.fromkeys(states, sp.S.Zero)
+        for mass, rates in inertias(mistake.bodies):
+            for rate, state in zip(rates, states, strict=True):
+                terms[state] += mass * rates[0] * rate
+        yield mistake.hint, sp.Add(*(factor * state for state, factor in terms.items()))
+
+
 # The elimination
-
-
-Row = list[Any]
-
-
-def equations(
-    bodies: Machine, values: Mapping[sp.Expr, Any], number: Callable[[Any], Any]
-) -> tuple[list[Row], Any, Any]:
-    """Return the mass matrix of a machine, its stiffness ∂²U/∂φ², and the question's 4kR.
-
-    Parameters
-    ----------
-    bodies : a machine
-    values : symbol → its value, in any kind of number
-    number : how to make such a number of a fraction
-    """
-
-    def worth(expression: sp.Expr) -> Any:
-        return evaluate(expression, values, square_root, number)
-
-    parts = [
-        (worth(mass), [worth(rate) for rate in _rates_of(path)])
-        for body in bodies.bodies
-        for mass, path in ((body.mass, body.displacement), (body.moment_of_inertia, body.angle))
-    ]
-    matrix = [[sum((mass * v[i] * v[j] for mass, v in parts), number(0)) for j in range(3)] for i in range(3)]
-    return matrix, worth(k * _rates_of(bodies.deformation)[1] ** 2), worth(4 * k * R)
-
-
-@cache
-def _rates_of(path: sp.Expr) -> tuple[sp.Expr, ...]:
-    return tuple(sp.diff(path, q) for q in COORDINATES)
-
-
-def solved(name: str, matrix: list[Row], stiffness: Any, last_factor: Any) -> Any:
-    """Return the answer to a question from the three equations of motion, None if it divides by zero.
-
-    The X and Φ equations, rows 0 and 2, give Ẍ and Φ̈, which go into the φ equation. The question about the φ equation
-    writes its last term as 4kRφ.
-    """
-    (a, b, c), (d, e, f), (g, h, i) = matrix
-    if i:
-        determinant, block, top = a * i - c * g, c * h - b * i, b * g - a * h
-    else:
-        # Without a top cylinder the Φ equation is empty.
-        determinant, block, top = a, -b, 0 * a
-    above, below = {
-        "block_coupling": (block, determinant),
-        "top_coupling": (top, determinant),
-        "phi_equation": (e * last_factor, stiffness),
-        "natural_frequency_squared": (stiffness * determinant, e * determinant + d * block + f * top),
-    }[name]
-    return above / below if below else None
-
-
-PROCEDURES = (
-    (
-        _(
-            "You get this result if you leave the acceleration of Φ out of the X equation. What does the Φ equation "
-            "say about it?"
-        ),
-        (0, 2),
-        0,
-    ),
-    (
-        _(
-            "You get this result if you leave out the acceleration of X, as if the block stood still. What does the X "
-            "equation say about it?"
-        ),
-        (1, 0),
-        0,
-    ),
-    (
-        _(
-            "You get this result if you insert the acceleration of Φ with the wrong sign. What does the Φ equation say "
-            "about its sign?"
-        ),
-        (2, 0),
-        -1,
-    ),
-    (
-        _(
-            "You get this result if you insert the acceleration of X with the wrong sign. What does the X equation say "
-            "about its sign?"
-        ),
-        (1, 0),
-        -1,
-    ),
-)
-"""Hints at slips in the elimination: which entry of the three equations is multiplied by 0 or −1."""
-
-
-def _through(name: str, system: Callable[[Machine], tuple[list[Row], Any, Any]]) -> Iterator[tuple[str, Any]]:
-    """Yield what altered procedures give, then what altered machines give; `system` returns a machine's equations."""
-    for hint, (row, column), factor in PROCEDURES:
-        matrix, *rest = system(machines.right())
-        altered = [
-            [x * factor if (i, j) == (row, column) else x for j, x in enumerate(r)] for i, r in enumerate(matrix)
-        ]
-        yield hint, solved(name, altered, *rest)
-    for mistake in chain(machines.common(), machines.exotic()):
-        yield mistake.hint, solved(name, *system(mistake.bodies))
 
 
 @cache
@@ -235,7 +201,7 @@ def _at_point(i: int, bodies: Machine) -> tuple[list[Row], Any, Any]:
 
 
 def _eliminated(name: str) -> Variants:
-    for each in zip(*(_through(name, partial(_at_point, i)) for i in range(len(POINTS))), strict=True):
+    for each in zip(*(through(name, partial(_at_point, i)) for i in range(len(POINTS))), strict=True):
         values = tuple(value for _hint, value in each)
         yield each[0][0], None if None in values else values
 
@@ -328,23 +294,24 @@ def ratio() -> Variants:
         _("You get this result if you leave out the factor 4 under the root. What is the discriminant?"),
         (sp.sqrt(b**2 - a * c) - b) / (2 * a),
     )
-    one = _EPSILON.one
-    units = {m: one, k: one, R: one, m_prime: _e}
-    for hint, squared in _through("natural_frequency_squared", lambda bodies: equations(bodies, units, _number)):
-        yield hint, _unit_mass_ratio(squared) if squared else None
+    for hint, altered in conditions():
+        yield hint, _positive_root(*altered)
 
 
-_EPSILON, _e = field("e", sp.ZZ)
+def quadratic(right: sp.Expr) -> Variants:
+    """Yield the mistakes in the quadratic equation for the unit mass ratio: those of the elimination."""
+    yield (
+        _("You get this result if you add the two sides of Ω²m/k = 1. What is left when you subtract them?"),
+        sp.Add(*sp.fraction(unit().normalized_frequency_squared)),
+    )
+    yield (
+        _("The term with ε is missing. In which terms of the denominator is ε?"),
+        right - right.coeff(epsilon) * epsilon,
+    )
+    for hint, (a, b, c) in conditions():
+        yield hint, a * epsilon**2 + b * epsilon + c if a and (b or c) else None
 
 
-def _unit_mass_ratio(frequency_squared: FracElement) -> sp.Expr | None:
-    """Return the positive ε for which Ω² = k/m; None if this is not a quadratic with exactly one positive root."""
-    condition = (frequency_squared.denom - frequency_squared.numer).as_expr()
-    a, b, c = (int(condition.coeff("e", n)) for n in (2, 1, 0))
-    if frequency_squared.denom.degree() > 2 or a * c >= 0:
-        return None
-    return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - sp.Rational(b, a)) / 2
-
-
-def _number(value: Any) -> FracElement:
-    return _EPSILON(value.numerator) / value.denominator
+def _positive_root(a: int, b: int, c: int) -> sp.Expr | None:
+    """Return the positive root of a quadratic, None if it has not exactly one."""
+    return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - sp.Rational(b, a)) / 2 if a * c < 0 else None

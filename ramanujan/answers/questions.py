@@ -1,7 +1,7 @@
-"""The questions: prompt, right answer, the results of typical mistakes, and the next question after a wrong answer.
+"""The questions: prompt, right answer, the results of typical mistakes, hints, and the step that shows the answer.
 
-The right answers come from the bodies and their elimination, the wrong ones from `mistakes`. A new question is one
-entry of `_ASKED`.
+The right answers come from the bodies and their elimination, the wrong ones from `mistakes`, hints and step from the
+route of Euler and Lagrange. A new question is one entry of `_ALL`.
 """
 
 from __future__ import annotations
@@ -14,68 +14,77 @@ import sympy as sp
 from sympy.polys.fields import FracElement
 
 from ramanujan.answers import mistakes
-from ramanujan.answers.grammar import SYMBOLS, TEXTBOOK, leaves, length
+from ramanujan.answers.formulas import leaves, length
 from ramanujan.answers.machines import CALLED
 from ramanujan.answers.mistakes import Variants, elimination
-from ramanujan.answers.terms import NAMES, exact
-from ramanujan.answers.values import Values, agree, at_points
+from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
+from ramanujan.answers.terms import GENERATORS, NAMES, OF_RATIO, exact
+from ramanujan.answers.values import Values, agree, at_points, up_to_a_factor
+from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.symbols import R, epsilon, machine, phi, t
+from ramanujan.derivation.steps import equation
+from ramanujan.derivation.symbols import MOMENTA, R, X, epsilon, m, m_prime, machine, phi, t
 from ramanujan.translation import _
 
-POLYNOMIAL, QUOTIENT, NUMBER = "polynomial", "quotient", "number"
-"""How an answer is compared: term by term, as one fraction, or as a number."""
-
-MOTION = ("X", "X'", "phi", "phi'", "Phi", "Phi'")
+POLYNOMIAL, QUOTIENT, NUMBER, EQUATION = "polynomial", "quotient", "number", "equation"
+"""How an answer is compared: term by term, as one fraction, as a number, or term by term up to a common factor."""
 
 
 @dataclass(frozen=True)
 class Question:
-    """A question.
+    """A question, how its answer is derived, compared, spoiled by mistakes, and led to.
 
     Parameters
     ----------
     name : the name in `QUESTIONS`
     quantity : the quantity asked for, in a few words of plain text
-    prompt : one or two sentences, Markdown with $…$
-    names : the names that the answer may contain, as typed
+    answer : derives the right answer
+    prompt : returns one or two sentences, Markdown with $…$
+    mistakes : takes the answer, yields what typical mistakes give
     example : a formula that shows how to type; it is not the answer
+    kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
+    steps : keys of steps in the route of Euler and Lagrange that say how it is done; the last one has the answer
+    leads_on : the question that a lecturer would ask next
+    of_terms : product of names, as shown → the next question about its coefficient
+    letters : letters of the textbook → what each stands for here, and the question about it
+    variables : the names in whose products the answer is written term by term
+    any_form : whether a right answer need not be simplified
+    symbol : what the prompt calls the answer, where no step of the route names it
     """
 
     name: str
-    quantity: str
-    prompt: str
-    names: tuple[str, ...]
-    example: str
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What belongs to a question: how its answer is derived, compared, spoiled by mistakes, and led to.
-
-    Parameters
-    ----------
-    quantity, prompt, example : as in `Question`
-    answer : derives the right answer
-    mistakes : takes the answer, yields what typical mistakes give
-    kind : POLYNOMIAL, QUOTIENT or NUMBER
-    leads_on : the question that a lecturer would ask next
-    hints : product of names, as shown → the next question about its coefficient
-    letters : letters of the textbook → what each stands for here, and the question about it
-    variables : the names in whose products the answer is written term by term
-    """
-
     quantity: str
     answer: Callable[[], sp.Expr]
     prompt: Callable[[], str]
     mistakes: Callable[[sp.Expr], Variants]
     example: str
     kind: str
+    steps: tuple[str, ...]
     leads_on: str
-    hints: Mapping[str, str] = field(default_factory=dict)
+    of_terms: Mapping[str, str] = field(default_factory=dict)
     letters: Mapping[sp.Symbol, tuple[sp.Expr, str]] = field(default_factory=dict)
     variables: tuple[str, ...] = NAMES
+    any_form: bool = False
+    symbol: sp.Symbol | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names that the answer may contain, as typed; ε may stand for m′/m where both masses do."""
+        allowed = leaves(answer(self.name))
+        if {m, m_prime} <= allowed and self.variables == NAMES:
+            allowed |= {epsilon}
+        return tuple(name for name, symbol in SYMBOLS.items() if symbol in allowed)
+
+    @property
+    def hints(self) -> tuple[str, ...]:
+        """From the next question to ask to how it is done, Markdown with $…$; none contains the answer."""
+        return (self.leads_on, *(_step(key).reason for key in self.steps))
+
+    @property
+    def is_equation(self) -> bool:
+        """Whether a whole equation is asked for."""
+        return self.kind == EQUATION
 
 
 def question(name: str) -> Question:
@@ -87,13 +96,29 @@ def question(name: str) -> Question:
     """
     if not isinstance(name, str) or name not in _ASKED:
         raise ValueError(_("name must be one of {known}").format(known=", ".join(QUESTIONS)))
-    it = _ASKED[name]
-    return Question(name, it.quantity, it.prompt(), allowed_names(name), it.example)
-
-
-def asked(name: str) -> Asked:
-    """Return a question with what belongs to its answer."""
     return _ASKED[name]
+
+
+def shown_step(name: str) -> tuple[sp.Eq, ...]:
+    """Return the equations of the step that leads to the answer of a question; one of them states the answer.
+
+    Raises
+    ------
+    ValueError : name is not one of `QUESTIONS`.
+    """
+    it, final = question(name), answer(name)
+    # Of what is worked out for every body and the spring, the lines about the one that is asked for.
+    own = {f"{letter}_{name.rpartition('_')[2]}" for letter in "vIT"} | ({"x", "U"} if "potential" in name else set())
+    several = it.steps[-1] == "energies"
+    lines = [e for key in it.steps[0 if several else -1 :] for e in _step(key).equations]
+    shown = [e for e in lines if not several or str(e.lhs) in own]
+    if any(final in e.args for e in shown):
+        return tuple(shown)
+    return (*shown, equation(it.symbol or shown[-1].lhs, final))
+
+
+def _step(key: str) -> Step:
+    return ROUTES["euler_lagrange"][key]
 
 
 @cache
@@ -105,13 +130,25 @@ def answer(question: str) -> sp.Expr:
 @cache
 def right_values(question: str) -> Values:
     """Return the values of the right answer."""
-    return at_points(answer(question))
+    return values_of(question, answer(question))
+
+
+def values_of(question: str, formula: sp.Expr) -> Values:
+    """Return the values by which a formula is compared with the answer; of an equation a common factor cancels.
+
+    Raises
+    ------
+    ArithmeticError : as `values.at_points` does.
+    """
+    it = _ASKED[question]
+    return up_to_a_factor(formula, it.variables) if it.kind == EQUATION else at_points(formula)
 
 
 @cache
 def right_terms(question: str) -> FracElement:
     """Return the right answer in lowest terms; only for those without a root."""
-    return exact(answer(question)).rational
+    right = answer(question)
+    return exact(right, OF_RATIO if epsilon in leaves(right) else GENERATORS).rational
 
 
 @cache
@@ -120,7 +157,7 @@ def wrong_values(question: str) -> tuple[tuple[str, Values], ...]:
     found = []
     for hint, result in _wrong_results(question):
         try:
-            values = at_points(result) if isinstance(result, sp.Expr) else result
+            values = values_of(question, result) if isinstance(result, sp.Expr) else result
         except ArithmeticError:
             continue
         if values and any(values) and not agree(values, right_values(question)):
@@ -137,13 +174,6 @@ def longest_form(question: str) -> int:
     return max(map(length, forms))
 
 
-@cache
-def allowed_names(question: str) -> tuple[str, ...]:
-    """Return the names in the answer; ε may stand for m′/m where both masses do."""
-    allowed = leaves(answer(question)) | ({epsilon} if question in _COUPLED else set())
-    return tuple(name for name, symbol in SYMBOLS.items() if symbol in allowed)
-
-
 def _wrong_results(question: str) -> Variants:
     right = answer(question)
     yield from _ASKED[question].mistakes(right)
@@ -154,7 +184,7 @@ def _wrong_results(question: str) -> Variants:
 # The questions
 
 
-def _body_question(name: str) -> Asked:
+def _body_question(name: str) -> Question:
     body, called = machine()[name], CALLED[name]
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
     hints = {
@@ -168,13 +198,15 @@ def _body_question(name: str) -> Asked:
         else _("How fast does {body} move relative to the ground?")
     )
     speed = _("What is v in terms of X′ and {rate}?") if rate else _("What is v in terms of X′?")
-    return Asked(
+    return Question(
+        f"kinetic_energy_{name}",
         _("the kinetic energy of {body}").format(body=called),
         lambda: body.kinetic_energy,
         lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=called),
         lambda _right: mistakes.energy(name),
         "3/5 m' (X' + 3 R phi')^2",
         POLYNOMIAL,
+        ("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
         leads_on.format(body=called),
         {term: hint.format(body=called, rate=rate) for term, hint in hints.items()} if rate else {},
         {
@@ -186,8 +218,9 @@ def _body_question(name: str) -> Asked:
     )
 
 
-def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation: str) -> Asked:
-    return Asked(
+def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation: str) -> Question:
+    return Question(
+        name,
         quantity,
         lambda: mistakes.answer_of(equation),
         lambda: _("The equations of motion of $X$ and $\\Phi$ give {relation}. What is $c$?").format(
@@ -196,7 +229,9 @@ def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation
         partial(mistakes.coupling, name),
         "R (2m + m')/(5m)" if acceleration == X_ddot else "(2m + m')/(5m)",
         QUOTIENT,
+        ("motion", "elimination"),
         _("What do the equations of motion of X and Φ say about the three accelerations?"),
+        symbol=sp.Symbol("c"),
     )
 
 
@@ -207,11 +242,10 @@ def _equation_prompt() -> str:
     return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(written)}=0$")
 
 
-_COUPLED = ("phi_equation", "block_coupling", "top_coupling", "natural_frequency_squared")
-
-_ASKED: dict[str, Asked] = {
-    **{f"kinetic_energy_{body}": _body_question(body) for body in CALLED},
-    "potential_energy": Asked(
+_ALL = (
+    *map(_body_question, CALLED),
+    Question(
+        "potential_energy",
         _("the potential energy"),
         lambda: machine().potential_energy,
         lambda: _("What is the potential energy of the spring when the lower rollers have turned by {angle}?").format(
@@ -220,44 +254,104 @@ _ASKED: dict[str, Asked] = {
         lambda _right: mistakes.spring(),
         "k (R phi)^2 / 5",
         POLYNOMIAL,
+        ("inertia", "energies"),
         _("How far is the spring compressed when the lower rollers have turned by φ?"),
         letters={TEXTBOOK["x"]: (machine().deformation, _("What is x in terms of φ?"))},
         variables=MOTION,
     ),
-    "phi_equation": Asked(
+    Question(
+        "lagrangian",
+        _("the Lagrangian"),
+        lambda: elimination().lagrangian,
+        lambda: _("What is the Lagrangian of the whole machine?"),
+        mistakes.lagrangian,
+        "m' X'^2 - k (R phi)^2",
+        POLYNOMIAL,
+        ("energies", "sum", "lagrangian"),
+        _("What are the kinetic energies of the five bodies, and what is the potential energy?"),
+        variables=MOTION,
+        any_form=True,
+    ),
+    Question(
+        "block_momentum",
+        _("the momentum of X"),
+        lambda: elimination().momenta[X],
+        lambda: _("What is the momentum {momentum}, written with the velocities?").format(
+            momentum=f"${latex(MOMENTA[0])}=\\partial\\mathcal L/\\partial\\dot X$"
+        ),
+        mistakes.momentum,
+        "2 m X' - m' R phi'",
+        POLYNOMIAL,
+        ("momenta",),
+        _("Which terms of the Lagrangian contain X′?"),
+        variables=MOTION,
+    ),
+    Question(
+        "block_equation",
+        _("the equation of motion of X"),
+        lambda: elimination().motion[X],
+        lambda: _("What is the equation of motion of {coordinate}?").format(coordinate=f"${latex(X)}$"),
+        mistakes.block_equation,
+        "2 m X'' = m' R phi''",
+        EQUATION,
+        ("rates", "motion"),
+        _("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
+        variables=MOTION,
+        any_form=True,
+    ),
+    Question(
+        "phi_equation",
         _("the factor of the acceleration"),
         lambda: elimination().motion[phi].coeff(phi_ddot),
         _equation_prompt,
         lambda _right: mistakes.equation(),
         "R (2m + m')/5",
         POLYNOMIAL,
+        ("rates", "motion"),
         _("Which kinetic energies contain φ′², and with which factors?"),
+        symbol=sp.Symbol("a"),
     ),
-    "block_coupling": _coupling_question(
-        "block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"
-    ),
-    "top_coupling": _coupling_question(
-        "top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_from_phi"
-    ),
-    "natural_frequency_squared": Asked(
+    _coupling_question("block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"),
+    _coupling_question("top_coupling", _("the factor in the top cylinder’s acceleration"), Phi_ddot, "Phi_from_phi"),
+    Question(
+        "natural_frequency_squared",
         "Ω²",
         lambda: elimination().natural_frequency_squared,
         lambda: _("What is $\\Omega^2$, the square of the natural frequency?"),
         mistakes.frequency,
         "2k/(3m + m')",
         QUOTIENT,
+        ("elimination", "insertion", "frequency"),
         _("What is left of the equation of motion of φ when you insert the other two accelerations?"),
     ),
-    "unit_mass_ratio": Asked(
+    Question(
+        "unit_quadratic",
+        _("the quadratic equation"),
+        lambda: mistakes.unit().quadratic.as_expr(),
+        lambda: _("Which quadratic equation for {ratio} follows from $\\Omega^2=k/m$?").format(
+            ratio=f"${latex(epsilon)}=m'/m$"
+        ),
+        mistakes.quadratic,
+        "5 eps^2 + eps = 3",
+        EQUATION,
+        ("ratio", "unit"),
+        _("What is Ω² in units of k/m, written with ε?"),
+        variables=("eps",),
+        any_form=True,
+    ),
+    Question(
+        "unit_mass_ratio",
         _("the mass ratio"),
         lambda: mistakes.unit().root,
         lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(ratio=f"${latex(epsilon)}=m'/m$"),
         lambda _right: mistakes.ratio(),
         "(sqrt(5) - 1)/2",
         NUMBER,
+        ("unit", "root"),
         _("Which quadratic equation for ε follows from Ω² = k/m?"),
     ),
-}
+)
+_ASKED = {each.name: each for each in _ALL}
 
 QUESTIONS: tuple[str, ...] = tuple(_ASKED)
 """The names of the questions, in the order of the derivation."""

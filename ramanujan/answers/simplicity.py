@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.ntheory.factor_ import core
 
 from ramanujan.answers import terms
-from ramanujan.answers.grammar import is_number, length
+from ramanujan.answers.formulas import is_number, length
 from ramanujan.answers.values import at_points, rational_ratio
 from ramanujan.translation import _
 

@@ -8,33 +8,38 @@ computed. Every sentence states what was computed exactly.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from math import isqrt, prod
+from math import inf, isqrt, prod
 
 import sympy as sp
 from sympy.ntheory.factor_ import core
 from sympy.polys.fields import FracElement, field
 from sympy.polys.rings import PolyElement
 
-from ramanujan.answers.grammar import SYMBOLS, is_number, weights
+from ramanujan.answers.formulas import is_number, weights
+from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.answers.values import evaluate
 from ramanujan.derivation.symbols import epsilon, m, m_prime
 from ramanujan.numerals import superscript
 from ramanujan.translation import _, ngettext
 
-NAMES = tuple(name for name in SYMBOLS if name != "eps")
-_SHOWN = {"eps": "ε", "m'": "m′", "X'": "X′", "phi": "φ", "phi'": "φ′", "Phi": "Φ", "Phi'": "Φ′"}
+NAMES = tuple(SYMBOLS)
+_SHOWN = {"eps": "ε", "Phi": "Φ", "phi": "φ", "''": "″", "'": "′"}
 _WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}
 _MOST_SENTENCES = 3
 
 FIELD = field([f"x{i}" for i in range(len(NAMES) + 1)], sp.ZZ)[0]
 GENERATORS = {SYMBOLS[name]: generator for name, generator in zip(NAMES, FIELD.gens, strict=False)}
+OF_RATIO = GENERATORS | {m_prime: GENERATORS[epsilon] * GENERATORS[m]}
+"""For formulas in the mass ratio; in all others it is m′/m."""
 GENERATORS[epsilon] = GENERATORS[m_prime] / GENERATORS[m]
 _ROOT = FIELD.gens[-1]
 
-_MAX_WEIGHT, _MAX_BITS, MAX_RADICAND = 60, 60_000, 10**12
-"""Limits on the names and numbers of a formula, on the integers of a search for common factors, and under a root."""
+_MAX_WEIGHT, _MAX_BITS, _MAX_TERMS, MAX_RADICAND = 60, 60_000, 120, 10**12
+"""Limits on the names and numbers of a quotient, on the integers of a search for common factors, on the terms of a
+polynomial, and under a root."""
 
 Differences = list[tuple[str, str]]
 """Products of names, and a sentence about the coefficient of each."""
@@ -46,6 +51,8 @@ class NotComparableError(ValueError):
 
 def _check_size(expression: sp.Expr) -> None:
     """Refuse what would take long: by the integers that the search for common factors would meet."""
+    if _terms(expression) <= _MAX_TERMS:
+        return
     counted, degrees, bits = weights(expression), Counter(), 6
     for leaf, times in counted.items():
         if is_number(leaf):
@@ -54,6 +61,20 @@ def _check_size(expression: sp.Expr) -> None:
             degrees.update(dict.fromkeys((m, m_prime) if leaf == epsilon else (leaf,), times))
     if counted.total() > _MAX_WEIGHT or bits * prod(n + 1 for n in degrees.values()) > _MAX_BITS:
         raise NotComparableError
+
+
+def _terms(expression: sp.Expr) -> float:
+    """Return how many terms a formula has at most when it is multiplied out; infinity if it divides by a sum."""
+    if expression.is_Add:
+        return sum(map(_terms, expression.args))
+    if expression.is_Mul:
+        return prod(map(_terms, expression.args))
+    if expression.is_Pow:
+        terms, exponent = _terms(expression.base), expression.exp
+        if terms > 1 and not (exponent.is_Integer and exponent > 0):
+            return inf
+        return terms ** int(exponent) if terms > 1 else terms
+    return 1
 
 
 @dataclass(frozen=True)
@@ -75,21 +96,21 @@ class Exact:
         return frozenset(name for i, name in enumerate(NAMES) if any(powers[i] for p in parts for powers in p))
 
 
-def exact(expression: sp.Expr) -> Exact:
-    """Return a formula in lowest terms.
+def exact(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> Exact:
+    """Return a formula in lowest terms, in these generators of the field.
 
     Raises
     ------
     NotComparableError : it is too large, or has other roots than that of one whole number.
     ZeroDivisionError : it divides by zero.
     """
-    value, radicand = with_root(expression)
+    value, radicand = with_root(expression, generators)
     (a, b), (c, d) = (_parts(p, radicand) for p in (value.numer, value.denom))
     norm = c**2 - radicand * d**2
     return Exact((a * c - radicand * b * d) / norm, (b * c - a * d) / norm, radicand)
 
 
-def with_root(expression: sp.Expr) -> tuple[FracElement, int]:
+def with_root(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> tuple[FracElement, int]:
     """Return a formula as an element of the field, and the whole number whose root is the field's last generator."""
     _check_size(expression)
     radicands = {1}
@@ -104,7 +125,7 @@ def with_root(expression: sp.Expr) -> tuple[FracElement, int]:
         radicands.add(radicand)
         return FIELD(isqrt(p * q // radicand)) / q * (_ROOT if radicand > 1 else 1)
 
-    value = evaluate(expression, GENERATORS, root, number)
+    value = evaluate(expression, generators, root, number)
     if len(radicands) > 2:
         raise NotComparableError
     return value, max(radicands)
@@ -129,7 +150,9 @@ def _parts(polynomial: PolyElement, radicand: int) -> list[FracElement]:
 
 def shown_name(name: str) -> str:
     """Return a name as a sentence shows it."""
-    return _SHOWN.get(name, name)
+    for typed, shown in _SHOWN.items():
+        name = name.replace(typed, shown)
+    return name
 
 
 def listed(names: list[str]) -> str:
@@ -240,9 +263,12 @@ def _coefficient(term: str, yours: Exact, right: FracElement) -> str | None:
             return _("Your answer contains a constant term. The right answer has none.")
         return _("Your answer contains a term with {term}. The right answer has none.").format(term=term)
     if not yours.rational and not yours.irrational:
-        return _("The term with {term} is missing.").format(term=term)
+        missing = _("The term with {term} is missing.") if term else _("The constant term is missing.")
+        return missing.format(term=term)
     ratio = yours.over(right)
     factor = shown_factor(ratio)
+    if not term:
+        return _constant(factor)
     if factor is None:
         return _("Your coefficient of {term} is wrong.").format(term=term)
     if not factor.startswith("−"):
@@ -257,6 +283,14 @@ def _coefficient(term: str, yours: Exact, right: FracElement) -> str | None:
         return should.format(term=term)
     size = _("Its size is {times} the right one.").format(times=how_many_times(factor.removeprefix("−")))
     return f"{should.format(term=term)} {size}"
+
+
+def _constant(factor: str | None) -> str:
+    if factor is None:
+        return _("Your constant term is wrong.")
+    if factor.startswith("−"):
+        return _("Your constant term has the wrong sign.")
+    return _("Your constant term is {times} the right one.").format(times=how_many_times(factor))
 
 
 def _names_off(term: str, ratio: Exact, right: FracElement) -> str | None:
@@ -277,6 +311,14 @@ def _names_off(term: str, ratio: Exact, right: FracElement) -> str | None:
             instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
             return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
     return None
+
+
+def as_equation(given: Exact, right: FracElement, variables: tuple[str, ...]) -> Differences | None:
+    """Return how “given = 0” differs from “right = 0”, multiplied such that as few terms as possible differ."""
+    yours, theirs = (_coefficients(each, variables) or {} for each in (given.rational, right))
+    factors = (yours[powers] / theirs[powers] for powers in yours.keys() & theirs.keys())
+    compared = [term_by_term(given, right * factor, variables) for factor in factors]
+    return min(filter(None, compared), key=len, default=None)
 
 
 # As one fraction

@@ -10,7 +10,7 @@ from __future__ import annotations
 import random
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import reduce
+from functools import cache, reduce
 from math import isqrt
 from operator import add, mul
 from typing import Any
@@ -18,8 +18,9 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from ramanujan.answers.grammar import SYMBOLS, is_decimal
-from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
+from ramanujan.answers.formulas import is_decimal
+from ramanujan.answers.spelling import MOTION, SYMBOLS
+from ramanujan.derivation.symbols import COORDINATES, R, epsilon, k, m, m_prime
 from ramanujan.numerals import superscript
 
 _MP = mpmath.mp.clone()
@@ -95,26 +96,51 @@ def point(**values: Fraction) -> dict[sp.Expr, Fraction]:
 
 def _points() -> tuple[dict[sp.Expr, Fraction], ...]:
     source = random.Random(1729)
-    signed = (COORDINATES[0], COORDINATES[2], VELOCITIES[0], VELOCITIES[2])
     found = []
     for sign in (1, -1, 1):
         drawn = {name: Fraction(source.randrange(10**11, 10**12)) for name in SYMBOLS if name != "eps"}
         # Velocities take both signs against each other, so that √(X′²) is told from X′.
-        found.append(point(**{name: sign * x if SYMBOLS[name] in signed else x for name, x in drawn.items()}))
+        signed = {name: sign * x if name in MOTION and "phi" not in name else x for name, x in drawn.items()}
+        found.append(point(**signed))
     return tuple(found)
 
 
 POINTS = _points()
 
 
-def at_points(expression: sp.Expr) -> Values:
-    """Return the values of a formula at `POINTS`.
+@cache
+def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Fraction], ...]:
+    """Return `POINTS` with other values of these names, eps among them for the mass ratio."""
+    names = tuple("m'" if name == "eps" else name for name in names)
+    found = []
+    for here, there in zip(POINTS, POINTS[1:] + POINTS[:1], strict=True):
+        moved = here | {SYMBOLS[name]: there[SYMBOLS[name]] + 1 for name in names}
+        found.append(moved | {epsilon: moved[m_prime] / moved[m]})
+    return tuple(found)
+
+
+def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Fraction], ...] = POINTS) -> Values:
+    """Return the values of a formula at some points.
 
     Raises
     ------
     ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`), at a point.
     """
-    return tuple(evaluate(expression, known, square_root) for known in POINTS)
+    return tuple(evaluate(expression, known, square_root) for known in points)
+
+
+def up_to_a_factor(expression: sp.Expr, names: tuple[str, ...]) -> Values:
+    """Return values in which the equation “expression = 0” has, whatever it is multiplied by.
+
+    They are quotients of its values at points that differ in these names alone: a factor without them cancels.
+
+    Raises
+    ------
+    ArithmeticError : as `at_points` does.
+    """
+    here, there = at_points(expression), at_points(expression, moved_points(names))
+    pairs = (_alike(*pair) for pair in zip(here, there, strict=True))
+    return tuple(a / b if b else Fraction(0) for a, b in pairs)
 
 
 def agree(left: Values, right: Values) -> bool:
@@ -200,7 +226,7 @@ class DifferentUnitsError(ValueError):
 _KG, _M, _S = sp.symbols("kg m s", positive=True)
 _UNITS = {m: _KG, m_prime: _KG, k: _KG / _S**2, R: _M, epsilon: sp.S.One}
 for _q, _unit in zip(COORDINATES, (_M, sp.S.One, sp.S.One), strict=True):
-    _UNITS |= {_q: _unit, _q.diff(): _unit / _S}
+    _UNITS |= {_q: _unit, _q.diff(): _unit / _S, _q.diff().diff(): _unit / _S**2}
 
 
 def unit(expression: sp.Expr) -> str:

@@ -6,7 +6,7 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import sympy as sp
@@ -63,13 +63,16 @@ class Row:
         return found
 
 
-def rows(step: Step, values: Values | None = None) -> list[Row]:
+def rows(
+    step: Step, values: Values | None = None, make: Callable[[sp.Eq, Values | None, str], Row | None] | None = None
+) -> list[Row]:
     """Return the equations of a step as rows, with the numbers of a machine if its values are given, none twice.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     values : exact m, m′ and k, such as `numbers.exact_values` returns; none for the symbols
+    make : equation, its values and its label → a row, or None to leave it out; `row` by itself
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import exact_values
@@ -79,8 +82,11 @@ def rows(step: Step, values: Values | None = None) -> list[Row]:
     said = step.about(values) if values else step
     labels = said.labels or [""] * len(said.equations)
     numbers = values if said.case is None else None
-    found = (row(equation, numbers, label=label) for equation, label in zip(said.equations, labels, strict=True))
-    return list(dict.fromkeys(found))
+    found = (
+        make(equation, numbers, label) if make else row(equation, numbers, label=label)
+        for equation, label in zip(said.equations, labels, strict=True)
+    )
+    return [each for each in dict.fromkeys(found) if each]
 
 
 def row(equation: sp.Eq, values: Values | None = None, highlight: Highlight = (), label: str = "") -> Row:

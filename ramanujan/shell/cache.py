@@ -12,6 +12,7 @@ import streamlit as st
 
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
+from ramanujan.derivation.numbers import exact_values, stated
 from ramanujan.translation import _
 
 
@@ -38,6 +39,12 @@ def warm_up() -> bool:
 def route(name: str) -> Route:
     """Return a route of the derivation."""
     return ROUTES[name]
+
+
+@st.cache_data(show_spinner=False, max_entries=256)
+def numbers_stated(m: float, m_prime: float, k: float) -> str:
+    """Return the sentence that says whose numbers the steps of a derivation show."""
+    return stated(exact_values(m, m_prime, k))
 
 
 @st.cache_data(show_spinner=False)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import string
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -75,6 +76,38 @@ def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
     address.keep(key)
     return address.held(key)
+
+
+def plain(text: str) -> str:
+    """Return text such that Markdown shows it as it is."""
+    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
+
+
+def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
+    """Draw the hints that have been asked for, and a button for the next one.
+
+    Parameters
+    ----------
+    name : of what the hints belong to
+    sentences : Markdown, from a nudge to nearly the way
+    last : the label of one more button after them, if there is one; return whether it has been pressed
+    """
+    shown = hints_shown(name)
+    for sentence in sentences[:shown]:
+        st.markdown(f":material/lightbulb: {sentence}")
+    labels = [*(_("Hint ({n} left)").format(n=n) for n in range(len(sentences), 0, -1)), *([last] if last else [])]
+    if shown < len(labels):
+        st.button(labels[shown], key=f"hint_{name}", on_click=partial(_show_hint, name, shown + 1))
+    return shown > len(sentences)
+
+
+def hints_shown(name: str) -> int:
+    """Return how many hints have been asked for."""
+    return st.session_state.get(f"hints_shown_{name}", 0)
+
+
+def _show_hint(name: str, count: int) -> None:
+    st.session_state[f"hints_shown_{name}"] = count
 
 
 def tabs(key: Choice, words: Words) -> dict[str, Any]:

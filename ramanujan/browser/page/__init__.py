@@ -182,12 +182,19 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     return _component("steps")(key="steps", data=data, on_at_change=turned)
 
 
-def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None], clicker: bool = True) -> Any:
+def turn(
+    headings: Sequence[str],
+    now: int,
+    on_turned: Callable[[int], None],
+    clicker: bool = True,
+    place: str = _("Stop {now} of {count}: {heading}"),
+) -> Any:
     """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
 
     Parameters
     ----------
     headings : of the stops in their order, for screen readers
+    place : the template by which a screen reader says where one is
     now : the number of the stop that is drawn, from 1 on
     on_turned : called with the number of the stop that is asked for
     clicker : whether the page keys turn stops, too
@@ -197,7 +204,7 @@ def turn(headings: Sequence[str], now: int, on_turned: Callable[[int], None], cl
         if (to := st.session_state["turn"].to) is not None:
             on_turned(to)
 
-    data = {"headings": list(headings), "now": now, "place": _("Stop {now} of {count}: {heading}"), "clicker": clicker}
+    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker}
     return _component("turn")(key="turn", data=data, on_to_change=turned)
 
 

@@ -9,24 +9,26 @@ from itertools import zip_longest
 import streamlit as st
 import sympy as sp
 
-from ramanujan.answers import QUESTIONS, Question, Verdict, judge, question
-from ramanujan.answers.grammar import UnreadableError, parse, typeset
+from ramanujan.answers import Verdict, judge, shown_step
+from ramanujan.answers.formulas import typeset
+from ramanujan.answers.grammar import UnreadableError, parse, parse_equation
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
-from ramanujan.derivation.numbers import exact_values, stated
+from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.printers import InOrder, colored, latex
-from ramanujan.derivation.remarks import conserved_momenta, remarks
-from ramanujan.derivation.rows import Row, aligned, extent, row, side_terms
+from ramanujan.derivation.remarks import Remark, conserved_momenta, remarks
+from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.derivation.templates import Values
 from ramanujan.shell.cache import route
 
-_LINE_WIDTH = 54
-"""Characters of a formula that fit beside the sidebar on a projector of 1280 points; longer sums are broken."""
+LINE_WIDTH, BESIDE_MACHINE = 54, 44
+"""Characters of a formula that fit beside the sidebar in a window of 1280 points, and beside the machine on a
+projector; longer sums are broken."""
 
 _MANY = 6
 """Rows of equations that no longer fit on one screen below each other."""
@@ -55,22 +57,23 @@ def titles() -> dict[str, str]:
 
 
 @st.cache_data(show_spinner=False, max_entries=1024)
-def step(name: str, number: int, masses: Masses, part: str | None, color: str | None) -> ShownStep:
+def step(
+    name: str, number: int, masses: Masses, part: str | None, color: str | None, width: int = LINE_WIDTH
+) -> ShownStep:
     """Return a step of a route, counted from 0, with the terms of one part of the machine in its colour."""
     symbolic = route(name).steps[number]
     values = _values(masses)
     said = symbolic.about(values) if values else symbolic
-    numbers = values if said.case is None else None
     split = next((e for e in said.equations if part and terms(e)), None)
-    by_body = _by_body(split, numbers, part, color) if split is not None else ""
-    labels = said.labels or [""] * len(said.equations)
-    # Line by line, the sum over the bodies says what the sum in one line says.
-    shown = dict.fromkeys(
-        _row(e, numbers, part, color, label)
-        for e, label in zip(said.equations, labels, strict=True)
-        if e is not split or not isinstance(e.rhs, InOrder)
-    )
-    return ShownStep(said.heading, said.reason, _aligned(list(shown)) if shown else "", by_body)
+    by_body = _by_body(split, values if said.case is None else None, part, color) if split is not None else ""
+
+    def written(symbolic: sp.Eq, numbers: Values | None, label: str) -> Row | None:
+        # Line by line, the sum over the bodies says what the sum in one line says.
+        is_sum = symbolic == split and isinstance(symbolic.rhs, InOrder)
+        return None if is_sum else _row(symbolic, numbers, part, color, label)
+
+    shown = rows(symbolic, values, written)
+    return ShownStep(said.heading, said.reason, _aligned(shown, width) if shown else "", by_body)
 
 
 @dataclass(frozen=True)
@@ -118,27 +121,16 @@ def spectrum(masses: Masses) -> Spectrum:
     return Spectrum(*shapes, _aligned(momenta))
 
 
-@dataclass(frozen=True)
-class Note:
-    """A remark on a line of the paper, Markdown, and whether SymPy confirms it."""
-
-    where: str
-    printed: str
-    correct: str
-    note: str
-    holds: bool
+@st.cache_resource(show_spinner=False)
+def notes() -> list[tuple[Remark, bool]]:
+    """Return the remarks on the paper, and whether SymPy confirms each."""
+    return [(remark, remark.holds()) for remark in remarks()]
 
 
 @st.cache_data(show_spinner=False)
-def notes() -> list[Note]:
-    """Return the remarks on the paper, each checked."""
-    return [Note(r.where, r.printed, r.correct, r.note, r.holds()) for r in remarks()]
-
-
-@st.cache_data(show_spinner=False)
-def questions() -> dict[str, Question]:
-    """Return what the page asks, by name."""
-    return {name: question(name) for name in QUESTIONS}
+def step_to_answer(name: str) -> str:
+    """Return the step that leads to the answer of a question, as one block of LaTeX."""
+    return _aligned([row(each) for each in shown_step(name)])
 
 
 @st.cache_resource(show_spinner=False)
@@ -155,10 +147,10 @@ def verdict(name: str, text: str) -> Verdict:
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
-def as_read(text: str) -> str | None:
+def as_read(text: str, is_equation: bool = False) -> str | None:
     """Return the LaTeX of what the parser understands, or None where it does not understand."""
     try:
-        return typeset(parse(text))
+        return "=".join(map(typeset, parse_equation(text))) if is_equation else typeset(parse(text))
     except UnreadableError:
         return None
 
@@ -176,12 +168,6 @@ def symbols(name: str) -> str:
     entries = "; ".join(f"${entry.latex}$: {entry.meaning}" for entry in nomenclature(route(name)))
     # A square bracket before a round one would be read as a link.
     return f"{entries}. {DOTS}".replace("[", "\\[").replace("]", "\\]")
-
-
-@st.cache_data(show_spinner=False, max_entries=256)
-def numbers_stated(masses: tuple[float, float, float]) -> str:
-    """Return the sentence that says whose numbers the steps show."""
-    return stated(_values(masses))
 
 
 def _values(masses: Masses) -> Values | None:
@@ -214,18 +200,18 @@ def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str |
     return row(symbolic, numbers, tuple((each, color) for each in sorted(names(part, symbolic), key=str)), label)
 
 
-def _aligned(rows: list[Row]) -> str:
+def _aligned(shown: list[Row], width: int = LINE_WIDTH) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    broken = [row.lines(_LINE_WIDTH) for row in rows]
+    broken = [each.lines(width) for each in shown]
     fits = all(len(right) == 1 and extent(right[0]) <= _HALF_WIDTH for right in broken)
-    if len(rows) >= _MANY and fits and all(row.right != "0" for row in rows):
-        return _block(_in_two_columns(rows), ".5em")
-    return aligned([rows], _LINE_WIDTH, ".5em" if sum(map(len, broken)) < _MANY else ".15em")
+    if len(shown) >= _MANY and fits and all(each.right != "0" for each in shown):
+        return _block(_in_two_columns(shown), ".5em")
+    return aligned([shown], width, ".5em" if sum(map(len, broken)) < _MANY else ".15em")
 
 
-def _in_two_columns(rows: list[Row]) -> Iterator[str]:
+def _in_two_columns(shown: list[Row]) -> Iterator[str]:
     """Yield the rows side by side, the first half at the left."""
-    written = [f"{row.left} &= {row.right}" for row in rows]
+    written = [f"{row.left} &= {row.right}" for row in shown]
     half = (len(written) + 1) // 2
     for left, right in zip_longest(written[:half], written[half:], fillvalue=""):
         yield rf"{left} &\qquad {right}" if right else left
@@ -237,15 +223,15 @@ def _block(rows: Iterable[str], gap: str) -> str:
 
 def _by_body(stated: sp.Eq, numbers: Values | None, part: str, color: str) -> str:
     """Return T or ℒ with a line for each part of the machine, the chosen one in its colour."""
-    rows: list[str] = []
+    lines: list[str] = []
     for name, own in terms(stated).items():
         ink = color if name == part else None
         signed = "".join(_with_sign(side_terms(term, numbers)[0]) for term in own)
         # The first row carries what is split up, the others their sign.
-        start, formula = (r"&\quad", signed) if rows else (f"{latex(stated.lhs)} &=", signed.removeprefix("{}+"))
+        start, formula = (r"&\quad", signed) if lines else (f"{latex(stated.lhs)} &=", signed.removeprefix("{}+"))
         formula, word = rf"\textstyle {formula}", rf"\text{{{PARTS[name]}}}"
-        rows.append(rf"{start} {colored(formula, ink)} &&{colored(word, ink)}")
-    return _block(rows, gap=".15em")
+        lines.append(rf"{start} {colored(formula, ink)} &&{colored(word, ink)}")
+    return _block(lines, gap=".15em")
 
 
 def _with_sign(term: str) -> str:

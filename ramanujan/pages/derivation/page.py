@@ -16,6 +16,7 @@ from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
 from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
+from ramanujan.shell.cache import numbers_stated
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
@@ -82,53 +83,48 @@ def show() -> None:
 
 
 def the_route() -> Setting:
-    """Draw the choices and the steps; on a projector a lecture is one sheet, and who reads has one for each step."""
-    with sheet("machine", _("The machine")):
+    """Draw the choices, the machine and the steps; on a projector all of them share one sheet."""
+    setting, projector = the_setting(), display_mode.is_projector()
+    with sheet("lecture", _("The steps")):
         st.title(_("Five ways to one frequency"), anchor=False)
-        setting = choose()
-        turner = choose_body_beside_machine(setting)
-    part = address.held(BODY)
-    if setting.is_lecture:
-        lecture = sheet("lecture", _("The steps"))
-        with lecture if display_mode.is_projector() else turner:
-            turn_pages(setting.route, [step.heading for step in cache.route(setting.route).steps])
-        with lecture:
-            the_steps(setting, part)
-    else:
-        the_steps(setting, part)
-    if not display_mode.is_projector():
+        # One who reads keeps the machine and the choices in view.
+        with st.container(key="lectured" if setting.is_lecture else "reading"):
+            head = st.container(horizontal=True, vertical_alignment="center") if projector else None
+            steps, picture = st.columns([3, 1])
+        with picture:
+            stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
+            tell_beside()
+        with head or steps:
+            choose(picture if projector else None)
+            if setting.is_lecture:
+                turn_pages(setting.route, [step.heading for step in cache.route(setting.route).steps])
+        with steps if projector else st.container():
+            the_steps(setting, address.held(BODY))
+    if not projector:
         explain(setting)
         take_home(setting)
     return setting
 
 
-def choose() -> Setting:
-    """Draw the choice of the route and of how it is shown."""
-    with st.container(horizontal=True, key="choices"):
-        hidden = {"label_visibility": "collapsed"}
-        titles = cache.titles()
-        route = widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
-        how = widgets.chips(VIEW, _("How to show the steps"), VIEW_WORDS, **hidden)
-        values = "symbols"
+def the_setting() -> Setting:
+    """Return what the choices hold; on a projector there is one step at a time."""
+    in_numbers = address.held(VALUES) == "numbers" and not display_mode.hides("numbers")
+    is_lecture = address.held(VIEW) == "lecture" or display_mode.is_projector()
+    return Setting(sidebar.oscillator(), address.held(ROUTE), is_lecture, in_numbers)
+
+
+def choose(beside: DeltaGenerator | None) -> None:
+    """Draw the choice of the route; the others are folded, but on a projector they stand beside the step."""
+    hidden = {"label_visibility": "collapsed"}
+    with st.container(horizontal=True, vertical_alignment="center", key="choices"):
+        widgets.chips(ROUTE, _("Route"), cache.titles(), wrap=True, on_change=start_over, **hidden)
+        more = beside or st.popover(_("Show"), icon=":material/tune:", key="more")
+    with more:
+        widgets.pills(BODY, _("Highlight the terms of"), PARTS, wrap=True)
+        if not display_mode.is_projector():
+            widgets.chips(VIEW, _("How to show the steps"), VIEW_WORDS, **hidden)
         if not display_mode.hides("numbers"):
-            values = widgets.chips(VALUES, _("Symbols or numbers"), VALUES_WORDS, **hidden)
-    return Setting(sidebar.oscillator(), route, how == "lecture", values == "numbers")
-
-
-def choose_body_beside_machine(setting: Setting) -> DeltaGenerator:
-    """Draw the choice of a body, and beside it the machine in motion; return the place below the choice."""
-    # One who reads keeps the machine and the choice of a body in view; in a lecture they take no room from the step.
-    with st.container(key="lectured" if setting.is_lecture else "reading"):
-        shares = [1, 2] if display_mode.is_projector() else [3, 1]
-        choice, picture = st.columns(shares, vertical_alignment="center")
-    with choice, st.container(horizontal=True, vertical_alignment="center", key="bodies"):
-        st.markdown(_("Highlight the terms of"), width="content")
-        label = _("Whose terms to highlight")
-        widgets.pills(BODY, label, PARTS, label_visibility="collapsed", wrap=True)
-    with picture:
-        stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
-        tell_beside()
-    return choice
+            widgets.chips(VALUES, _("Symbols or numbers"), VALUES_WORDS, **hidden)
 
 
 @st.fragment(key="beside")
@@ -170,8 +166,7 @@ def the_steps(setting: Setting, part: str | None) -> None:
     address.keep(STEP)
     if not setting.is_lecture:
         for number in range(1, setting.steps + 1):
-            with sheet(f"step_{number}", f"{number}. {cache.route(setting.route).steps[number - 1].heading}"):
-                draw(setting, number, part)
+            draw(setting, number, part)
         return
     # Until the page decides which step is seen, it is the one of the address.
     now = address.held(STEP)
@@ -187,8 +182,13 @@ def the_steps(setting: Setting, part: str | None) -> None:
 def draw(setting: Setting, number: int, part: str | None) -> None:
     """Draw a step, counted from 1."""
     ink = theme.colors()[f"{part}_ink"] if part else None
-    step = cache.step(setting.route, number - 1, setting.masses, part, ink)
-    st.markdown(f"## {number}. {step.heading}\n\n{step.reason}")
+    width = cache.BESIDE_MACHINE if display_mode.is_projector() else cache.LINE_WIDTH
+    step = cache.step(setting.route, number - 1, setting.masses, part, ink, width)
+    reason = step.reason
+    if part and ink not in step.by_body + step.equations:
+        nothing = _("Nothing is highlighted in this step: it does not list the {part} separately.")
+        reason += f" *{nothing.format(part=PARTS[part])}*"
+    st.markdown(f"## {number}. {step.heading}\n\n{reason}")
     if step.by_body:
         st.latex(step.by_body)
     if step.equations:
@@ -198,14 +198,13 @@ def draw(setting: Setting, number: int, part: str | None) -> None:
 def explain(setting: Setting) -> None:
     """Say whose numbers the steps show, and what their symbols mean."""
     if setting.masses:
-        st.markdown(f":small[{cache.numbers_stated(setting.masses)}]")
-    st.markdown(f":small[{cache.symbols(setting.route)}]")
+        st.markdown(f":small[{numbers_stated(*setting.masses)}]")
+    st.expander(_("What the symbols of this route mean")).markdown(f":small[{cache.symbols(setting.route)}]")
 
 
 def take_home(setting: Setting) -> None:
     """Offer the route as files; each is written when it is asked for."""
-    with st.container(horizontal=True, vertical_alignment="center", key="files"):
-        st.markdown(_("Download this route:"), width="content")
+    with st.popover(_("Download this route"), icon=":material/download:", key="files"):
         for kind, (label, suffix, mime) in FILES.items():
             st.download_button(
                 label,
@@ -214,7 +213,6 @@ def take_home(setting: Setting) -> None:
                 mime,
                 key=f"file_{kind}",
                 on_click="ignore",
-                icon=":material/download:",
             )
 
 
@@ -246,8 +244,8 @@ def margin() -> None:
         return
     with notes, st.spinner(_("Checking each line …")):
         st.markdown(_("The paper’s main result is right. SymPy has checked each of these notes on its details."))
-        for note in cache.notes():
-            mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")
+        for note, holds in cache.notes():
+            mark = _(":green[:material/check: checked]") if holds else _(":red[:material/close: not confirmed]")
             st.markdown(
                 _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n:small[{note}]").format(
                     where=note.where, mark=mark, printed=note.printed, correct=note.correct, note=note.note

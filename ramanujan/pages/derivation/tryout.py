@@ -1,13 +1,15 @@
-"""The section of page 2 in which a student types a formula and is told whether it is right."""
+"""The section of page 2 in which a student types a formula and is told whether it is right; exercises draw it, too."""
 
 from __future__ import annotations
 
-import string
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from zoneinfo import ZoneInfo
 
 import streamlit as st
 
-from ramanujan.answers import QUESTIONS
-from ramanujan.answers.grammar import MAX_LENGTH
+from ramanujan.answers import QUESTIONS, question
+from ramanujan.answers.grammar import MOST_TYPED
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import address, widgets
 from ramanujan.translation import _
@@ -19,37 +21,85 @@ VERDICTS = {
     "wrong": (st.warning, ":material/lightbulb:"),
     "unreadable": (st.error, ":material/help:"),
 }
+_GIVEN = "answers_given"
+"""Session state: question or task → its `Given`."""
+
+
+@dataclass(frozen=True)
+class Given:
+    """What was last answered, and when it was first right; from then on it stays."""
+
+    answer: str
+    right_since: datetime | None
 
 
 def try_it() -> None:
-    """Ask for a formula, and say whether it is right or what is missing."""
+    """Ask for a formula, say whether it is right or what is missing, and list what has been solved."""
     st.header(_("Try it yourself"), anchor=False)
-    asked = cache.questions()
-    titles = {name: question.quantity[:1].upper() + question.quantity[1:] for name, question in asked.items()}
-    key = widgets.menu(QUESTION, _("What do you want to work out?"), titles)
-    question = asked[key]
-    st.markdown(question.prompt)
-    if question.names:
-        names = " ".join(f"`{name}`" for name in question.names)
+    take(address.held(QUESTION))
+    solved = [name for name in QUESTIONS if (found := given(name)) and found.right_since]
+    marked = {name: f"✓ {title(name)}" if name in solved else title(name) for name in QUESTIONS}
+    ask(widgets.menu(QUESTION, _("What do you want to work out?"), marked))
+    if solved:
+        st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
+        st.markdown("\n".join(f"- :green[:material/check_circle:] {title(name)}" for name in solved))
+
+
+def title(name: str) -> str:
+    """Return what a question asks for, as a title."""
+    quantity = question(name).quantity
+    return quantity[:1].upper() + quantity[1:]
+
+
+def take(name: str) -> None:
+    """Judge what has been typed as the answer to a question, and keep it."""
+    if text := st.session_state.get(f"answer_{name}"):
+        keep(name, text, cache.verdict(name, text).kind == "right")
+
+
+def keep(name: str, answer: str, is_right: bool) -> None:
+    """Keep an answer for the session; the first right one stays."""
+    before = given(name)
+    if before is None or not before.right_since:
+        now = datetime.now(_time_zone()) if is_right else None
+        st.session_state.setdefault(_GIVEN, {})[name] = Given(answer, now)
+
+
+def given(name: str) -> Given | None:
+    """Return what has been answered to a question or task."""
+    return st.session_state.get(_GIVEN, {}).get(name)
+
+
+def _time_zone() -> ZoneInfo:
+    try:
+        return ZoneInfo(st.context.timezone or "")
+    except (ValueError, OSError):
+        # Not every browser names it, and not every server knows the names.
+        return UTC
+
+
+def ask(name: str, with_step: bool = True) -> None:
+    """Ask for one formula, with hints; the last one, where it is offered, shows the step."""
+    asked = question(name)
+    st.markdown(asked.prompt())
+    if asked.names:
+        names = " ".join(f"`{each}`" for each in asked.names)
         st.markdown(_(":small[You may use] {names}").format(names=names))
     with st.form("answer", border=False):
         text = st.text_input(
-            _("Your formula"),
-            key=f"answer_{key}",
-            placeholder=_("For example {formula}").format(formula=question.example),
-            max_chars=2 * MAX_LENGTH,
+            _("Your equation") if asked.is_equation else _("Your formula"),
+            key=f"answer_{name}",
+            placeholder=_("For example {formula}").format(formula=asked.example),
+            max_chars=MOST_TYPED,
         )
         st.form_submit_button(_("Check"), type="primary")
     if text:
-        verdict, read = cache.verdict(key, text), cache.as_read(text)
+        verdict, read = cache.verdict(name, text), cache.as_read(text, asked.is_equation)
         box, icon = VERDICTS[verdict.kind]
         if read:
             st.latex(read)
-        box(plain(verdict.message), icon=icon)
+        box(widgets.plain(verdict.message), icon=icon)
+    if widgets.hints(name, asked.hints, _("Show me this step") if with_step else ""):
+        st.latex(cache.step_to_answer(name))
     with st.spinner(_("Deriving the answer …"), show_time=False):
-        cache.prepare(key)
-
-
-def plain(text: str) -> str:
-    """Return text such that Markdown shows it as it is."""
-    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
+        cache.prepare(name)

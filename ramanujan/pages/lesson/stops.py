@@ -6,7 +6,6 @@ stage gets neither what `stop.hides` names nor the samples of a computed motion,
 
 from __future__ import annotations
 
-import string
 from functools import partial
 
 import streamlit as st
@@ -19,7 +18,7 @@ from ramanujan.lesson import Run, Stop
 from ramanujan.lesson.classes import Phase
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.pages.lesson import cache, classroom, progress
-from ramanujan.shell import class_session, display_mode, messages, sidebar, stages
+from ramanujan.shell import class_session, display_mode, messages, sidebar, stages, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
@@ -136,7 +135,7 @@ def ask(stop: Stop) -> None:
                 on_click=partial(go_on, stop, option.id, progress.PREDICTED),
                 width="stretch",
             )
-    hints(stop.id, stop.hints)
+    widgets.hints(stop.id, [widgets.plain(hint) for hint in stop.hints])
 
 
 def judge(stop: Stop, chosen: str, phase: str) -> None:
@@ -184,17 +183,6 @@ def why(stop: Stop) -> None:
     )
 
 
-def hints(name: str, sentences: tuple[str, ...]) -> None:
-    """Draw the hints that have been asked for, and a button for the next one."""
-    key = f"hints_shown_{name}"
-    shown = st.session_state.get(key, 0)
-    for sentence in sentences[:shown]:
-        st.markdown(f":material/lightbulb: {plain(sentence)}")
-    if left := len(sentences) - shown:
-        label = _("Hint ({n} left)").format(n=left)
-        st.button(label, key=f"hint_{name}", on_click=partial(_show_hint, key, shown + 1))
-
-
 def observe(stop: Stop, running: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
@@ -233,11 +221,6 @@ def payload(run: Run, machine: Oscillator, compression: float, running: bool) ->
     )
 
 
-def plain(text: str) -> str:
-    """Return text such that Markdown shows it as it is."""
-    return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
-
-
 def _caption(stop: Stop, running: bool) -> str:
     """Return what the sliders have to do with the picture."""
     if len(stop.runs) > 1:
@@ -253,7 +236,3 @@ def _caption(stop: Stop, running: bool) -> str:
 def _written(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
     return ", ".join(f"{PARAMETERS[key].symbol} = {PARAMETERS[key].written(x)}" for key, x in values.items())
-
-
-def _show_hint(key: str, count: int) -> None:
-    st.session_state[key] = count

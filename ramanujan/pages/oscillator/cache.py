@@ -10,7 +10,7 @@ import sympy as sp
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
-from ramanujan.derivation.numbers import exact_values, stated, unit_frequency_condition
+from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
 from ramanujan.derivation.rows import Row, aligned, rows
 from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures import Drawn, kept
@@ -116,12 +116,6 @@ def summary(present: tuple[float, float, float] | None) -> list[SummaryStep]:
     """Return the derivation in six steps, in symbols, and with the present m, m′ and k where these are given."""
     values = exact_values(*present) if present else None
     return [_with_numbers(step, symbols, values) for step, symbols in _in_symbols()]
-
-
-@st.cache_data(show_spinner=False, max_entries=256)
-def numbers_stated(m: float, m_prime: float, k: float) -> str:
-    """Return the sentence that says whose numbers the steps show."""
-    return stated(exact_values(m, m_prime, k))
 
 
 @st.cache_resource(show_spinner=False)

@@ -9,6 +9,7 @@ import streamlit as st
 from ramanujan.browser import page, stage
 from ramanujan.pages.oscillator import cache
 from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages, theme
+from ramanujan.shell.cache import numbers_stated
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
@@ -94,8 +95,8 @@ def the_curve() -> None:
         "curve",
         # What changes with the machine is said by the ring: so the figure is sent to a page only once.
         _(
-            "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "
-            "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
+            "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: "
+            "heavier rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
         ).format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value()),
     )
     st.caption(_("Click on the curve to build the machine with that mass ratio."))
@@ -125,7 +126,7 @@ def six_steps() -> None:
     projected = display_mode.is_projector()
     if not projected:
         said = _("Each step appears in symbols, then with your numbers.")
-        stated = f":small[{said} {cache.numbers_stated(*numbers)}]\n\n" if numbers else ""
+        stated = f":small[{said} {numbers_stated(*numbers)}]\n\n" if numbers else ""
         heading = _("The derivation in six steps")
         texts[0] = f"## {heading}\n\n{stated}{texts[0]}"
     # One text: each element of a page costs the server a message.

@@ -1,0 +1,124 @@
+"""What is said of a wrong answer that no typical mistake gives: which term differs, for which masses it is right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+import sympy as sp
+
+from ramanujan.answers import terms
+from ramanujan.answers.formulas import leaves
+from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, answer, right_terms, right_values
+from ramanujan.answers.questions import question as asked
+from ramanujan.answers.spelling import MOTION, SYMBOLS
+from ramanujan.answers.values import (
+    POINTS,
+    Values,
+    agree,
+    decimals,
+    depends_on,
+    evaluate,
+    point,
+    rational_ratio,
+    square_root,
+)
+from ramanujan.numerals import number as written
+from ramanujan.translation import _
+
+
+def depends(typed: sp.Expr, name: str, ratio_is_masses: bool = True) -> bool:
+    """Tell whether a formula changes with what a name stands for; with a mass, ε may change."""
+    symbol = SYMBOLS[name]
+    present = leaves(typed)
+    through = ratio_is_masses and SYMBOLS["eps"] in present and name in ("m", "m'")
+    return (symbol in present or through) and depends_on(typed, symbol)
+
+
+def differences(question: str, typed: sp.Expr, given: Values, exact: terms.Exact) -> tuple[str | None, list[str]]:
+    """Return the term that differs, if there is only one, and sentences about the difference."""
+    it = asked(question)
+    if it.kind == NUMBER:
+        return None, [*_as_number(question, given, exact), *_as_mass_ratio(exact, given[0])]
+    if it.kind == EQUATION:
+        if exact.irrational:
+            return None, [_("Your equation contains a root. The right one has none.")]
+        differences = terms.as_equation(exact, right_terms(question), it.variables)
+        if not differences:
+            return None, [_("No term of your equation is in the right ratio to another one.")]
+        compared = _("Bring all terms to the left side and compare them.")
+        return None, [compared, *terms.in_short(differences)]
+    ratio = exact.over(right_terms(question))
+    if it.kind == POLYNOMIAL:
+        differences = terms.term_by_term(exact, right_terms(question), it.variables)
+        if differences is None:
+            if it.variables == MOTION:
+                return "", [_("In your answer a velocity or an angle is below a fraction line or under a root.")]
+            return "", [_("In your answer a mass or a length is below a fraction line or under a root.")]
+        if len(differences) > 1 and not ratio.names.intersection(MOTION) and (multiple := terms.multiple(ratio)):
+            return None, multiple
+        return differences[0][0] if len(differences) == 1 else None, terms.in_short(differences)
+    if multiple := terms.multiple(ratio):
+        return None, multiple
+    if exact.irrational:
+        return None, [_("Your answer contains a root. The right one has none.")]
+    return None, terms.as_fraction(exact.rational, right_terms(question)) or _for_special_masses(question, typed)
+
+
+def _for_special_masses(question: str, typed: sp.Expr) -> list[str]:
+    """Return for which masses the answer is right, what it does not depend on, or that it is wrong even for m′ = m."""
+    right, m, m_prime = answer(question), SYMBOLS["m"], SYMBOLS["m'"]
+    cases = (
+        ({m_prime: POINTS[0][m]}, _("Your answer is right for equal masses, m′ = m, but not for other masses.")),
+        ({m_prime: Fraction(0)}, _("Your answer is right for m′ = 0, so the error is in a term with m′.")),
+        ({m: Fraction(0)}, _("Your answer is right for m = 0, so the error is in a term with m.")),
+    )
+    found = []
+    for masses, sentence in cases:
+        known = POINTS[0] | masses
+        known[SYMBOLS["eps"]] = known[m_prime] / known[m] if known[m] else Fraction(0)
+        try:
+            yours, theirs = (evaluate(formula, known, square_root) for formula in (typed, right))
+        except ArithmeticError:
+            continue
+        if agree((yours,), (theirs,)):
+            return [sentence]
+        found.append(sentence)
+    missing = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(right) and not depends(typed, name)]
+    if missing:
+        sentence = _("Your answer does not depend on {names}, but {quantity} does.")
+        return [sentence.format(names=terms.listed(missing), quantity=asked(question).quantity)]
+    # A decimal number may be right to its digits there.
+    return [] if decimals(typed) else [_("Your answer is wrong even for equal masses, m′ = m.")]
+
+
+def _as_number(question: str, given: Values, exact: terms.Exact) -> list[str]:
+    """Return how many times the right number the given one is, or which of its parts is right."""
+    times = rational_ratio(given, right_values(question))
+    if times is not None:
+        return terms.multiple(terms.Exact(terms.number(times)))
+    right = terms.exact(answer(question))
+    if (exact.irrational, exact.radicand) == (right.irrational, right.radicand):
+        return [_("The part of your answer with the root is right. The part without the root is not.")]
+    if exact.rational == right.rational:
+        return [_("The part of your answer without the root is right. The part with the root is not.")]
+    return []
+
+
+def _as_mass_ratio(exact: terms.Exact, ratio: object) -> Iterator[str]:
+    """Yield the frequency of the machine with the given mass ratio."""
+    if exact.names:
+        return
+    if ratio <= 0:
+        yield _("A ratio of two masses is positive.")
+        return
+    one = Fraction(1)
+    known = point(m=one, k=one, **{"m'": ratio})
+    frequency = evaluate(answer("natural_frequency_squared"), known, square_root)
+    shown, difference = float(ratio), float(abs(frequency - 1))
+    if difference < 1e-5:
+        close = _("With ε = {ratio}, Ω² and k/m differ by {difference} k/m, not by zero.")
+        yield close.format(ratio=written(shown, 12, strip=True), difference=written(difference, 4))
+    else:
+        far = _("With ε = {ratio} you get Ω² = {frequency} k/m.")
+        yield far.format(ratio=written(shown, 6, strip=True), frequency=written(float(frequency), 6, strip=True))

@@ -1,0 +1,178 @@
+"""Text to tokens: how one types the symbols of the derivation, in ASCII, in Unicode or in LaTeX.
+
+Everything that is not a number, a name of `SYMBOLS` or a sign of the grammar is refused here, with a sentence that says
+what was not understood.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator
+
+import sympy as sp
+
+from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
+from ramanujan.numerals import FROM_SUPERSCRIPTS
+from ramanujan.translation import _
+
+MAX_DIGITS = 20
+"""The most digits of a number."""
+
+_MOTION = {
+    f"{name}{primes}": q
+    for name, *states in zip(("X", "phi", "Phi"), COORDINATES, VELOCITIES, ACCELERATIONS, strict=True)
+    for primes, q in zip(("", "'", "''"), states, strict=True)
+}
+SYMBOLS: dict[str, sp.Expr] = {"m": m, "m'": m_prime, "k": k, "R": R, **_MOTION, "eps": epsilon}
+"""How one types a symbol of the derivation."""
+
+MOTION = tuple(_MOTION)
+"""The names of coordinates, velocities and accelerations."""
+
+TEXTBOOK = {name: sp.Symbol(name) for name in ("v", "omega", "I", "x")}
+"""Letters of the textbook's ½mv² + ½Iω² and ½kx²: understood, and asked about."""
+
+_ALL = {**SYMBOLS, **TEXTBOOK}
+
+
+class UnreadableError(ValueError):
+    """The text is not a formula of the grammar; the message tells the student why."""
+
+
+_FRACTIONS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+_SPELLINGS = str.maketrans(
+    {
+        **dict.fromkeys("′’ʹ´`‘", "'"),
+        **dict.fromkeys("·×⋅∙∗", "*"),
+        **dict.fromkeys("÷∕⁄", "/"),
+        **dict.fromkeys("−–", "-"),
+        **dict.fromkeys("φϕ", "phi"),
+        **dict.fromkeys("εϵɛ", "eps"),
+        **dict.fromkeys("\t\n\r\u00a0\u2009\u202f", " "),
+        **dict.fromkeys("[{", "("),
+        **dict.fromkeys("]}", ")"),
+        "Φ": "Phi",
+        "ω": "omega",
+        "√": "sqrt",
+    }
+)
+_REWRITTEN = [
+    (re.compile(pattern), replacement)
+    for pattern, replacement in (
+        # Decomposed, the Ẋ of a textbook is X and a dot above.
+        ("(?<=[XφϕΦ])\u0307", "'"),
+        ('(?<=[XφϕΦ])\u0308|[″“”"]', "''"),
+        ("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"^({found[0].translate(FROM_SUPERSCRIPTS)})"),
+        # A decimal comma, and the thin space between groups of digits.
+        (r"(?<=[0-9]),(?=[0-9])", "."),
+        ("(?<=[0-9])\u202f(?=[0-9]{3})", ""),
+        # LaTeX
+        (r"^\s*\$+|\$+\s*$", ""),
+        (r"\\(left|right|displaystyle|quad|[,;:! ])", " "),
+        (r"\\(cdot|times)(?![A-Za-z])", "*"),
+        (r"\\dot\s*(\{\s*)?(\\?[A-Za-z]+)\s*(?(1)\})", r" \2'"),
+        (r"\\ddot\s*(\{\s*)?(\\?[A-Za-z]+)\s*(?(1)\})", r" \2''"),
+        (r"\^\s*(\{\s*)?\\prime\s*(?(1)\})", "'"),
+        (r"\\[dt]?frac\s*([0-9])\s*([0-9])", r" frac(\1)(\2)"),
+        (r"\\[dt]?frac(?![A-Za-z])", " frac"),
+        (r"\\(?=(sqrt|varphi|phi|Phi|varepsilon|epsilon|omega)(?![A-Za-z]))", " "),
+    )
+]
+_LEIBNIZ = (
+    (re.compile(r"\bd ?(X|phi|Phi) ?/ ?dt\b"), r"\1'"),
+    (re.compile(r"\bd ?\^ ?(?:2|\(2\)) ?(X|phi|Phi) ?/ ?dt ?\^ ?(?:2|\(2\))"), r"\1''"),
+)
+_TOKEN = re.compile(
+    rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])|(?P<word>[A-Za-z_][A-Za-z_']*)"
+    r"|(?P<sign>[-+*/^()])"
+)
+_RATES = {
+    f"{before}{name}{after}": f"{name}{primes}"
+    for name in ("X", "phi", "Phi")
+    for before, after, primes in (
+        ("", "_dot", "'"),
+        ("", "dot", "'"),
+        ("d", "", "'"),
+        ("", "_ddot", "''"),
+        ("", "ddot", "''"),
+    )
+}
+_GREEK = {"epsilon": "eps", "varepsilon": "eps", "varphi": "phi", "varphi'": "phi'", "varphi''": "phi''"}
+_ALIASES = {**_GREEK, "m_prime": "m'", **_RATES}
+# Longest first, so that m' is not read as m.
+_NAME = re.compile("|".join(sorted(("sqrt", "frac", *_ALL, *_ALIASES), key=len, reverse=True)))
+
+
+def plain(text: str) -> str:
+    """Return the text in ASCII spelling, except for the fractions that are one character."""
+    text = unicodedata.normalize("NFD", text)
+    for pattern, replacement in _REWRITTEN:
+        text = pattern.sub(replacement, text)
+    text = text.translate(_SPELLINGS).replace("**", "^")
+    for pattern, replacement in _LEIBNIZ:
+        text = pattern.sub(replacement, text)
+    return text
+
+
+Token = str | sp.Expr
+
+
+def tokens(text: str) -> Iterator[tuple[Token, bool]]:
+    """Yield numbers, names and signs, each with whether a space comes before it."""
+    position, spaced = 0, False
+    while position < len(text):
+        if text[position] == " ":
+            position, spaced = position + 1, True
+            continue
+        found = _TOKEN.match(text, position)
+        if found is None:
+            raise UnreadableError(_strange(text[position]))
+        position = found.end()
+        if found["number"]:
+            yield _number(found["number"]), spaced
+        elif found["fraction"]:
+            yield sp.Rational(unicodedata.numeric(found[0])).limit_denominator(10), spaced
+        elif found["word"]:
+            for name in _names(found["word"]):
+                yield _ALL.get(name, name), spaced
+                spaced = False
+        else:
+            yield found["sign"], spaced
+        spaced = False
+
+
+def _strange(character: str) -> str:
+    if character == "Ω":
+        return _("Type only the right side of the equation: a formula without Ω.")
+    if character in "<>":
+        return _("Type a formula, not a comparison.")
+    # The Unicode name has only capitals, digits and hyphens: safe to show wherever the character itself is not.
+    name = unicodedata.name(character, "")
+    if not name:
+        return _("One character does not belong in a formula.")
+    return _("This character does not belong in a formula: {name}.").format(name=name.lower())
+
+
+def _number(digits: str) -> sp.Expr:
+    if len(digits.replace(".", "")) > MAX_DIGITS:
+        raise UnreadableError(_("A number may have at most {most} digits.").format(most=MAX_DIGITS))
+    return sp.Symbol(digits) if "." in digits else sp.Integer(digits)
+
+
+def _names(word: str) -> list[str]:
+    """Return the names that a run of letters is made of: mR is m and R."""
+    names, position = [], 0
+    while position < len(word):
+        found = _NAME.match(word, position)
+        if found is None:
+            raise UnreadableError(not_known(re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS]))
+        names.append(_ALIASES.get(found[0], found[0]))
+        position = found.end()
+    return names
+
+
+def not_known(name: str) -> str:
+    """Return the sentence that says which names may be used instead of this one."""
+    unknown = _("“{name}” is not known here. You may use {names} and sqrt( ).")
+    return unknown.format(name=name, names=", ".join(SYMBOLS))
