@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from streamlit.testing.v1 import AppTest
 
+from ramanujan.shell import address as addresses
 from ramanujan.shell import class_keys, parameters
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
@@ -54,6 +55,9 @@ DEFAULTS = {
     "paper": "questions",
     "seed": 1,
     "level": 1,
+    "exercise": (),
+    "item": 1,
+    "key": None,
     "part": "stops",
     "stop": "two-clocks",
     "chosen": {},
@@ -177,6 +181,9 @@ MEANT = {
             {"radius": ("same", "answered"), "block": ("rest", "predicted")},
         ),
         "task": ("top-at-rest", "top-at-rest"),
+        "exercise": ("two-cubes,top-at-rest,block_momentum", ("two-cubes", "top-at-rest", "block_momentum")),
+        "item": ("2", 2),
+        "key": ("on", "on"),
         "task_x0": ("0.5", 0.5),
         "task_glide": ("-7.5", -7.5),
         "task_spin": ("1.25", 1.25),
@@ -214,6 +221,7 @@ def test_every_option_has_a_short_ascii_id():
     for page in PAGES.values():
         for key in page.url_parameters:
             for option in getattr(key, "options", ()):
+                option = (option,) if isinstance(key, addresses.Several) else option
                 text = key.write(option)
                 assert text.isascii()
                 assert len(text) <= 25

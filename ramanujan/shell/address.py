@@ -114,18 +114,18 @@ class Choice(URLParameter):
 
 @dataclass(frozen=True)
 class Several(URLParameter):
-    """Any number of options, with commas between them."""
+    """Any number of options in any order, with commas between them."""
 
     name: str
     options: tuple[str, ...]
     default: tuple[str, ...] = ()
 
     def read(self, text: str) -> tuple[str, ...]:
-        """Return the options, in their own order; ValueError if one of them does not exist."""
-        asked = {each.strip() for each in text.split(",")}
-        if not asked <= set(self.options):
+        """Return the options, each once; ValueError if one of them does not exist."""
+        asked = dict.fromkeys(each.strip() for each in text.split(","))
+        if not asked.keys() <= set(self.options):
             raise ValueError(self.name)
-        return tuple(option for option in self.options if option in asked)
+        return tuple(asked)
 
     def write(self, value: tuple[str, ...]) -> str:
         """Return the options as the address has them."""
@@ -133,6 +133,11 @@ class Several(URLParameter):
 
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""
+        if len(self.options) > _FEW:
+            return _(
+                "The value of {name} in the address was ignored: it must be one or more of {count} options, with "
+                "commas between them, such as {example}."
+            ).format(name=self.name, count=len(self.options), example=",".join(self.options[:2]))
         return _(
             "The value of {name} in the address was ignored: it must be one or more of these, with commas between "
             "them: {options}."
@@ -193,8 +198,12 @@ def held(parameter: URLParameter) -> Any:
 
 
 def keep(*parameters: URLParameter) -> None:
-    """Write into the address what is chosen; a default is left out."""
+    """Write into the address what is chosen; a default is left out, and so is what a bound widget cannot use."""
     for parameter in parameters:
+        if parameter.bound:
+            if not fits(parameter):
+                st.query_params.pop(parameter.name, None)
+            continue
         value = held(parameter)
         text = None if value == parameter.default else parameter.write(value)
         if text is None:

@@ -10,11 +10,11 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.browser import page
 from ramanujan.lesson.notes import INTRODUCTION
-from ramanujan.pages.lesson import cache, classroom, ending, progress, stops, tasks, wall
+from ramanujan.pages.lesson import cache, classroom, ending, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.translation import _, ngettext
 
-URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS)
+URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
 PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
 
 
@@ -22,32 +22,34 @@ def show() -> None:
     """Draw the page."""
     classroom.guests(stops.show)
     wall.guests()
+    if items := address.held(exercise.EXERCISE):
+        exercise.show(items)
+    else:
+        lesson_parts()
+    # Also what the present part of the page does not draw.
+    address.keep(*URL_PARAMETERS)
+
+
+def lesson_parts() -> None:
+    """Draw the choice between stops, tasks and notes, and the one that is chosen."""
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
         part = widgets.chips(progress.PART, _("Part of the lesson"), PART_WORDS, label_visibility="collapsed")
         head = st.container(key="turner")
         classroom.door()
     {"stops": walk, "tasks": work, "notes": notes}[part](head)
-    keep_address()
     page.give_back("part")
 
 
 def withheld() -> tuple[str, ...]:
     """Return the presets that are not offered: none would leave a question or a task as it is."""
     class_session.arrive()
+    if address.held(exercise.EXERCISE):
+        return tuple(sidebar.PRESETS)
     name = address.held(progress.STOP)
     walks = address.held(progress.PART) == "stops" and name != progress.END
     if class_session.seat_held() or not walks or not stops.is_answered(lesson.stop(name)):
         return tuple(sidebar.PRESETS)
     return ()
-
-
-def keep_address() -> None:
-    """Keep in the address also what the present part of the page does not draw, and drop what it cannot use."""
-    for key in URL_PARAMETERS:
-        if not key.bound:
-            address.keep(key)
-        elif not address.fits(key):
-            st.query_params.pop(key.name, None)
 
 
 def walk(head: st.delta_generator.DeltaGenerator) -> None:

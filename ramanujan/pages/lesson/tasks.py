@@ -6,11 +6,10 @@ import streamlit as st
 
 from ramanujan.browser import page, stage
 from ramanujan.integrators import METHODS
-from ramanujan.lesson import Setting, Task
+from ramanujan.lesson import Setting, Task, Verdict
 from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
-from ramanujan.pages.lesson import stops
 from ramanujan.shell import address, sidebar, stages, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
@@ -41,8 +40,8 @@ _LONGEST = 200
 _WIDTH = 160
 
 
-def draw(task: Task) -> None:
-    """Draw a task."""
+def draw(task: Task) -> Verdict:
+    """Draw a task, and return how far it is done."""
     with sheet("task", task.heading):
         st.title(task.heading, anchor=False)
         st.markdown(task.text)
@@ -53,19 +52,21 @@ def draw(task: Task) -> None:
             if not task.fields:
                 st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
             with st.container(key="task_verdict"):
-                verdict(task, setting)
-            stops.hints(f"task_{task.id}", task.hints)
+                judged = verdict(task, setting)
+            widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
         if picture:
             with picture:
                 machine(task, setting)
+    return judged
 
 
-def verdict(task: Task, setting: Setting) -> None:
+def verdict(task: Task, setting: Setting) -> Verdict:
     """Say whether the task is done, and how far away the goal is."""
     judged = task.judge(setting)
     done, not_yet = _("Done."), _("Not yet.")
     said = f":green[:material/check_circle: **{done}**]" if judged.done else f":orange[:material/flag: **{not_yet}**]"
-    st.container(border=True).markdown(f"{said} {stops.plain(judged.sentence)}")
+    st.container(border=True).markdown(f"{said} {widgets.plain(judged.sentence)}")
+    return judged
 
 
 def machine(task: Task, setting: Setting) -> None:

@@ -7,6 +7,7 @@ import streamlit as st
 from ramanujan import Oscillator
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, questions
+from ramanujan.pages.lesson import exercise
 from ramanujan.shell import address, drawings, sidebar, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import PARAMETERS
@@ -28,6 +29,7 @@ def show() -> None:
         paper, seed, level = choose()
         asked = questions(machine, str(seed), level)
         calculations = [number for number, question in enumerate(asked, start=1) if question.working]
+        exercise.compose()
         head(machine, paper, seed, calculations)
     for number, question in enumerate(asked, start=1):
         with sheet(f"question_{number}", _("Question {number}").format(number=number)):

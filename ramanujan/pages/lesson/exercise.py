@@ -1,0 +1,108 @@
+"""An exercise by link: chosen questions and tasks, one at a time, and at the end a sheet to print or to save.
+
+The lecturer composes the link on the page Worksheet. The link for students leads to no key; the one with
+`key=on` is the lecturer's.
+"""
+
+from __future__ import annotations
+
+from urllib.parse import urlencode
+
+import streamlit as st
+
+from ramanujan import lesson
+from ramanujan.answers import QUESTIONS, question
+from ramanujan.browser import page
+from ramanujan.pages.derivation import cache, tryout
+from ramanujan.pages.lesson import tasks
+from ramanujan.shell import address, display_mode, widgets
+from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.navigation import PAGES
+from ramanujan.shell.parameters import PARAMETERS
+from ramanujan.translation import _
+
+ITEMS = (*QUESTIONS, *(task.id for task in lesson.TASKS))
+EXERCISE = address.Several("exercise", ITEMS)
+ITEM = address.Count("item", len(ITEMS) + 1)
+KEY = address.Choice("key", ("on",))
+URL_PARAMETERS = (EXERCISE, ITEM, KEY)
+END = _("Your sheet")
+FILE = "exercise.md"
+
+
+def show(items: tuple[str, ...]) -> None:
+    """Draw the present item of an exercise, or after the last one the sheet."""
+    headings, with_key = [*map(title, items), END], address.held(KEY) == "on"
+    now = min(address.held(ITEM), len(headings))
+    with st.container(key="lesson_head"):
+        page.turn(headings, now, turn, place=_("Part {now} of {count}: {heading}"))
+    if now > len(items):
+        finish(items)
+    elif (name := items[now - 1]) in QUESTIONS:
+        with sheet("question", title(name)):
+            st.title(title(name), anchor=False)
+            tryout.take(name)
+            tryout.ask(name, with_step=with_key)
+            if with_key:
+                st.latex(cache.step_to_answer(name))
+    else:
+        judged = tasks.draw(lesson.task(name))
+        tryout.keep(name, judged.sentence, judged.done)
+
+
+def turn(to: int) -> None:
+    """Go to another item, in a callback."""
+    st.session_state[ITEM.name] = to
+
+
+def title(item: str) -> str:
+    """Return the title of a question or task."""
+    return tryout.title(item) if item in QUESTIONS else lesson.task(item).heading
+
+
+def finish(items: tuple[str, ...]) -> None:
+    """Draw the sheet, and offer it as a file."""
+    written = written_sheet(items)
+    with sheet("question", END):
+        st.markdown(written)
+        with st.container(horizontal=True, vertical_alignment="center", key="sheet_choices"):
+            st.download_button(_("Save this sheet"), written, FILE, "text/markdown", on_click="ignore")
+            st.caption(_("Or print this page with Ctrl+P or ⌘P."))
+
+
+def written_sheet(items: tuple[str, ...]) -> str:
+    """Return the sheet as Markdown: each item, what was answered, since when it is right, how many hints were used."""
+    lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 24), ""]
+    for number, item in enumerate(items, start=1):
+        is_question = item in QUESTIONS
+        text = question(item).prompt() if is_question else lesson.task(item).text
+        found = tryout.given(item)
+        lines.append(f"{number}. **{title(item)}.** {text}")
+        if found is None:
+            lines.append("   - " + _("Not answered."))
+            continue
+        # Between these marks Markdown takes nothing for a command.
+        answer = f"`` {' '.join(found.answer.split()).replace('`', '')} ``" if is_question else found.answer
+        lines.append("   - " + _("Answer: {answer}").format(answer=answer))
+        right = _("Right since {time}.") if found.right_since else _("Not right yet.")
+        lines.append("   - " + right.format(time=f"{found.right_since:%Y-%m-%d %H:%M %Z}" if found.right_since else ""))
+        if hints := widgets.hints_shown(item if is_question else f"task_{item}"):
+            lines.append("   - " + _("Hints used: {n}").format(n=hints))
+    return "\n".join(lines) + "\n"
+
+
+def compose() -> None:
+    """Draw what composes the links of an exercise; it is neither printed nor shown on a projector."""
+    if display_mode.is_projector():
+        return
+    with st.expander(_("Make an exercise of questions and tasks, as a link for students")):
+        chosen = st.multiselect(_("Questions and tasks, in their order"), ITEMS, format_func=title, key="composed")
+        if not chosen:
+            return
+        machine = {each.name: f"{each.present:g}" for each in PARAMETERS.values() if each.present != each.default}
+        asked = urlencode({**machine, EXERCISE.name: EXERCISE.write(tuple(chosen))}, safe=",")
+        link = f"{(st.context.url or '').rpartition('/')[0]}/{PAGES['lesson'].path}?{asked}"
+        st.markdown(_("For your students:"))
+        st.code(link, language=None, wrap_lines=True)
+        st.markdown(_("For you, with the key:"))
+        st.code(f"{link}&{KEY.name}=on", language=None, wrap_lines=True)

@@ -1,0 +1,146 @@
+"""An exercise by link under AppTest: its order, its verdicts, no key for students, and the sheet at its end."""
+
+from __future__ import annotations
+
+import re
+from urllib.parse import parse_qs, urlsplit
+
+import pytest
+
+from ramanujan import lesson
+from ramanujan.answers import QUESTIONS, judge, question, shown_step
+from ramanujan.derivation.printers import latex
+from ramanujan.pages.derivation import cache
+from tests.test_answers import RIGHT
+from tests.test_scene_lesson import sent
+
+PAGE = "ramanujan/pages/lesson/page.py"
+WORKSHEET = "ramanujan/pages/worksheet/page.py"
+
+
+def sound(app):
+    assert not app.exception
+    return app
+
+
+def opened(app, **address):
+    app.run()
+    for key, text in address.items():
+        app.query_params[key] = text
+    return sound(app.switch_page(PAGE).run())
+
+
+def answer(app, name: str, text: str):
+    app.text_input(key=f"answer_{name}").set_value(text)
+    return sound(next(each for each in app.button if each.label == "Check").click().run())
+
+
+def go(app, item: int):
+    app.session_state["item"] = item
+    return sound(app.run())
+
+
+def hint(app, name: str):
+    return sound(app.button(key=f"hint_{name}").click().run())
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_hints_lead_to_the_step_and_only_the_step_has_the_answer(name):
+    hints = question(name).hints
+    assert len(hints) >= 2
+    for text in hints:
+        for formula in re.findall(r"\$([^$]+)\$", text):
+            sides = {formula, *re.split("=|,", formula)}
+            assert not [side for side in sides if judge(name, side).kind in ("right", "unsimplified")], text
+    stated = [latex(side) for each in shown_step(name) for side in (each, *each.args)]
+    assert any(judge(name, text).kind in ("right", "unsimplified") for text in stated)
+
+
+def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
+    items = ("unit_quadratic", "two-cubes", "potential_energy")
+    opened(app, exercise=",".join(items))
+    assert app.title[0].value == "The quadratic equation"
+    answer(app, "unit_quadratic", "18 eps^2 + eps = 24")
+    assert app.success
+    # What follows a right answer does not take it back.
+    answer(app, "unit_quadratic", "18 eps^2 = 24")
+    assert app.warning
+    go(app, 2)
+    assert app.title[0].value == lesson.task("two-cubes").heading
+    go(app, 3)
+    for _ in question("potential_energy").hints:
+        hint(app, "potential_energy")
+    assert "hint_potential_energy" not in [each.key for each in app.button]
+    assert not app.latex
+    answer(app, "potential_energy", "k` <b>|$R$")
+    go(app, 4)
+    (sheet,) = (each.value for each in app.markdown if each.value.startswith("# "))
+    headings = re.findall(r"^\d+\. \*\*(.*?)\.\*\*", sheet, re.MULTILINE)
+    assert headings == ["The quadratic equation", lesson.task("two-cubes").heading, "The potential energy"]
+    first, second, third = re.split(r"^\d+\. ", sheet, flags=re.MULTILINE)[1:]
+    assert "`` 18 eps^2 + eps = 24 ``" in first
+    assert re.search(r"Right since \d{4}-\d\d-\d\d \d\d:\d\d \w+", first)
+    assert "Not right yet." in second
+    assert "Not right yet." in third
+    assert "`` k <b>|$R$ ``" in third
+    assert f"Hints used: {len(question('potential_energy').hints)}" in third
+    # Nothing that the page gets leads to a key.
+    for item in range(1, 5):
+        go(app, item)
+        assert "key=on" not in sent(app)
+        assert not [each for each in app.button if each.label == "Show me this step"]
+        assert not [each for each in app.markdown if each.value.startswith("## 1.")]
+
+
+def test_the_lecturer_s_link_has_the_key(app):
+    opened(app, exercise="block_momentum", key="on")
+    assert latex(shown_step("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
+
+
+@pytest.mark.parametrize("bad", ["phi_equation,nobody", "", "<b>", "Phi_equation", "x" * 5000])
+def test_a_bad_link_gets_one_sentence_and_the_lesson(app, bad):
+    (warning,) = opened(app, exercise=bad).warning
+    assert "The value of exercise in the address was ignored" in warning.value
+    assert "nobody" not in warning.value
+    assert app.title[0].value.startswith("1. ")
+    assert not sound(app.run()).warning
+
+
+def test_the_lecturer_composes_both_links_in_the_order_of_choice(app):
+    sound(app.run().switch_page(WORKSHEET).run())
+    sound(app.slider(key="k").set_value(33.5).run())
+    app.multiselect(key="composed").set_value(["two-cubes", "block_momentum"])
+    students, lecturers = (each.value for each in sound(app.run()).code)
+    assert urlsplit(students).path.endswith("/lesson")
+    assert parse_qs(urlsplit(students).query) == {"k": ["33.5"], "exercise": ["two-cubes,block_momentum"]}
+    assert lecturers == f"{students}&key=on"
+
+
+def test_a_session_lists_what_has_been_solved(app):
+    app.run()
+    sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
+    for name in ("block_momentum", "kinetic_energy_block"):
+        app.session_state["question"] = name
+        answer(sound(app.run()), name, RIGHT[name][0])
+    # Another page, and back.
+    app.switch_page(WORKSHEET).run()
+    sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
+    solved = next(each.value for each in app.markdown if each.value.startswith("- :green"))
+    assert [line.rpartition("] ")[2] for line in solved.splitlines()] == [
+        "The kinetic energy of the block",
+        "The momentum of X",
+    ]
+    assert any(each.value.startswith(f"**Solved so far: 2 of {len(QUESTIONS)}") for each in app.markdown)
+    # After all hints the step is shown on request.
+    name = "block_momentum"
+    app.session_state["question"] = name
+    sound(app.run())
+    # The route above has the same step.
+    before = len(app.latex)
+    for _ in question(name).hints:
+        hint(app, name)
+        assert len(app.latex) == before
+    assert app.button(key=f"hint_{name}").label == "Show me this step"
+    hint(app, name)
+    assert len(app.latex) == before + 1
+    assert cache.step_to_answer(name) in app.latex[-1].value
