@@ -52,7 +52,7 @@ def draw(withheld: Collection[str] = ()) -> None:
     ----------
     withheld : presets that are not offered, because they would tell what the page asks
     """
-    with st.sidebar:
+    with st.sidebar, st.container(key="controls"):
         page.sheet()
         if offered := [name for name in PRESETS if name not in withheld]:
             st.pills(

@@ -25,8 +25,7 @@ function lecture(root, signal) {
 
   const show = (speak) => {
     // The server draws the steps; which one is seen is decided here alone.
-    sheet.textContent = `.st-key-lecture [class*="st-key-step_"] { display: none !important; }
-      .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex !important; }`;
+    sheet.textContent = `#root .st-key-lecture [class*="st-key-step_"]:not(.st-key-step_${now}) { display: none; }`;
     showPlace(root, data, now, speak);
   };
 

@@ -64,7 +64,7 @@ class Setting:
 
 def show() -> None:
     """Draw the page."""
-    dress()
+    color_bodies()
     setting = the_route()
     with sheet("results", _("The results")):
         compare()
@@ -253,8 +253,8 @@ def margin() -> None:
             )
 
 
-def dress() -> None:
-    """Give the bodies' names their colours, formulas a box to scroll in, and each step of a lecture the same room."""
+def color_bodies() -> None:
+    """Give the bodies' names their colours."""
     colors = theme.colors()
     # A shadow would hide the ring that Streamlit draws around the focus.
     bodies = "".join(
@@ -262,13 +262,7 @@ def dress() -> None:
         "background-size:100% 4px;background-position:0 100%;background-repeat:no-repeat}"
         for place, body in enumerate(PARTS, start=1)
     )
-    st.html(
-        f"<style>{bodies}"
-        ".st-key-results{overflow:auto hidden}.st-key-results table{width:max-content}"
-        ".st-key-lecture{min-height:23rem}"
-        f".st-key-reading{{background:{colors['paper']};padding:.25rem 0}}"
-        "</style>"
-    )
+    st.html(f"<style>{bodies}</style>")
 
 
 if __name__ == "__main__":
