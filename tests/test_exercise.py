@@ -80,7 +80,7 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     first, second, third = re.split(r"^\d+\. ", sheet, flags=re.MULTILINE)[1:]
     assert "`` 18 eps^2 + eps = 24 ``" in first
     assert re.search(r"Right since \d{4}-\d\d-\d\d \d\d:\d\d \w+", first)
-    assert "Not right yet." in second
+    assert "Not done yet." in second
     assert "Not right yet." in third
     assert "`` k <b>|$R$ ``" in third
     assert f"Hints used: {len(question('potential_energy').hints)}" in third

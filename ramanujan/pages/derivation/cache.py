@@ -12,7 +12,7 @@ import sympy as sp
 from ramanujan.answers import Verdict, judge, shown_step
 from ramanujan.answers.formulas import typeset
 from ramanujan.answers.grammar import UnreadableError, parse, parse_equation
-from ramanujan.derivation import ROUTES, Route
+from ramanujan.derivation import ROUTES
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
@@ -76,17 +76,6 @@ def step(
     return ShownStep(said.heading, said.reason, _aligned(shown, width) if shown else "", by_body)
 
 
-@dataclass(frozen=True)
-class Result:
-    """Where a route ends: its Ω² in symbols and with numbers, and the number of its steps and equations."""
-
-    title: str
-    steps: int
-    equations: int
-    symbols: str
-    numbers: str
-
-
 @st.cache_resource(show_spinner=False)
 def all_agree() -> bool:
     """Tell whether every route ends in the same expression: each difference from the first is worked out and is 0."""
@@ -95,30 +84,23 @@ def all_agree() -> bool:
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def results(masses: tuple[float, float, float]) -> list[Result]:
-    """Return where each route ends, for the present masses too."""
-    numbers = _values(masses)
-    return [_result(route(name), numbers) for name in ROUTES]
-
-
-@dataclass(frozen=True)
-class Spectrum:
-    """The three modes as LaTeX: the shape of each, and the momenta that the zero modes conserve."""
-
-    oscillating: str
-    glide: str
-    free_rolling: str
-    momenta: str
+def results(masses: tuple[float, float, float]) -> list[tuple[str, str, str, str]]:
+    """Return for each route its title, the number of its steps, and its Ω² in symbols and with the present masses."""
+    numbers, found = _values(masses), []
+    for way in map(route, ROUTES):
+        frequency = equation(Omega_squared, way.natural_frequency_squared)
+        found.append((way.title, str(len(way.steps)), row(frequency).right, row(frequency, numbers).right))
+    return found
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def spectrum(masses: Masses) -> Spectrum:
-    """Return the modes and the conserved momenta, in symbols or with the present masses."""
+def spectrum(masses: Masses) -> tuple[list[str], str]:
+    """Return the shapes of the three modes, the oscillating one first, and the momenta that the others conserve."""
     numbers, found = _values(masses), _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
-    shapes = (row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes))
-    return Spectrum(*shapes, _aligned(momenta))
+    shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
+    return shapes, _aligned(momenta)
 
 
 @st.cache_resource(show_spinner=False)
@@ -177,17 +159,6 @@ def _values(masses: Masses) -> Values | None:
 @st.cache_resource(show_spinner=False)
 def _modes() -> Modes:
     return modes(machine())
-
-
-def _result(way: Route, numbers: Values) -> Result:
-    frequency = equation(Omega_squared, way.natural_frequency_squared)
-    return Result(
-        way.title,
-        len(way.steps),
-        sum(len(each.equations) for each in way.steps),
-        row(frequency).right,
-        f"= {row(frequency, numbers).right}",
-    )
 
 
 def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str | None, label: str) -> Row:

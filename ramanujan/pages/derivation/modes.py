@@ -22,7 +22,7 @@ def three_modes(masses: cache.Masses) -> None:
             "called a zero mode, and it conserves a momentum."
         )
     )
-    spectrum = cache.spectrum(masses)
+    shapes, momenta = cache.spectrum(masses)
     shown = (
         (
             "swing",
@@ -31,7 +31,6 @@ def three_modes(masses: cache.Masses) -> None:
                 "Here $\\omega=\\Omega$, and all three coordinates oscillate with this one frequency. A machine "
                 "released at rest keeps $p_X=p_\\Phi=0$, so it moves in this mode alone."
             ),
-            spectrum.oscillating,
         ),
         (
             "glide",
@@ -40,7 +39,6 @@ def three_modes(masses: cache.Masses) -> None:
                 "$\\omega=0$. No force depends on the position of the machine on the floor, so $p_X$ is conserved. "
                 "$-p_X$ is the momentum of the whole machine, positive to the right."
             ),
-            spectrum.glide,
         ),
         (
             "roll",
@@ -49,16 +47,15 @@ def three_modes(masses: cache.Masses) -> None:
                 "$\\omega=0$. No force depends on the angle of the top cylinder, so $p_\\Phi$ is conserved. It is the "
                 "angular momentum of the top cylinder about its line of contact with the block."
             ),
-            spectrum.free_rolling,
         ),
     )
-    for column, (key, title, words, shape) in zip(st.columns(3), shown, strict=True):
+    for column, (key, title, words), shape in zip(st.columns(3), shown, shapes, strict=True):
         with column:
             stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title)
             st.markdown(words)
             st.latex(shape)
     if not is_projector():
-        st.latex(spectrum.momenta)
+        st.latex(momenta)
     tell_modes()
 
 

@@ -226,8 +226,8 @@ def compare() -> None:
     present = machine.m, machine.m_prime, machine.k
     st.header(_("All routes give the same frequency"), anchor=False)
     rows = [
-        (result.title, str(result.steps), f"$\\displaystyle {result.symbols}$", f"$\\Omega^2 {result.numbers}$")
-        for result in cache.results(present)
+        (title, steps, f"$\\displaystyle {symbols}$", f"$\\Omega^2 = {numbers}$")
+        for title, steps, symbols, numbers in cache.results(present)
     ]
     titles = (_("Route"), _("Steps"), _("$\\Omega^2$ in symbols"), _("$\\Omega^2$ with your numbers"))
     columns = 3 if display_mode.hides("numbers") else 4

@@ -47,7 +47,8 @@ def show(items: tuple[str, ...]) -> None:
                 st.latex(cache.step_to_answer(name))
     else:
         judged = tasks.draw(lesson.task(name))
-        tryout.keep(name, judged.sentence, judged.done)
+        if judged.done:
+            tryout.keep(name, judged.sentence, is_right=True)
 
 
 def turn(to: int) -> None:
@@ -67,7 +68,7 @@ def finish(items: tuple[str, ...]) -> None:
         st.markdown(written)
         with st.container(horizontal=True, vertical_alignment="center", key="sheet_choices"):
             st.download_button(_("Save this sheet"), written, FILE, "text/markdown", on_click="ignore")
-            st.caption(_("Or print this page with Ctrl+P or ⌘P."))
+            st.caption(_("Or print this page with Ctrl+P or ⌘P. Your answers are kept until you close or reload it."))
 
 
 def written_sheet(items: tuple[str, ...]) -> str:
@@ -79,13 +80,14 @@ def written_sheet(items: tuple[str, ...]) -> str:
         found = tryout.given(item)
         lines.append(f"{number}. **{title(item)}.** {text}")
         if found is None:
-            lines.append("   - " + _("Not answered."))
-            continue
-        # Between these marks Markdown takes nothing for a command.
-        answer = f"`` {' '.join(found.answer.split()).replace('`', '')} ``" if is_question else found.answer
-        lines.append("   - " + _("Answer: {answer}").format(answer=answer))
-        right = _("Right since {time}.") if found.right_since else _("Not right yet.")
-        lines.append("   - " + right.format(time=f"{found.right_since:%Y-%m-%d %H:%M %Z}" if found.right_since else ""))
+            lines.append("   - " + (_("Not answered.") if is_question else _("Not done yet.")))
+        else:
+            # Between these marks Markdown takes nothing for a command.
+            answer = f"`` {' '.join(found.answer.split()).replace('`', '')} ``" if is_question else found.answer
+            lines.append("   - " + _("Answer: {answer}").format(answer=answer))
+            right = _("Right since {time}.") if found.right_since else _("Not right yet.")
+            time = f"{found.right_since:%Y-%m-%d %H:%M %Z}" if found.right_since else ""
+            lines.append("   - " + right.format(time=time))
         if hints := widgets.hints_shown(item if is_question else f"task_{item}"):
             lines.append("   - " + _("Hints used: {n}").format(n=hints))
     return "\n".join(lines) + "\n"
