@@ -32,8 +32,8 @@ def test_an_exercise_from_its_link_to_the_saved_sheet(visit):
         page.get_by_role("button", name="Save this sheet").click()
     assert download.value.suggested_filename == "exercise.md"
     text = Path(download.value.path()).read_text(encoding="utf-8")
-    assert re.search(r"1\. \*\*The momentum of X\*\*.*\n.*`` \(3m\+2m'\)Ẋ .* ``\n.*Right since 20", text)
-    assert re.search(r"2\. \*\*Half of the energy\*\*(.*\n)+.*Not done yet\.", text)
+    assert re.search(r"1\. \*\*The momentum of X\.\*\*.*\n.*`` \(3m\+2m'\)Ẋ .* ``\n.*Right since 20", text)
+    assert re.search(r"2\. \*\*Half of the energy\.\*\*(.*\n)+.*Not done yet\.", text)
     # The page shows what the file says.
     shown = " ".join(page.locator("[data-testid=stMain]").inner_text().split())
     assert re.search(r"Right since .*?\.", text)[0] in shown

@@ -73,7 +73,7 @@ def finish(items: tuple[str, ...]) -> None:
 
 def written_sheet(items: tuple[str, ...]) -> str:
     """Return the sheet as Markdown: each item, what was answered, since when it is right, how many hints were used."""
-    lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 24), ""]
+    lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         is_question = item in QUESTIONS
         text = question(item).prompt() if is_question else lesson.task(item).text
