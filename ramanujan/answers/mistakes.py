@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from ramanujan.answers import machines
-from ramanujan.answers.procedures import Row, conditions, equations, inertias, through
+from ramanujan.answers.procedures import Row, conditions, equations, mass_matrix, through
 from ramanujan.answers.values import POINTS, Values
 from ramanujan.derivation.elimination import Elimination, UnitCondition, eliminate, phi_ddot, unit_condition
 from ramanujan.derivation.symbols import (
@@ -185,11 +185,8 @@ def block_equation(right: sp.Expr) -> Variants:
 def _first_row(states: tuple[sp.Expr, ...]) -> Iterator[tuple[str, sp.Expr]]:
     """Yield the first row of the mass matrix of altered machines times velocities, or times accelerations."""
     for mistake in (*machines.common(), *machines.exotic()):
-        terms: dict[sp.Expr, sp.Expr] = dict.fromkeys(states, sp.S.Zero)
-        for mass, rates in inertias(mistake.bodies):
-            for rate, state in zip(rates, states, strict=True):
-                terms[state] += mass * rates[0] * rate
-        yield mistake.hint, sp.Add(*(factor * state for state, factor in terms.items()))
+        row = mass_matrix(mistake.bodies)[0]
+        yield mistake.hint, sp.Add(*(entry * state for entry, state in zip(row, states, strict=True)))
 
 
 # The elimination

@@ -18,6 +18,15 @@ from ramanujan.translation import _
 Row = list[Any]
 
 
+@cache
+def mass_matrix(bodies: Machine) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Return the mass matrix of a machine, in the order X, φ, Φ."""
+    moving = [(body.mass, _rates_of(body.displacement)) for body in bodies.bodies]
+    turning = [(body.moment_of_inertia, _rates_of(body.angle)) for body in bodies.bodies]
+    places = range(len(COORDINATES))
+    return tuple(tuple(sp.Add(*(mass * v[i] * v[j] for mass, v in moving + turning)) for j in places) for i in places)
+
+
 def equations(
     bodies: Machine, values: Mapping[sp.Expr, Any], number: Callable[[Any], Any]
 ) -> tuple[list[Row], Any, Any]:
@@ -33,8 +42,7 @@ def equations(
     def worth(expression: sp.Expr) -> Any:
         return evaluate(expression, values, square_root, number)
 
-    parts = [(worth(mass), [worth(rate) for rate in rates]) for mass, rates in inertias(bodies)]
-    matrix = [[sum((mass * v[i] * v[j] for mass, v in parts), number(0)) for j in range(3)] for i in range(3)]
+    matrix = [list(map(worth, row)) for row in mass_matrix(bodies)]
     return matrix, worth(k * _rates_of(bodies.deformation)[1] ** 2), worth(4 * k * R)
 
 
@@ -111,13 +119,6 @@ def through(name: str, system: Callable[[Machine], tuple[list[Row], Any, Any]]) 
         yield hint, solved(name, altered, *rest)
     for mistake in chain(machines.common(), machines.exotic()):
         yield mistake.hint, solved(name, *system(mistake.bodies))
-
-
-def inertias(bodies: Machine) -> Iterator[tuple[sp.Expr, tuple[sp.Expr, ...]]]:
-    """Yield each mass and moment of inertia, and the velocity that it has for Ẋ, φ̇ and Φ̇ = 1."""
-    for body in bodies.bodies:
-        yield body.mass, _rates_of(body.displacement)
-        yield body.moment_of_inertia, _rates_of(body.angle)
 
 
 _EPSILON, _e = field("e", sp.ZZ)

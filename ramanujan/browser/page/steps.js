@@ -25,7 +25,8 @@ function lecture(root, signal) {
 
   const show = (speak) => {
     // The server draws the steps; which one is seen is decided here alone.
-    sheet.textContent = `#root .st-key-lecture [class*="st-key-step_"]:not(.st-key-step_${now}) { display: none; }`;
+    sheet.textContent = `#root .st-key-lecture [class*="st-key-step_"] { display: none; }
+      #root .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex; }`;
     showPlace(root, data, now, speak);
   };
 
