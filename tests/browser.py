@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 import shutil
 import socket
 import subprocess
@@ -114,6 +115,58 @@ MOUNTED = """() => !document.querySelector(".st-key-arrival:last-child") &&
     component.shadowRoot?.querySelector("style, section") ||
     component.closest("[class*=_published], [class*=_pick], .st-key-arrival, .st-key-keys"))"""
 """Whether every component that shows something is there, and the first page has asked for what follows its machine."""
+
+
+_AT_HOME = """(arriving) => {
+  const pressed = (button) => button.getAttribute("aria-pressed") ?? button.getAttribute("aria-checked");
+  if (!arriving) document.activeElement?.blur();
+  for (const name of ["stMain", "stSidebarContent"]) document.querySelector(`[data-testid=${name}]`)?.scrollTo(0, 0);
+  for (const component of document.querySelectorAll("[data-testid=stBidiComponentIsolated]")) {
+    const find = (selector) => [...(component.shadowRoot?.querySelectorAll(selector) ?? [])];
+    const controls = find("[data-layer], [data-speed]");
+    if (arriving) component.atHome = controls.map(pressed);
+    else {
+      const changed = controls.filter((button, i) => pressed(button) !== component.atHome?.[i]);
+      for (const each of changed) if (each.dataset.layer || pressed(each) === "false") each.click();
+      for (const each of find(".playing [data-do=play], [data-do=restart]").reverse()) each.click();
+    }
+  }
+}"""
+"""Brings back what only the browser knows: the layers of the stages, their speed and phase; the scrolled page."""
+
+
+def arrived(page: Page, address: str) -> None:
+    """Note how a page is that has been opened with an address, for `is_back`."""
+    page.evaluate(_AT_HOME, True)
+    page.home = (address, page.url, len(page.frames_sent))
+
+
+def is_back(page: Page, address: str) -> bool:
+    """Bring a page that was opened with an address back to how it was; return whether that could be done.
+
+    Where the server was told something, the first page's Reset undoes it, if the address holds no machine of its own.
+    """
+    if not page.home or page.home[0] != address or page.url.partition("?")[0] != page.home[1].partition("?")[0]:
+        return False
+    with contextlib.suppress(Error, AssertionError):
+        if len(page.frames_sent) != page.home[2]:
+            if address.partition("?")[0] or re.search(r"[?&](m|m_prime|k|compression|radius)=", address):
+                return False
+            page.get_by_text("Reset", exact=True).click(timeout=1000)
+            settle(page)
+            page.home = (*page.home[:2], len(page.frames_sent))
+        page.evaluate(_AT_HOME, False)
+        return page.url == page.home[1]
+    return False
+
+
+def rest(page: Page) -> None:
+    """Leave a page after a test with nothing held and nothing that moves by itself."""
+    with contextlib.suppress(Error):
+        page.mouse.up()
+        if not page.home or page.url.partition("?")[0] != page.home[1].partition("?")[0]:
+            page.goto("about:blank")
+        page.emulate_media(color_scheme="light", reduced_motion="reduce", media="null", forced_colors="none")
 
 
 def settle(page: Page, seconds: float = 60) -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from weakref import WeakKeyDictionary
 
 import pytest
@@ -19,27 +18,17 @@ from streamlit.runtime.scriptrunner import ScriptRunnerEvent
 from streamlit.testing.v1 import AppTest, app_test
 from streamlit.testing.v1.element_tree import ElementTree, parse_tree_from_messages
 from streamlit.testing.v1.local_script_runner import LocalScriptRunner
-from xdist.scheduler import LoadScopeScheduling
 
-from tests.browser import CHROMIUM, FLAGS, MOUNTED, ROOT, count_anew, listen, running, settle
+from tests.browser import CHROMIUM, FLAGS, MOUNTED, ROOT, arrived, count_anew, is_back, listen, rest, running, settle
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
-
-
-class FilesTogether(LoadScopeScheduling):
-    """Tests in a browser: those of one file go to one worker. All others: each to whichever worker is free."""
-
-    def _split_scope(self, nodeid: str) -> str:
-        file = Path(nodeid.partition("::")[0])
-        return file.stem if file.stem.startswith(IN_A_BROWSER) else nodeid
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> FilesTogether:
-    return FilesTogether(config, log)
+TABS = 4
+"""How many tabs a worker keeps."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put the files that take longest first: those in a browser, and the larger ones."""
+    items.sort(key=lambda item: (not item.path.stem.startswith(IN_A_BROWSER), -item.path.stat().st_size, item.path))
     if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
         for item in items:
             if item.path.stem.startswith(IN_A_BROWSER):
@@ -82,7 +71,7 @@ def profile(chromium: object) -> object:
 
 @pytest.fixture(scope="session")
 def tabs() -> list[object]:
-    """The browser's tabs, kept from test to test: a new one would compile all of Streamlit's scripts again."""
+    """The browser's tabs, the one used last at the end: to open a page takes more than a second of a processor."""
     return []
 
 
@@ -90,39 +79,59 @@ def tabs() -> list[object]:
 def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable[..., object]]:
     """Open a page of the app: visit("?m=2", width=390, height=844, theme="dark"); it must end without an error.
 
-    The stage stands still unless motion="no-preference" is asked for: to draw sixty frames a second without a graphics
-    card takes a processor of its own.
+    A tab that has this address already, and that Reset and the stage's own controls bring back to how it was, is taken
+    again, unless anew=True. The stage stands still unless motion="no-preference" is asked for: to draw sixty frames a
+    second without a graphics card takes a processor of its own.
     """
     opened, errors = [], []
 
     def note(error: object) -> None:
         errors.append(str(error))
 
+    def tab_for(address: str) -> object:
+        free = [tab for tab in tabs if tab not in opened]
+        same = next((tab for tab in free if tab.home and tab.home[0] == address), None)
+        if same or len(tabs) >= TABS:
+            tab = same or free[0]
+            tabs.remove(tab)
+        else:
+            tab = profile.new_page()
+            tab.home = None
+            listen(tab)
+        tabs.append(tab)
+        return tab
+
     def open_page(
-        address: str = "", *, width: int = 1280, height: int = 720, theme: str = "light", motion: str = "reduce"
+        address: str = "",
+        *,
+        width: int = 1280,
+        height: int = 720,
+        theme: str = "light",
+        motion: str = "reduce",
+        anew: bool = False,
     ) -> object:
-        if len(opened) == len(tabs):
-            tabs.append(profile.new_page())
-            listen(tabs[-1])
-        page = tabs[len(opened)]
+        page = tab_for(address)
         opened.append(page)
         page.bring_to_front()  # a tab behind another draws once a second
         page.on("pageerror", note)
+        back = not anew and is_back(page, address)
         page.set_viewport_size({"width": width, "height": height})
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
         page.mouse.move(0, 0)
-        count_anew(page)
-        page.goto(f"{server}/{address}")
-        page.wait_for_selector("[data-testid=stMainBlockContainer]")
-        settle(page)
-        page.wait_for_function(MOUNTED)
-        settle(page)  # the first page has asked for what follows its machine
+        if not back:
+            count_anew(page)
+            page.goto(f"{server}/{address}")
+            page.wait_for_selector("[data-testid=stMainBlockContainer]")
+            settle(page)
+            page.wait_for_function(MOUNTED)
+            settle(page)  # the first page has asked for what follows its machine
+            arrived(page, address)
         return page
 
     yield open_page
     for page in opened:
         page.remove_listener("pageerror", note)
-        page.goto("about:blank")
+        rest(page)
     assert errors == []
 
 

@@ -19,7 +19,7 @@ def slider(page, key: str):
     return page.locator(f".st-key-{key} input[type=range]")
 
 
-@pytest.mark.parametrize("delay", [0.0, 0.1, 0.6])
+@pytest.mark.parametrize("delay", [0.0, 0.6])
 def test_every_key_press_is_kept(visit, server, delay):
     with delayed(server, delay) if delay else contextlib.nullcontext(server) as address:
         page = visit()
@@ -44,7 +44,7 @@ def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(visit, 
         slider(page, "k").wait_for(state="attached", timeout=90_000)
         settle(page)
         # The message about k leaves before the page has heard of the preset, and still carries the old m′.
-        page.get_by_text("Light rollers").click()
+        page.get_by_text("Light rollers", exact=True).click()
         slider(page, "k").focus()
         page.keyboard.press("ArrowRight")
         page.wait_for_timeout(400)

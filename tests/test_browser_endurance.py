@@ -10,8 +10,8 @@ import os
 
 from tests.browser import listen, settle
 
-MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "1"))
-CHANGES = int(os.environ.get("RAMANUJAN_PAGES", "10"))
+MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "0.3"))
+CHANGES = int(os.environ.get("RAMANUJAN_PAGES", "5"))
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 HASTE = """
 const now = performance.now.bind(performance), then = now();

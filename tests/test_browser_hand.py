@@ -107,7 +107,7 @@ def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
     settle(page)
     assert normalized(page) == before
     # Where the start is off the slider's steps, it is not rounded.
-    page.get_by_text("In step (1729)").click()
+    page.get_by_text("In step (1729)", exact=True).click()
     settle(page)
     x, y = thumb(page, "m_prime")
     page.mouse.move(x, y)
@@ -181,7 +181,7 @@ def test_many_drags_over_a_slow_network_end_where_the_server_is(slowly):
     before = page.locator(".st-key-k input[type=range]").input_value()
     page.mouse.wheel(0, 240)
     page.mouse.wheel(0, -240)
-    page.get_by_text("Light rollers").click()
+    page.get_by_text("Light rollers", exact=True).click()
     settle(page)
     page.wait_for_timeout(800)
     settle(page)

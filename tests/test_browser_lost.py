@@ -41,8 +41,7 @@ def calm(page, delay: float) -> None:
     settle(page)
 
 
-@pytest.mark.parametrize("delay", [0.0, 0.1, 0.4])
-@pytest.mark.parametrize("link", ["", "derivation"])
+@pytest.mark.parametrize(("delay", "link"), [(0.0, ""), (0.4, ""), (0.1, "derivation")])
 def test_a_preset_wins_over_what_was_typed_before_it(profile, server, delay, link):
     with opened(profile, server, delay, link) as page:
         for preset in ("Equal masses", "Reset"):

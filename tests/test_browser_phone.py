@@ -139,14 +139,20 @@ def test_cubes_let_swipes_and_wheels_through(phone):
     assert phone.top > top + 50
 
 
-@pytest.mark.parametrize("path", ["", "derivation?view=reading", "motion", "1729"])
+@pytest.mark.parametrize(
+    "path", ["", "derivation?show=reading", "motion", "1729?p=1000&q=999&digits=1000&left=sphere", "speed?periods=1"]
+)
 def test_nothing_scrolls_sideways_on_a_narrow_phone(phone, path):
     page = phone.open(path, "[data-testid=stMain] h1")
     page.set_viewport_size({"width": 320, "height": 640})
-    page.wait_for_timeout(500)
-    wide = page.evaluate(
-        "[document.documentElement, document.querySelector('[data-testid=stMain]')].map((n) => n.scrollWidth)"
-    )
+    wide = []
+    for view in page.get_by_role("tab").all() or [page.locator("h1")]:
+        view.click()
+        page.wait_for_timeout(500)
+        settle(page)
+        wide += page.evaluate(
+            "[document.documentElement, document.querySelector('[data-testid=stMain]')].map((n) => n.scrollWidth)"
+        )
     small = page.evaluate("""() => [...document.querySelectorAll('main button, [data-testid=stSidebarNavLink]')]
         .filter((node) => node.offsetParent && node.tabIndex >= 0)
         .filter((node) => !node.closest('.modebar, .stTooltipIcon, [role=tablist]'))

@@ -56,10 +56,3 @@ def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit
     length = page.evaluate(count)
     page.locator(".st-key-apart label").click()
     page.wait_for_function(f"{count} > {length}")
-
-
-def test_the_phone_does_not_scroll_sideways(visit: object) -> None:
-    page = ready(visit("1729?p=1000&q=999&digits=1000&left=sphere", width=390, height=844))
-    main = "document.querySelector('[data-testid=stMain]')"
-    assert page.evaluate(f"{main}.scrollWidth <= {main}.clientWidth")
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")

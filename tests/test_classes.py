@@ -31,7 +31,8 @@ from ramanujan.lesson.classes import (
 )
 
 OPTIONS = ["machine", "plain", "neither"]
-NEW_PROCESS = multiprocessing.get_context("spawn")
+NEW_PROCESS = multiprocessing.get_context("forkserver")
+NEW_PROCESS.set_forkserver_preload(["tests.test_classes"])  # what all of them import is imported once
 
 
 class Clock:

@@ -36,7 +36,7 @@ START = {
 }
 """A moment of a motion in which every mode takes part."""
 
-COUNT = int(os.environ.get("RAMANUJAN_MACHINES", "60"))
+COUNT = int(os.environ.get("RAMANUJAN_MACHINES", "24"))
 """How many machines go through all equations; 200 take half a minute."""
 
 UNIT_RATIO = (mpmath.sqrt(1729) - 1) / 36
