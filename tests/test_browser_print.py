@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import io
+import re
 
 import pytest
-from pypdf import PdfReader
+from pypdf import PageObject, PdfReader
 
 CONTROLS = (
     "Copy link",
@@ -15,7 +16,8 @@ CONTROLS = (
     "Within one period",
     "Print this page",
 )
-CUT = """() => [...document.querySelectorAll('.katex-display > .katex, .main-svg, .st-key-sheet_picture img')]
+CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-sheet_picture img, [class*=st-key-question_] .base']
+  .flatMap((selector) => [...document.querySelectorAll(selector)])
   .filter((node) => node.checkVisibility())
   .filter((node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map((node) => node.textContent.slice(0, 40))"""
@@ -29,20 +31,43 @@ def printed(page, paper: str) -> PdfReader:
     return PdfReader(io.BytesIO(page.pdf(format=paper)))
 
 
-@pytest.mark.parametrize("paper", PAPERS)
-def test_a_worksheet_comes_out_clean(visit, paper):
-    page = visit("worksheet?seed=7", theme="dark")
+def filled(sheet: PageObject) -> float:
+    """Return how far down a sheet something is written or drawn, as a share of its height."""
+    heights = []
+
+    def draw(operator: bytes, operands: list, matrix: list, _text: list) -> None:
+        if operator in (b"m", b"l", b"re"):
+            x, y = map(float, operands[:2])
+            heights.append(x * matrix[1] + y * matrix[3] + matrix[5])
+
+    def write(text: str, matrix: list, place: list, *_font: object) -> None:
+        if text.strip():
+            heights.append(place[4] * matrix[1] + place[5] * matrix[3] + matrix[5])
+
+    sheet.extract_text(visitor_operand_before=draw, visitor_text=write)
+    # The number of the page stands in the margin.
+    whole = float(sheet.mediabox.height)
+    return 1 - min(height for height in heights if height > 42) / whole
+
+
+@pytest.mark.parametrize("query", ["seed=7", "seed=1&level=2", "seed=3&level=3", "seed=2&paper=key"])
+def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
+    page = visit(f"worksheet?{query}", theme="dark")
     page.wait_for_selector(".st-key-sheet_picture img")
-    pdf = printed(page, paper)
-    assert float(pdf.pages[0].mediabox.width) == pytest.approx(PAPERS[paper][1], abs=1)
-    text = "\n".join(each.extract_text() for each in pdf.pages)
-    assert "worksheet" in text
-    assert all(f"{number}." in text for number in range(1, 10))
-    assert not [words for words in CONTROLS if words in text]
-    assert 2 <= len(pdf.pages) <= 6
+    for paper, (_width, points) in PAPERS.items():
+        pdf = printed(page, paper)
+        assert float(pdf.pages[0].mediabox.width) == pytest.approx(points, abs=1)
+        texts = [each.extract_text().strip() for each in pdf.pages]
+        numbered = [re.sub(rf"^{number} / {len(texts)}\s", "", text) for number, text in enumerate(texts, start=1)]
+        assert numbered[0].startswith("Ramanujan’s oscillator")
+        assert all(re.match(r"\d+\. ", text) for text in numbered[1:])
+        assert not [words for words in CONTROLS if words in "".join(texts)]
+        assert 3 <= len(texts) <= 6
+        # Of the printable height, from 0.05 to 0.95, at most a quarter stays empty.
+        assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
 
 
-SHEETS = {"": 4, "derivation?show=reading": 11, "motion": 2, "1729": 6, "speed": 4, "worksheet?paper=key": 8}
+SHEETS = {"": 4, "derivation?show=reading": 11, "motion": 2, "1729": 6, "speed": 4, "worksheet?paper=key": 6}
 """Page → how many sheets of A4 it takes at most."""
 
 

@@ -108,15 +108,15 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
     for a, b, c in zip(few[:steps], many, none, strict=False):
         assert a.answer == b.answer == c.answer
         whole = a.answer.count("$$") // 2
-        assert a.text.count("ldots") == 1 <= b.text.count("ldots") == whole
-        assert "$" not in c.text
+        assert a.blanks.count("ldots") == 1 <= b.blanks.count("ldots") == whole
+        assert "$" not in c.text + c.blanks
         # What is blank is not there.
         last = a.answer.rsplit("$$", 2)[1]
-        assert last not in a.text
-        assert last not in b.text
+        assert last not in a.text + a.blanks
+        assert last not in b.text + b.blanks
     # The last step ends in Ω², here for masses that no step has seen.
     m, m_prime, k = 1.3, 0.7, 21.0
-    right = few[steps - 1].answer.rsplit("=", 1)[1].strip(" $")
+    right = few[steps - 1].answer.rsplit("=", 1)[1].removesuffix("}$$")
     assert float(number_of(right, {"m'": m_prime, "m": m, "k": k})) == pytest.approx(
         Oscillator(m, m_prime, k).natural_frequency_squared, rel=1e-12
     )
@@ -129,7 +129,7 @@ def number_of(latex: str, values: dict[str, float]) -> sp.Expr:
     )
     for name in sorted(values, key=len, reverse=True):
         text = re.sub(rf"(?<![a-zA-Z]){name}(?!['a-zA-Z])", f"({values[name]!r})", text)
-    text = text.replace("^", "**").replace("{", "(").replace("}", ")")
+    text = text.replace("^", "**").replace("{", "(").replace("}", ")").replace(r"\pi", "*pi")
     text = re.sub(r"\\sqrt", "sqrt", text)
     while r"\frac" in text:
         start = text.rindex(r"\frac")
@@ -152,6 +152,10 @@ def test_each_line_of_the_key_s_working_ends_in_the_answer(machine):
     assert end(ratio.working[0]) == pytest.approx(machine.mass_ratio, rel=1e-14)
     assert end(ratio.working[1]) == pytest.approx(machine.normalized_frequency_squared, rel=1e-14)
     assert end(squared.working[0]) == pytest.approx(machine.natural_frequency_squared, rel=1e-12)
+    rigid = np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max()
+    assert end(squared.working[1]) == pytest.approx(2 * np.pi / np.sqrt(rigid), rel=1e-4)
+    period = float(re.search(r"period is ([\d.]+)\u202fs", squared.answer)[1])
+    assert period == pytest.approx(2 * np.pi / np.sqrt(rigid), rel=5e-4)
     assert end(felt.working[0]) == pytest.approx(machine.effective_mass, rel=1e-12)
     assert end(felt.working[1]) == pytest.approx(3 * machine.m + 2 * machine.m_prime, rel=1e-12)
     assert end(parting.working[0]) == pytest.approx(machine.normalized_frequency_squared**0.5, rel=1e-12)
@@ -164,6 +168,16 @@ def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
     root = re.search(r"so \$\\varepsilon=\\frac\{(.*?)\}\{(\d+)\}", last.answer)
     exact = sp.sympify(re.sub(r"\\sqrt\{(\d+)\}", r"sqrt(\1)", root[1])) / int(root[2])
     assert normalized_frequency_squared(float(exact)) == pytest.approx(float(asked), rel=1e-12)
+    # The frequency is set equal to the target; the discriminant is that of 18wε² + (49w − 48)ε + 32w − 56.
+    frequency, target = last.working[0].rsplit("=", 1)
+    assert number_of(target, {}) == asked
+    assert float(number_of(frequency.replace(r"\varepsilon", "x"), {"x": float(exact)})) == pytest.approx(
+        float(asked), rel=1e-12
+    )
+    _name, put_in, discriminant = last.working[1].split("=")
+    assert number_of(put_in, {}) == number_of(discriminant, {})
+    a, b, c = 18 * asked, 49 * asked - 48, 32 * asked - 56
+    assert sp.sqrt(number_of(discriminant, {}) / (b * b - 4 * a * c)).is_rational
 
 
 def test_the_letters_of_the_key_name_the_right_options():
@@ -214,6 +228,7 @@ def test_questions_show_no_answer_and_the_key_shows_all():
     key = "\n".join(each.value for each in sheet(seed="5", paper="key").markdown)
     for question in asked:
         assert question.text in blank
+        assert question.blanks in blank
         assert question.text in key
         assert question.answer in key
         assert question.answer not in blank

@@ -31,6 +31,8 @@ _TOLD = ("block",)
 """Stops whose answer the derivation names: on which side X is positive."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
 """Of the route of Euler and Lagrange, those in which there is something to find."""
+_LONG = 150
+"""Letters of LaTeX that may be too wide for paper."""
 SPACE = 3.0
 """Room to write an answer to a calculation [cm]."""
 
@@ -42,6 +44,7 @@ class Question:
     Parameters
     ----------
     text, answer : what is asked, and what the key says
+    blanks : formulas to complete; the key has them whole in its answer
     options : with letters, where there are any
     working : the lines of a calculation that lead to the answer
     space : room to write [cm]
@@ -49,6 +52,7 @@ class Question:
 
     text: str
     answer: str
+    blanks: str = ""
     options: tuple[str, ...] = ()
     working: tuple[str, ...] = ()
     space: float = SPACE
@@ -84,17 +88,21 @@ def _guided(step: Step, level: int) -> Question:
     """Return a step as a question: what is to be found is left blank."""
     whole = [latex(equation) for equation in step.equations]
     blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
-    shown = {1: [*whole[:-1], blanks[-1]], 2: blanks, 3: []}[level]
+    wide = [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
+    given, asked = {1: (whole[:-1], blanks[-1:]), 2: ([], wide), 3: ([], [])}[level]
     reason = "" if level == 3 else f" {step.reason}"
     return Question(
-        f"**{step.heading}.**{reason}" + _displayed(shown),
-        _displayed(whole).strip(),
-        space=len(whole) + 1 if level == 3 else level + 1,
+        f"**{step.heading}.**{reason}",
+        in_a_row(whole),
+        blanks="\n\n".join(filter(None, (in_a_row(given), in_a_row(asked)))),
+        space=len(whole) + 1 if level == 3 else 2,
     )
 
 
-def _displayed(formulas: Sequence[str]) -> str:
-    return "".join(f"\n\n$${formula}$$" for formula in formulas)
+def in_a_row(formulas: Sequence[str]) -> str:
+    """Return formulas as Markdown, as many in a line as fit; in braces a formula is not broken, unless it is long."""
+    whole = (f"{{{formula}}}" if len(formula) < _LONG else formula for formula in formulas)
+    return "\u2003 ".join(f"$$\\displaystyle {formula}$$" for formula in whole)
 
 
 def _predicted(stop: Stop, draw: random.Random) -> Question:
@@ -106,7 +114,7 @@ def _predicted(stop: Stop, draw: random.Random) -> Question:
     return Question(
         stop.question,
         f"**{letters[right]}.** {label}\\\n{stop.explanation()}",
-        tuple(f"{letters[option.id]}. {option.label}" for option in shown),
+        options=tuple(f"{letters[option.id]}. {option.label}" for option in shown),
         space=1.6,
     )
 
@@ -164,7 +172,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             ),
             working=(
                 f"{latex(formula)}={latex(sp.Rational(target))}",
-                f"b^2-4ac={latex(b)}^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(b * b - 4 * a * c)}",
+                f"b^2-4ac=({latex(b)})^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(b * b - 4 * a * c)}",
             ),
             space=4.0,
         ),

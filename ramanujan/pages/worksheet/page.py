@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.lesson.picture import machine_svg
-from ramanujan.lesson.worksheet import Question, questions
+from ramanujan.lesson.worksheet import Question, in_a_row, questions
 from ramanujan.pages.lesson import exercise
 from ramanujan.shell import address, drawings, sidebar, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
@@ -19,6 +21,8 @@ LEVEL = address.Choice("level", (1, 2, 3), 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL)
 PAPER_WORDS = {"questions": _("Questions"), "key": _("Key")}
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
+# Of a sheet on a projector: its lines, letters in a line, and letters of LaTeX in a row of formulas.
+_LINES, _WIDTH, _ROW = {"questions": 15, "key": 12.5}, 105, 330
 _LINE = "<span style='display:inline-block;width:35%;border-bottom:1px solid'></span>"
 
 
@@ -29,11 +33,40 @@ def show() -> None:
         paper, seed, level = choose()
         asked = questions(machine, str(seed), level)
         calculations = [number for number, question in enumerate(asked, start=1) if question.working]
-        exercise.compose()
+        if not is_projector():
+            exercise.compose()
         head(machine, paper, seed, calculations)
-    for number, question in enumerate(asked, start=1):
-        with sheet(f"question_{number}", _("Question {number}").format(number=number)):
-            draw(number, question, paper == "key")
+    for drawn in together(enumerate(asked, start=1), paper == "key"):
+        first, last = drawn[0][0], drawn[-1][0]
+        numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
+        with sheet(f"question_{first}", numbers.format(first=first, last=last)):
+            for number, question in drawn:
+                draw(number, question, paper == "key")
+
+
+def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[list[tuple[int, Question]]]:
+    """Yield the numbered questions that fit on one sheet of a projector; calculations begin a new one."""
+    drawn, used = [], 0.0
+    for number, question in asked:
+        lines = [line for text in written(question, with_key) for line in text.splitlines() if line]
+        height = sum(1.5 * (1 + len(each) // _ROW) if "$$" in each else 1 + len(each) // _WIDTH for each in lines)
+        if drawn and (
+            used + height > _LINES["key" if with_key else "questions"]
+            or bool(question.working) != bool(drawn[-1][1].working)
+        ):
+            yield drawn
+            drawn, used = [], 0.0
+        drawn.append((number, question))
+        used += height
+    yield drawn
+
+
+def written(question: Question, with_key: bool) -> tuple[str, ...]:
+    """Return what is written of a question, as pieces of Markdown."""
+    options = "\n".join(f"- {option}" for option in question.options)
+    if not with_key:
+        return question.text, options, question.blanks
+    return question.text, options, in_a_row(question.working), question.answer
 
 
 def choose() -> tuple[str, int, int]:
@@ -53,17 +86,18 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
         "key": _("Ramanujan’s oscillator: key {seed}"),
     }
     st.title(titles[paper].format(seed=seed), anchor=False)
-    if paper == "questions":
+    if paper == "questions" and not is_projector():
         name, date = _("Name"), _("Date")
         st.html(f"<p class='name'>{name} {_LINE} {date} {_LINE}</p>")
+    picture, words = st.columns(2) if is_projector() else (st.container(), st.container())
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in PARAMETERS.values())
-    with st.container(key="sheet_picture"):
+    with picture, st.container(key="sheet_picture"):
         drawings.draw(
             machine_svg(machine, sidebar.compression()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style="width:560px;max-width:100%;background:#fff",
         )
-    st.markdown(
+    words.markdown(
         _(
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
             "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is ε = m′/m. "
@@ -71,7 +105,7 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
             "block is displaced by X to the left. The lower rollers turn clockwise by φ, the top cylinder by Φ."
         )
     )
-    st.markdown(
+    words.markdown(
         _("The machine of questions {first} to {last}: {values}.").format(
             first=calculations[0], last=calculations[-1], values=values
         )
@@ -80,12 +114,9 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
 
 def draw(number: int, question: Question, with_key: bool) -> None:
     """Draw a question with room to write, or with its answer; it is not cut by the end of a page."""
-    options = "".join(f"\n- {option}" for option in question.options)
     with st.container(key=f"question_{number}"):
-        st.markdown(f"**{number}.** {question.text}\n{options}")
-        if with_key:
-            st.markdown("".join(f"$${line}$$\n\n" for line in question.working) + question.answer)
-        elif not is_projector():
+        st.markdown(f"**{number}.** " + "\n\n".join(filter(None, written(question, with_key))))
+        if not (with_key or is_projector()):
             lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * round(question.space)
             st.html(f"<div class='room'>{lines}</div>")
 
