@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 import re
 
 import pytest
@@ -110,6 +112,24 @@ def test_the_full_page_shows_the_machine_of_the_stop(visit):
     settle(page)
     assert heading(page) == "Motion"
     assert page.get_by_role("tab", name="Contact forces").get_attribute("aria-selected") == "true"
+
+
+def test_machines_to_compare_stand_side_by_side_and_hands_are_compared_at_the_moment_of_the_question(visit):
+    page = visit("lesson?stop=zero-modes&chosen=zero-modes.two")
+    machines = page.locator(".st-key-observed_several svg.machine")
+    expect(machines).to_have_count(3)
+    boxes = [machine.bounding_box() for machine in machines.all()]
+    assert len({round(box["y"]) for box in boxes}) == 1
+    assert all(a["x"] + a["width"] <= b["x"] for a, b in itertools.pairwise(boxes))
+    assert boxes[0]["y"] + boxes[0]["height"] < 720
+    page.set_viewport_size({"width": 390, "height": 844})
+    next_frame(page)
+    assert len({round(machine.bounding_box()["x"]) for machine in machines.all()}) == 1
+    page = visit("lesson?chosen=two-clocks.ahead")
+    page.get_by_role("button", name="Show the hands after 10 periods").click()
+    page.wait_for_function("ramanujan.last('time/stage_two-clocks_0')?.time > 1")
+    shown = page.evaluate("ramanujan.last('time/stage_two-clocks_0').time")
+    assert shown == pytest.approx(10 * 2 * math.pi / math.sqrt(10.0), rel=1e-6)
 
 
 def test_the_stopwatch_measures(visit):

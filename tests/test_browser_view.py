@@ -149,7 +149,9 @@ SHEETS = {
     "motion?spin=3&mu=0.01": 6,
     "1729?left=sphere&top=shell": 8,
     "speed?periods=1": 9,
-    "lesson": 1,
+    "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
+    "lesson?stop=end": 3,
+    "worksheet?paper=key": 11,
 }
 """Page → how many sheets it has."""
 

@@ -415,7 +415,7 @@ def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_on
     school.vote(seat, "energy", "slab")
     school.show(opened.key, Phase.REVEALED)
     clock.now += 60
-    school.ask_anew(opened.key, "faster", OPTIONS)
+    school.present(opened.key, "faster", OPTIONS, anew=True)
     assert chosen(school, seat) is None
     assert not school.question(opened.code).is_second
     school.vote(seat, "faster", "machine", 3)

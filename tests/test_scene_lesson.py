@@ -332,6 +332,10 @@ def test_tasks_are_done_with_the_controls_of_the_page(opened):
 
 def test_the_notes_cover_every_stop_and_name_their_sources(opened):
     app = opened(part="notes")
+    # A reader is told what they contain before they are shown.
+    assert "right answers" in app.toggle(key="notes_shown").label
+    assert not any("Right answer" in text.value for text in app.markdown)
+    sound(app.toggle(key="notes_shown").set_value(True).run())
     shown = "\n".join(text.value for text in app.markdown)
     assert all(stop.heading in shown for stop in lesson.STOPS)
     assert all(source in shown for source in lesson.SOURCES)

@@ -5,7 +5,7 @@
     task        what a task is: what a student has set, and the verdict on it
     settings, answers                         the tasks
     notes       what the lecturer's notes begin with
-    classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_file)
+    classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_record)
 
 >>> from ramanujan import lesson
 >>> lesson.stop("stiffness").answer()

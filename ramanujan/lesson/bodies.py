@@ -106,7 +106,7 @@ STOPS = (
         ),
         numbers=_velocities,
         hints=(_("Which horizontal forces act on the machine as a whole?"),),
-        purpose=_("It is conservation of momentum without any calculation."),
+        purpose=_("Conservation of momentum gives the answer, without any calculation."),
         expect=_("Some let the slab carry the block along, as friction would on a rough floor."),
         minutes=3,
         layers=("arrows",),
@@ -155,7 +155,7 @@ STOPS = (
                 "ground."
             ),
         ),
-        purpose=_("It is practice with relative velocities, with a surprising result."),
+        purpose=_("Students practise relative velocities, with a surprising result."),
         expect=_(
             "Few expect that the two velocities nearly cancel. Let the class watch the centre of the hoop against the "
             "ruler."
@@ -199,7 +199,7 @@ STOPS = (
             "stretch": _CM * abs(float(relative_positions(EQUAL, at(0.5)[0])["slab"])),
         },
         hints=(_("If the slab rests relative to the block, how fast do the lower rollers turn?"),),
-        purpose=_("It shows that released from rest, only one mode is excited, so all bodies stop together."),
+        purpose=_("Released from rest, only one mode is excited, so all bodies stop together."),
         expect=_("Some expect that the free top cylinder still moves."),
         layers=("energy",),
         page="motion",
@@ -241,7 +241,7 @@ STOPS = (
         hints=(
             _("Kinetic energy grows with the square of the speed. Which body is the fastest relative to the ground?"),
         ),
-        purpose=_("It makes students compare kinetic energy of translation and of rotation."),
+        purpose=_("Students compare kinetic energy of translation and of rotation."),
         expect=_("The hoop is a popular answer, and it comes second. The machine may run while the class thinks."),
         short=True,
         minutes=3,

@@ -116,15 +116,11 @@ class Classes:
         """Return when the class and all its answers are deleted [s since 1970]."""
         return self._store.read("SELECT expires FROM class WHERE code = ?", (self.code_of(key),))[0][0]
 
-    def present(self, key: str, stop: str, options: Sequence[str]) -> None:
-        """Take the class to a question; one that was asked before is as it was left."""
-        self._ask(key, stop, options, anew=False)
+    def present(self, key: str, stop: str, options: Sequence[str], anew: bool = False) -> None:
+        """Take the class to a question; one that was asked before is as it was left, or asked once more.
 
-    def ask_anew(self, key: str, stop: str, options: Sequence[str]) -> None:
-        """Ask a question that was asked before once more; the old votes are kept."""
-        self._ask(key, stop, options, anew=True)
-
-    def _ask(self, key: str, stop: str, options: Sequence[str], anew: bool) -> None:
+        The votes of an earlier asking are kept.
+        """
         code = self.code_of(key)
         if not all(_ID.fullmatch(each) for each in (stop, *options)):
             raise ValueError(_("The ids of {stop} must have small letters, digits, - and _ only.").format(stop=stop))

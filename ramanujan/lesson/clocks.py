@@ -94,7 +94,7 @@ STOPS = (
             ),
             _("Which bodies does the spring push apart? Which bodies can stay almost where they are?"),
         ),
-        purpose=_("It sets the question of the lesson: how much mass does the spring feel?"),
+        purpose=_("The question of the whole lesson is: how much mass does the spring feel?"),
         expect=_(
             "Many add up all masses and expect a far slower machine. The answer “exactly together” appeals to those "
             "who know the title."
@@ -102,6 +102,7 @@ STOPS = (
         short=True,
         minutes=4,
         dials=True,
+        periods=_PERIODS,
         link_label=_("See the two clocks on the page Oscillator"),
     ),
     Stop(
@@ -130,7 +131,7 @@ STOPS = (
         ),
         numbers=lambda: {"spin": spin_share(EQUAL), "light_spin": spin_share(LIGHT)},
         hints=(_("What does a roller do besides moving from place to place?"),),
-        purpose=_("It separates travelling from spinning."),
+        purpose=_("Students learn to separate travelling from spinning."),
         expect=_("Those who noticed that the lower rollers hardly move often answer that their mass cannot matter."),
         runs=(Run(LIGHT),),
         dials=True,
@@ -166,10 +167,11 @@ STOPS = (
         ),
         numbers=lambda: {"turns": -lead(HEAVY)},
         hints=(_("With light rollers the machine became faster. What does that tell you about heavy ones?"),),
-        purpose=_("It shows that the order of the two clocks changes, so there must be a ratio at which they agree."),
+        purpose=_("The order of the two clocks changes, so there must be a ratio at which they agree."),
         expect=_("Most get it right after the previous stop. Ask for the argument with the intermediate value."),
         runs=(Run(HEAVY),),
         dials=True,
+        periods=_PERIODS,
         link_label=_("Change the rollers on the page Oscillator"),
     ),
     Stop(
@@ -199,7 +201,7 @@ STOPS = (
         hints=(
             _("The period of a plain mass is proportional to √(m/k). Which power of k is in the machine’s period?"),
         ),
-        purpose=_("It is dimensional analysis: k can enter a period only as 1/√k."),
+        purpose=_("Dimensional analysis gives the answer: k can enter a period only as 1/√k."),
         expect=_("“Larger” is common: a stiff spring is thought to favour the complicated machine."),
         then=STIFF,
         dials=True,
@@ -232,7 +234,7 @@ STOPS = (
             "fast when it rolls the same distance. Its energy of rotation is the same, and so is the frequency."
         ),
         hints=(_("Through which angle does a roller of twice the radius turn when it rolls the same distance?"),),
-        purpose=_("It shows that rolling couples spin to travel, so that R drops out."),
+        purpose=_("Rolling couples spin to travel, so R drops out."),
         expect=_("“Longer” is common, because the moment of inertia is four times as large."),
         runs=tuple(Run(each, label=filled(_RADIUS, radius=100 * each.radius)) for each in (EQUAL, LARGE)),
         link_label=_("Drag R on the page Oscillator, under “More”"),

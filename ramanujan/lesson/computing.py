@@ -102,8 +102,8 @@ def _huge() -> str:
 def program() -> str:
     """Return the program of the last stop, in JavaScript."""
     formula = FORMS["paper"].formula.replace("m′", "M").replace("²", "**2").replace("−", "-")
-    formula = re.sub(r"(\d)([mMk(])", r"\1*\2", formula)
-    return f"const m = 1, k = 1, M = {HUGE:g};  // M is m′\nconsole.log({formula});"
+    formula = re.sub(r"(\d)([mMk(])", r"\1*\2", formula).replace(" - ", "\n    - ")
+    return f"const m = 1, k = 1;\nconst M = {HUGE:g};  // M is m′\nconsole.log(\n  {formula}\n);"
 
 
 STOPS = (
@@ -138,7 +138,7 @@ STOPS = (
         ),
         numbers=_errors,
         hints=(_("Does a method that is slightly wrong in every step err in the same direction each time?"),),
-        purpose=_("It shows that the structure of a method can matter more than its step size [4]."),
+        purpose=_("The structure of a method can matter more than its step size [4]."),
         expect=_("Nearly everyone trusts the thousand steps. Ask where the additional energy comes from."),
         short=True,
         minutes=3,
@@ -180,14 +180,13 @@ STOPS = (
         ),
         numbers=lambda: {"truth": _truth()},
         hints=(_("The largest double-precision number is about {largest:2}. What is the square of {ratio}?"),),
-        purpose=_("It shows that a correct formula can fail without a warning."),
+        purpose=_("A correct formula can fail without a warning."),
         expect=_(
             "“An error” is common, and some languages give one: Python’s power raises an OverflowError, NumPy warns. "
             "JavaScript, C and Fortran return zero. Let the class name other programs in which this could happen."
         ),
         hides=FREQUENCY,
         exhibit=f"```js\n{program()}\n```",
-        size="small",
         page="speed",
         link_label=_("See where each formula fails on the page Speed and accuracy"),
     ),

@@ -74,7 +74,7 @@ STOPS = (
         ),
         numbers=lambda: {"count": zero_modes(EQUAL), "stiff": 3 - zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
-        purpose=_("It prepares the spectrum: one oscillating mode and two zero modes."),
+        purpose=_("The answer prepares the spectrum: one oscillating mode and two zero modes."),
         expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),
         minutes=3,
         runs=(
@@ -121,7 +121,7 @@ STOPS = (
         ),
         numbers=_friction,
         hints=(_("Friction has to spin each roller up. Which lower roller resists that more?"),),
-        purpose=_("It asks what friction is for: it makes the rollers turn."),
+        purpose=_("Friction has a purpose here: it makes the rollers turn."),
         expect=_(
             "Many choose the top cylinder, because nothing else drives it. For very light lower rollers they are right."
         ),

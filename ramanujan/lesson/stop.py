@@ -86,9 +86,9 @@ class Stop:
     hides : what a prediction must not see, names of `stage.PARTS`
     layers : what the stage shows besides after the prediction
     dials : the stage shows its clocks and its gauge after the prediction
+    periods : of the plain mass, to which a button takes both clocks after the answer
     exhibit : Markdown to be shown instead of the runs, such as a program
     then : the machine after the prediction, where it is another one
-    size : "large" where the picture matters, "small" where the question needs the room
     page : the page on which it is seen in full, by its folder in `pages`
     link : what the address of that page says besides the machine
     link_label : what the link says
@@ -115,9 +115,9 @@ class Stop:
     hides: tuple[str, ...] = EVERYTHING
     layers: tuple[str, ...] = ()
     dials: bool = False
+    periods: int = 0
     exhibit: str = ""
     then: Oscillator | None = None
-    size: str = "large"
 
     @property
     def machine(self) -> Oscillator:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from urllib.parse import SplitResult, urlencode, urlsplit
 
 import segno
 import streamlit as st
@@ -13,19 +14,8 @@ from ramanujan.numerals import quantity
 from ramanujan.pages.lesson import cache
 from ramanujan.translation import _, ngettext
 
-_KEPT = "class_result"
 
-
-@dataclass(frozen=True)
-class _Result:
-    """What is revealed of a question: of each vote the number of answers by option, the changes, the right option."""
-
-    votes: tuple[dict[str, int], ...]
-    changes: Comparison | None
-    right: str
-
-
-def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None = None) -> None:
+def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None = None, alone: bool = False) -> None:
     """Draw the result of a question.
 
     Parameters
@@ -35,40 +25,39 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
     round_ : the last vote
     solved : whether to say which answer is right, and how many have found it
     chosen : a student's own answer in the last vote
+    alone : show only how many have found the right answer
     """
     try:
-        result = _result(access, stop, round_)
+        all_votes, changes = _result(access, stop.id, round_)
     except ClassError as error:
         st.warning(str(error))
         return
     with st.container(key="class_result"):
-        if solved and result.changes and (said := _changes(result.changes)):
+        if solved and changes and (said := _changes(changes)):
             with st.container(key="class_changes"):
                 st.markdown(said)
+        right = cache.solution(stop.id).option if solved else None
         for option in stop.options:
-            st.markdown(_label(option.label, solved and option.id == result.right, option.id == chosen))
-            if solved and option.id == chosen != result.right:
-                st.markdown(cache.solution(stop.id).replies[chosen])
-            places = st.columns(len(result.votes), gap="small")
-            for number, (place, votes) in enumerate(zip(places, result.votes, strict=True)):
+            if not alone:
+                label, *places = st.columns([3, *(2 for _vote in all_votes)], gap="small")
+                label.markdown(_label(option.label, option.id == right, option.id == chosen))
+            elif option.id == right:
+                places = st.columns(len(all_votes), gap="small")
+            else:
+                continue
+            for number, (place, votes) in enumerate(zip(places, all_votes, strict=True)):
                 total = sum(votes.values())
                 share = votes[option.id] / total if total else 0.0
-                place.progress(share, _share(number, len(result.votes), share, votes[option.id], total))
+                place.progress(share, _share(number, len(all_votes), share, votes[option.id], total))
 
 
-def _result(access: str, stop: Stop, round_: int) -> _Result:
-    """Return what is revealed; it no longer changes, so that a phone asks for it once."""
-    name = (access, stop.id, round_)
-    kept = st.session_state.get(_KEPT)
-    if kept is None or kept[0] != name:
-        right = cache.solution(stop.id).option
-        if round_ % 2:
-            result = _Result((shared().distribution(access, stop.id, round_),), None, right)
-        else:
-            changes = shared().comparison(access, stop.id, right, round_)
-            result = _Result((dict(changes.first), dict(changes.second)), changes, right)
-        kept = st.session_state[_KEPT] = (name, result)
-    return kept[1]
+@st.cache_data(show_spinner=False, max_entries=256)
+def _result(access: str, stop: str, round_: int) -> tuple[list[Mapping[str, int]], Comparison | None]:
+    """Return the votes on a question, option → number, and the changes; what is revealed stays as it is."""
+    if round_ % 2:
+        return [shared().distribution(access, stop, round_)], None
+    changes = shared().comparison(access, stop, cache.solution(stop).option, round_)
+    return [changes.first, changes.second], changes
 
 
 def _label(label: str, right: bool, own: bool) -> str:
@@ -139,6 +128,11 @@ def answered(now: Question) -> str:
 def joined(people: int) -> str:
     """Return how many have joined, as a sentence."""
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
+
+
+def link(query: Mapping[str, str]) -> SplitResult:
+    """Return the address of this page, as the browser has it, with another query."""
+    return urlsplit(st.context.url or "")._replace(query=urlencode(query), fragment="")
 
 
 def qr_code(address: str) -> None:

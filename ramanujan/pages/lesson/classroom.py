@@ -12,7 +12,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from datetime import UTC, datetime
 from functools import partial
-from urllib.parse import urlencode, urlsplit
 
 import streamlit as st
 
@@ -22,6 +21,7 @@ from ramanujan.lesson.class_record import as_csv
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, class_settings, progress
+from ramanujan.shell import address
 from ramanujan.shell.class_session import (
     arrive,
     attempt,
@@ -168,11 +168,11 @@ def _desk(stop: Stop, phase: Phase) -> None:
 
 def _follow(now: Question, stop: Stop) -> None:
     """Go where another desk of this class has taken it."""
-    if now.stop == st.session_state[_SEEN]:
-        return
-    st.session_state[_SEEN] = now.stop
-    if now.stop and now.stop != stop.id:
-        st.session_state[progress.STOP.name] = now.stop
+    if now.stop != st.session_state[_SEEN]:
+        st.session_state[_SEEN] = now.stop
+        st.session_state[progress.STOP.name] = now.stop or stop.id
+    # Also where this desk has gone on itself: its buttons rerun the desk alone.
+    if address.held(progress.STOP) != stop.id:
         st.rerun()
 
 
@@ -197,7 +197,7 @@ def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> N
     if now.stop != stop.id:
         button(_("Ask the class"), "ask", _present, stop, usual=last is None)
         if last:
-            button(_("Ask it anew"), "anew", classes.ask_anew, stop.id, options)
+            button(_("Ask it anew"), "anew", partial(classes.present, anew=True), stop.id, options)
         return
     if now.phase == Phase.ASKED:
         button(_("Show the result"), "reveal", partial(classes.show, phase=Phase.REVEALED), usual=True)
@@ -220,17 +220,15 @@ def _present(key: str, stop: Stop) -> None:
 def _foot(key: str, code: str) -> None:
     """Draw the code, the addresses of the other screens, and what ends a class."""
     st.text(spaced(code), width="content")
-    here = urlsplit(st.context.url or "")
-    page = f"{here.scheme}://{here.netloc}{here.path}"
     st.link_button(
         _("Open the wall"),
-        f"{page}?{urlencode({'class': code, 'wall': 'on', 'view': 'projector'})}",
+        class_results.link({"class": code, "wall": "on", "view": "projector"}).geturl(),
         icon=":material/co_present:",
         type="tertiary",
     )
     with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
-        class_results.qr_code(f"{page}?{urlencode({'class': code, 'lecturer': key})}")
+        class_results.qr_code(class_results.link({"class": code, "lecturer": key}).geturl())
     st.download_button(
         _("Results as CSV"),
         partial(_file, key),

@@ -6,10 +6,13 @@ import streamlit as st
 
 from ramanujan.lesson import Stop
 from ramanujan.pages.lesson import cache, progress
+from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _
 
 HEADING = _("What you have seen")
+_ON_A_SHEET = 9
+"""Stops that a sheet of a projector lists."""
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
     "derivation": _("Derive Ω² step by step, on the page Derivation"),
@@ -20,24 +23,29 @@ _ONWARDS = {
 
 def draw(path: tuple[Stop, ...]) -> None:
     """Draw the end: the right answer of every stop that was answered."""
-    st.title(HEADING, anchor=False)
     right, answered, lines = 0, 0, []
     for stop in path:
         chosen, phase = progress.prediction(stop)
         if phase != progress.ANSWERED:
-            lines.append(_("**{heading}** Not answered yet.").format(heading=stop.heading))
+            lines.append(_("- **{heading}** Not answered yet.").format(heading=stop.heading))
             continue
         solved = cache.solution(stop.id)
         answered, right = answered + 1, right + (chosen == solved.option)
         sign = ":green[:material/check_circle:]" if chosen == solved.option else ":red[:material/cancel:]"
-        lines.append(f"{sign} **{stop.heading}** {solved.label}")
+        lines.append(f"- {sign} **{stop.heading}** {solved.label}")
     said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
-    st.markdown(said.format(answered=answered, stops=len(path), right=right))
-    st.markdown("\n".join(f"1. {line}" for line in lines))
-    st.markdown(_("Where to go on:"))
-    st.button(_("Set the machine yourself: twelve tasks"), key="to_tasks", on_click=_to_tasks)
-    for name, label in _ONWARDS.items():
-        st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
+    with sheet("seen", HEADING):
+        st.title(HEADING, anchor=False)
+        st.markdown(said.format(answered=answered, stops=len(path), right=right))
+        st.markdown("\n".join(lines[:_ON_A_SHEET]))
+    if lines[_ON_A_SHEET:]:
+        with sheet("seen_on", _("{heading}, continued").format(heading=HEADING)):
+            st.markdown("\n".join(lines[_ON_A_SHEET:]))
+    with sheet("onwards", _("Where to go on")):
+        st.markdown(_("Where to go on:"))
+        st.button(_("Set the machine yourself: twelve tasks"), key="to_tasks", on_click=_to_tasks)
+        for name, label in _ONWARDS.items():
+            st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
 
 
 def _to_tasks() -> None:

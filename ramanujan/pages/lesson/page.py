@@ -12,9 +12,12 @@ from ramanujan.browser import page
 from ramanujan.lesson.notes import INTRODUCTION
 from ramanujan.pages.lesson import cache, classroom, ending, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
+from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
+# Stops whose notes fill a sheet of a projector.
+_ON_A_SHEET = 3
 PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
 
 
@@ -90,6 +93,22 @@ def work(head: st.delta_generator.DeltaGenerator) -> None:
 
 def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the lecturer's notes, and the choice between all stops and a few."""
+    with sheet("notes", _("Lecturer’s notes")):
+        _begin_notes()
+    # At the desk of a class the notes are open; a reader is told first what they contain.
+    told = _("Show the notes on all stops. They name the right answers.")
+    if not (class_session.key_held() or st.toggle(told, key="notes_shown")):
+        return
+    for start in range(0, len(lesson.STOPS), _ON_A_SHEET):
+        numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _ON_A_SHEET]
+        with sheet(f"notes_{start}", numbered[0][1].heading):
+            for number, stop in numbered:
+                _note(number, stop)
+    with sheet("sources", _("Sources")):
+        st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
+
+
+def _begin_notes() -> None:
     st.title(_("Lecturer’s notes"), anchor=False)
     lengths = {"short": [stop for stop in lesson.STOPS if stop.short], "all": lesson.STOPS}
     said = _("{stops} stops in {minutes} minutes")
@@ -100,11 +119,12 @@ def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     widgets.pills(progress.LENGTH, _("How long is the lesson?"), words)
     st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
     st.markdown(INTRODUCTION)
-    for number, stop in enumerate(lesson.STOPS, start=1):
-        time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
-        right = _("Right answer: {label}").format(label=cache.solution(stop.id).label)
-        st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{stop.purpose} {stop.expect}  \n:small[{right}]")
-    st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
+
+
+def _note(number: int, stop: lesson.Stop) -> None:
+    time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
+    right = _("Right answer: {label}").format(label=cache.solution(stop.id).label)
+    st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{stop.purpose} {stop.expect}  \n:small[{right}]")
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ stage gets neither what `stop.hides` names nor the samples of a computed motion,
 
 from __future__ import annotations
 
+import math
 from functools import partial
 
 import streamlit as st
@@ -40,9 +41,8 @@ def arrive(stop: Stop, runs: bool) -> None:
     if st.session_state.get(_LOADED) == (stop.id, runs):
         return
     st.session_state[_LOADED] = (stop.id, runs)
-    machine = stop.shown if runs else stop.machine
-    if not sidebar.linked() and not sidebar.holds(machine, stop.compression):
-        sidebar.take_machine(machine, stop.compression)
+    if not (sidebar.linked() or sidebar.holds(stop.shown if runs else stop.machine, stop.compression)):
+        load(stop, runs)
         messages.run_again()
 
 
@@ -71,25 +71,28 @@ def draw(stop: Stop, number: int) -> None:
         # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(seen, progress.ASKED)
     running = runs(phase)
-    # On a projector the picture has a sheet of its own with the reason, once it runs.
-    apart = display_mode.is_projector() and (running or seen is not None)
+    # On a projector the machine has a sheet of its own with the reason, once it runs.
+    apart = display_mode.is_projector() and (running or seen is not None) and not stop.exhibit
     with sheet("question", stop.heading):
         st.title(f"{number}. {stop.heading}", anchor=False)
         st.markdown(stop.question)
-        words, picture = (st.container(), None) if apart else _places(stop, running)
+        words, picture, reason = (st.container(), None, None) if apart else places(stop, running)
         with words:
             if seen is not None:
                 classroom.panel(stop)
             elif chosen is None:
                 ask(stop)
             else:
+                if apart:
+                    st.markdown("\n".join(f"- {option.label}" for option in stop.options))
                 judge(stop, chosen, phase)
-    reason = words
     if apart:
         with sheet("machine", _("The machine")):
-            reason, picture = _places(stop, running)
+            _words, picture, reason = places(stop, running)
     if phase == progress.ANSWERED:
         with reason:
+            if stop.periods:
+                _compare_hands(stop)
             why(stop)
     arrive(stop, running)
     if not (stop.exhibit or display_mode.is_projector()):
@@ -108,18 +111,18 @@ def show(stop: Stop, running: bool) -> None:
         observe(stop, running)
 
 
-def _places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator]:
-    """Return where the words and the picture stand; machines to compare need the width of a projector."""
+def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, DeltaGenerator]:
+    """Return where words, picture and reason stand; machines side by side need all of the width."""
     arrangement, projector = _arrangement(stop, running), display_mode.is_projector()
-    if projector and arrangement == "several":
-        return st.container(), st.container()
-    shares = [2, 3] if projector and arrangement == "dials" else [3, 2] if stop.size == "small" else [1, 1]
-    return tuple(st.columns(shares, gap="medium"))
+    if arrangement == "several":
+        return st.container(), st.container(), st.container()
+    words, picture = st.columns([1, 2] if projector and arrangement == "dials" else [1, 1], gap="medium")
+    return words, picture, words
 
 
 def _arrangement(stop: Stop, running: bool) -> str:
     """Return by what the style sheets know how much room the picture takes."""
-    if len(stop.runs) > 1:
+    if len(stop.runs) > 1 and running:
         return "several"
     return "dials" if stop.dials and running else "one"
 
@@ -183,6 +186,16 @@ def why(stop: Stop) -> None:
     )
 
 
+def _compare_hands(stop: Stop) -> None:
+    """Draw a button that takes both hands to the moment of the question."""
+    machine = sidebar.oscillator()
+    time = stop.periods * 2 * math.pi * math.sqrt(machine.m / machine.k)
+    label = _("Show the hands after {n} periods").format(n=stop.periods)
+    name = f"stage_{stop.id}_0"
+    page.publish("moment_published", {f"moment/{name}": {"time": time, "label": label}})
+    page.moment(name)
+
+
 def observe(stop: Stop, running: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
@@ -200,7 +213,7 @@ def observe(stop: Stop, running: bool) -> None:
             compact=several,
             dials=stop.dials,
             narrow=True,
-            label=run.label if several else None,
+            label=run.label if several and running else None,
             hide=hidden,
             **own,
         )
@@ -224,7 +237,7 @@ def payload(run: Run, machine: Oscillator, compression: float, running: bool) ->
 def _caption(stop: Stop, running: bool) -> str:
     """Return what the sliders have to do with the picture."""
     if len(stop.runs) > 1:
-        return _("These machines are fixed: the sliders do not change them.")
+        return _("The sliders do not change what is shown here.")
     machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):
         return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))

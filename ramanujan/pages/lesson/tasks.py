@@ -11,7 +11,7 @@ from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
 from ramanujan.shell import address, sidebar, stages, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
 from ramanujan.translation import _
 
@@ -45,18 +45,23 @@ def draw(task: Task) -> Verdict:
     with sheet("task", task.heading):
         st.title(task.heading, anchor=False)
         st.markdown(task.text)
-        words, picture = st.columns([1, 1], gap="medium") if task.stage else (st.container(), None)
+        beside = task.stage and not is_projector()
+        words, picture = st.columns([1, 1], gap="medium") if beside else (st.container(), st.container())
         with words:
-            typed = {field: FIELDS[field]() for field in task.fields}
+            places = st.columns(len(task.fields) or 1) if is_projector() else [st.container()] * len(task.fields)
+            typed = {}
+            for place, field in zip(places, task.fields, strict=False):
+                with place:
+                    typed[field] = FIELDS[field]()
             setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
             if not task.fields:
                 st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
             with st.container(key="task_verdict"):
                 judged = verdict(task, setting)
             widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
-        if picture:
-            with picture:
-                machine(task, setting)
+    if task.stage:
+        with sheet("machine", _("The machine")) if is_projector() else picture:
+            machine(task, setting)
     return judged
 
 
@@ -71,8 +76,8 @@ def verdict(task: Task, setting: Setting) -> Verdict:
 
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
-    shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": True, "hide": task.hides}
-    with st.container(key="observed_dials"):
+    shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": not is_projector(), "hide": task.hides}
+    with st.container(key="observed_task"):
         if "release" not in task.fields:
             payload = stage.payload(setting.machine, setting.compression)
             stages.mount(payload, **shown)

@@ -6,8 +6,6 @@ settings, and the right answer with its reason beside the machine. No key of the
 
 from __future__ import annotations
 
-from urllib.parse import urlencode, urlsplit
-
 import streamlit as st
 
 from ramanujan import lesson
@@ -52,23 +50,22 @@ def _draw(code: str) -> None:
 def _show(code: str, stop: Stop, question: Question) -> None:
     """Draw a question as far as the class has come with it."""
     st.title(stop.heading, anchor=False)
-    st.markdown(stop.question)
-    if question.phase == Phase.ASKED:
+    if question.phase < Phase.RUNNING:
+        st.markdown(stop.question)
+        if question.phase == Phase.REVEALED:
+            class_results.show(code, stop, question.round, solved=False)
+            return
         if question.is_second:
             st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
         st.markdown("\n".join(f"- {option.label}" for option in stop.options))
         return
-    solved = question.phase == Phase.SOLVED
-    if question.phase == Phase.REVEALED:
-        class_results.show(code, stop, question.round, solved)
-        return
-    if not solved:
-        stops.show(stop, running=True)
-        return
-    words, picture = st.columns(2, gap="medium")
-    with words:
-        class_results.explain(stop)
-        class_results.show(code, stop, question.round, solved)
+    words, picture, reason = stops.places(stop, running=True)
+    if question.phase == Phase.SOLVED:
+        with reason:
+            class_results.explain(stop)
+            class_results.show(code, stop, question.round, solved=True, alone=True)
+    else:
+        words.markdown(stop.question)
     with picture:
         stops.show(stop, running=True)
 
@@ -90,31 +87,26 @@ def _watch(code: str, drawn: Question) -> None:
         else:
             if now.phase == Phase.ASKED:
                 st.markdown(f"**{class_results.answered(now)}**", width="content")
-            st.text(f"{_address()[1]}  ·  {spaced(code)}", width="content")
-
-
-def _address() -> tuple[str, str]:
-    """Return the address of this page for students, whole and as one reads it from the last row."""
-    here = urlsplit(st.context.url or "")
-    return f"{here.scheme}://{here.netloc}{here.path}", f"{here.netloc}{here.path}"
+            here = class_results.link({})
+            st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
 
 
 def _how_to_join(code: str) -> None:
     """Draw code and address so that the last row can read them."""
-    whole, shown = _address()
+    address = class_results.link({"class": code})
     st.title(_("Join the class"), anchor=False)
     words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
     with words:
         st.markdown(_("On your phone, open"))
         with st.container(key="class_address"):
             # As plain text: an address is whatever the browser says it is.
-            st.text(shown)
+            st.text(f"{address.netloc}{address.path}")
         st.markdown(_("then choose **Class** and type"))
         with st.container(key="class_letters"):
             st.text(spaced(code))
     with picture:
-        class_results.qr_code(f"{whole}?{urlencode({'class': code})}")
-    if urlsplit(whole).hostname in _ONLY_HERE:
+        class_results.qr_code(address.geturl())
+    if address.hostname in _ONLY_HERE:
         st.warning(
             _(
                 "Phones cannot open this address, because it means this computer only. Open the app under the "
