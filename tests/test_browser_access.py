@@ -94,11 +94,11 @@ def test_axe_finds_nothing_in_both_themes_wide_and_narrow(visit, profile, server
 
     profile.on("request", note)
     page = visit(PAGES[name].address, anew=True)
+    profile.remove_listener("request", note)
+    check_requests(asked, server)
     check_title_and_headings(page, name)
     page.evaluate(OPEN)
     page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
-    profile.remove_listener("request", note)
-    check_requests(asked, server)
     assert len(page.evaluate(REGIONS)) == 1
     page.evaluate(AXE.read_text(encoding="utf-8"))
     assert audit(page) == []
@@ -123,6 +123,7 @@ def test_what_axe_is_asked_to_find_it_finds(visit):
     page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
     rules = {each.partition(":")[0] for each in page.evaluate(FOUND)}
     assert rules == {"color-contrast", "heading-order", "image-alt"}
+    page.goto("about:blank")
 
 
 FOCUSED = (
