@@ -17,6 +17,7 @@ else:
         navigation,
         parameters,
         sidebar,
+        stages,
         theme,
     )
 
@@ -25,7 +26,13 @@ else:
     page, runner = navigation.navigate()
     said = address.opened(
         page.name,
-        (*parameters.URL_PARAMETERS, *display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS, *page.url_parameters),
+        (
+            *parameters.URL_PARAMETERS,
+            *display_mode.URL_PARAMETERS,
+            *class_keys.URL_PARAMETERS,
+            *stages.URL_PARAMETERS,
+            *page.url_parameters,
+        ),
     )
     display_mode.begin(page.name)
     address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)

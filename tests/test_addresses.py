@@ -6,7 +6,7 @@ import pytest
 from streamlit.testing.v1 import AppTest
 
 from ramanujan.shell import address as addresses
-from ramanujan.shell import class_keys, parameters
+from ramanujan.shell import class_keys, parameters, stages
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 
@@ -27,8 +27,10 @@ UNMEANT = {
 DANGEROUS = ("empty", "infinite", "huge", "repeated")
 """What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
 OWN = {page.name: {key.name for key in page.url_parameters} for page in PAGES.values()}
-SHARED = {key.name for key in (*parameters.URL_PARAMETERS, *class_keys.URL_PARAMETERS)}
+SHARED = {key.name for key in (*parameters.URL_PARAMETERS, *class_keys.URL_PARAMETERS, *stages.URL_PARAMETERS)}
+STAGE = {"layers": (), "speed": "1", "from": "ground", "paused": ""}
 DEFAULTS = {
+    **{f"{kept}{key}": value for kept in ("", "modes_") for key, value in STAGE.items()},
     "route": "euler_lagrange",
     "show": "lecture",
     "values": "symbols",

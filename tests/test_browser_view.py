@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import TimeoutError, expect
 
 from ramanujan import Oscillator
-from tests.browser import next_frame, settle
+from tests.browser import STAGE, next_frame, settle
 
 MACHINE = Oscillator(1.0, 2.0, 10.0)
 LINK = "m=1&m_prime=2&k=10"
@@ -49,6 +49,45 @@ def use(page) -> str:
     settle(page)
     page.wait_for_function(SAID)
     return "\n".join([*said, page.evaluate(DOCUMENT)])
+
+
+def test_a_link_keeps_all_that_is_seen(visit):
+    """Layers, speed, viewpoint, and where it was paused, both clock hands included: another tab draws the same."""
+    drawn = f"""() => {{
+      const root = {STAGE};
+      const all = (selector, read) => [...root.querySelectorAll(selector)].map(read);
+      const numbers = (text) => (text?.match(/-?[\\d.]+(e-?\\d+)?/g) ?? []).map(Number);
+      const lines = all(".machine > :not(defs, .ghosts) *, .hand", (node) =>
+        node.closest("[style*='display: none']") ? []
+          : ["transform", "d"].flatMap((name) => numbers(node.getAttribute(name))));
+      const set = (node) => node.getAttribute("aria-pressed") ?? node.getAttribute("aria-checked");
+      return [...all(".controls button", set), ...lines.flat()];
+    }}"""
+    page = visit("motion?m_prime=0.4&glide=3")
+    page.get_by_role("button", name="Show").click()
+    for name in ("Velocities", "Weights", "Forces", "From the block"):
+        page.get_by_role("button", name=name, exact=True).click()
+    page.get_by_role("radio", name="½×").click()
+    for _ in range(31):
+        page.get_by_role("button", name="Step forward").click()
+    # A machine that changes while it is paused lets both hands start anew.
+    page.locator(".st-key-k input[type=range]").press("ArrowRight")
+    settle(page)
+    for _ in range(2):
+        page.get_by_role("button", name="Step forward").click()
+    page.wait_for_url(lambda url: "paused=" in url)
+    page.wait_for_timeout(500)
+    seen = page.evaluate(drawn)
+    other = visit(page.url.rpartition("/")[2])
+    again = other.evaluate(drawn)
+    assert len(again) == len(seen) > 100
+    for before, after in zip(seen, again, strict=True):
+        assert after == (pytest.approx(before, abs=1e-3) if isinstance(before, float | int) else before)
+    # Who plays on is no longer paused.
+    other.get_by_role("button", name="Play", exact=True).click()
+    other.wait_for_url(lambda url: "paused" not in url)
+    assert "from=block" in other.url
+    assert "speed=0.5" in other.url
 
 
 def test_what_a_link_hides_is_nowhere_on_the_page(visit):

@@ -1,4 +1,8 @@
-"""The stages of the pages: each hides what the link hides, and follows the sliders of the sidebar."""
+"""The stages of the pages: each hides what the link hides, and follows the sliders of the sidebar.
+
+The page itself writes into the address what is seen of a stage (keeper.js): its layers, its speed, from where it is
+seen, and where it is paused, as the periods since release of machine and plain mass, for every machine on one clock.
+"""
 
 from __future__ import annotations
 
@@ -6,11 +10,28 @@ from collections.abc import Mapping
 from typing import Any
 
 from ramanujan.browser import stage
-from ramanujan.shell import display_mode
+from ramanujan.shell import address, display_mode
 from ramanujan.shell.parameters import PARAMETERS, WATCH
+from ramanujan.translation import _
 
 LIMITS = PARAMETERS["compression"].limits
 """The least and the largest x₀ [m]."""
+
+
+def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
+    """Return the parameters of the URL that keep what is seen of the stages with this prefix."""
+    refused = _("The value of {name} in the address was ignored: it must be periods, with commas between them.")
+    turns = r"-?\d{1,6}(\.\d{1,6})?"
+    return (
+        address.Several(f"{kept}layers", ("none", *stage.LAYERS)),
+        address.Choice(f"{kept}speed", ("1", "0.5", "0.1"), "1"),
+        address.Choice(f"{kept}from", ("ground", "block"), "ground"),
+        address.Text(f"{kept}paused", rf"{turns}(,{turns}){{1,39}}", refused),
+    )
+
+
+URL_PARAMETERS = url_parameters()
+"""What every page keeps in its address."""
 
 
 def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:

@@ -21,6 +21,7 @@ The contract, version 1. To the page, once:
     narrow       whether these are shown below the picture
     periods      after so many periods the motion begins again; left out: never
     label        the text under the picture
+    kept         prefix of the names under which the address keeps what is seen
 
 and by `page.publish`, at every change:
 
@@ -124,6 +125,7 @@ def mount(
     narrow: bool = False,
     periods: float | None = None,
     label: str | None = None,
+    kept: str = "",
     hide: Iterable[str] = (),
 ) -> None:
     """Put a stage on the page.
@@ -142,6 +144,7 @@ def mount(
     narrow : show them below the picture
     periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
+    kept : prefix of the names under which the address keeps what is seen; one for each clock of a page
     hide : the parts that are hidden, of `PARTS`; another run may hide others
     """
     stage = _component()
@@ -157,6 +160,7 @@ def mount(
         "narrow": narrow,
         "periods": periods,
         "label": label,
+        "kept": kept,
     }
     stage(key=key, data=fixed)
     if data is not None:

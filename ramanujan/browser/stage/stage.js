@@ -6,6 +6,7 @@ import { EYE, joinClock } from "./clock.js";
 import { leftPlace } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";
+import { makeKeeper } from "./keeper.js";
 import { makeParts } from "./parts.js";
 import { makePicture } from "./picture.js";
 import { Playback } from "./playback.js";
@@ -37,6 +38,7 @@ class Stage {
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.calmed(), { signal });
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
+    this.keeper = makeKeeper(this, options, signal);
     signal.addEventListener("abort", () => this.dispose());
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
@@ -51,12 +53,23 @@ class Stage {
 
   receive(data) {
     const before = this.data;
+    if (!before) Object.assign(this.clock, this.keeper.clock());
     this.hide(data.hide ?? []);
     this.change(() => (this.data = data));
     if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
     if (before) return;
+    this.layers = new Set(this.keeper.layers() ?? this.layers);
     this.picture.show(this.layers);
+    this.resume(this.keeper.paused());
     this.calmed();
+  }
+
+  /** Stand where a link has been paused. */
+  resume(phases) {
+    if (!phases) return;
+    this.clock.playing = false;
+    this.playback.goTo(phases[0]);
+    [, this.playback.plainPhase] = phases;
   }
 
   hide(names) {
@@ -135,6 +148,7 @@ class Stage {
   /** Go somewhere and stay there, with every stage on the clock. */
   stay(go) {
     this.clock.playing = false;
+    this.keeper.set();
     for (const stage of this.clock.stages) {
       if (!stage.solution || stage.parts.hides("motion")) continue;
       const left = go(stage.playback);
@@ -160,6 +174,7 @@ class Stage {
   /** Set the clock, { playing, speed, seenFrom }, for every stage on it. */
   setClock(clock) {
     Object.assign(this.clock, clock);
+    this.keeper.set();
     if (clock.seenFrom) this.voice.tell(clock.seenFrom === "block" ? WORDS.from_block : WORDS.from_ground);
     for (const stage of this.clock.stages) {
       if (clock.seenFrom && stage.solution) stage.change(() => {});
@@ -170,8 +185,8 @@ class Stage {
   layer(name) {
     if (!this.layers.delete(name)) this.layers.add(name);
     this.picture.show(this.layers);
+    this.keeper.set();
     this.showClock();
-    this.dirty = true;
   }
 
   // ---- what is shown
@@ -189,6 +204,7 @@ class Stage {
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
     bus.publish(`time/${this.name}`, { time, phase, playing: this.clock.playing });
+    if (dirty && !this.clock.playing) this.keeper.update();
     this.dirty = false;
   }
 
@@ -196,7 +212,8 @@ class Stage {
   calmed() {
     const wasStill = this.still;
     this.still = this.calm.matches;
-    this.setClock({ playing: !this.still && (wasStill || this.clock.playing) });
+    this.clock.playing = !this.still && (wasStill || this.clock.playing);
+    for (const stage of this.clock.stages) stage.showClock();
   }
 
   showClock() {

@@ -11,6 +11,9 @@ from ramanujan.shell import sidebar, stages
 from ramanujan.shell.display_mode import is_projector
 from ramanujan.translation import _
 
+MODES = stages.url_parameters("modes_")
+"""What the address keeps of the three machines."""
+
 
 def three_modes(masses: cache.Masses) -> None:
     """Draw the three modes side by side, each moving by itself."""
@@ -51,7 +54,7 @@ def three_modes(masses: cache.Masses) -> None:
     )
     for column, (key, title, words), shape in zip(st.columns(3), shown, shapes, strict=True):
         with column:
-            stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title)
+            stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, kept="modes_")
             st.markdown(words)
             st.latex(shape)
     if not is_projector():

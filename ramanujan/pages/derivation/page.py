@@ -13,7 +13,7 @@ from ramanujan.browser import page, stage
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.shares import PARTS
 from ramanujan.pages.derivation import cache
-from ramanujan.pages.derivation.modes import three_modes
+from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
 from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import numbers_stated
@@ -26,7 +26,7 @@ VIEW = address.Choice("show", ("lecture", "reading"), "lecture")
 VALUES = address.Choice("values", ("symbols", "numbers"), "symbols")
 BODY = address.Choice("body", tuple(PARTS))
 STEP = address.Count("step", LONGEST_ROUTE)
-URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION)
+URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION, *MODES)
 
 VIEW_WORDS = {"lecture": _("One step"), "reading": _("All steps")}
 VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}

@@ -1,0 +1,52 @@
+// What the address keeps of the stages on one clock, so that a link shows the same picture: layers, speed, from where it is seen,
+// and where it is paused. shell/stages.py has the names and what they may say.
+
+import { finder } from "./parts.js";
+import { TURN } from "./motion.js";
+
+const PAUSE = 300; // ms from the last change to the address: a browser refuses to write it many times a second
+const SPEEDS = [1, 0.5, 0.1];
+const owners = new Map(); // page and prefix → the clock of whose stages the address speaks
+
+/** The keeper of one stage; `kept` is the prefix of its names in the address. */
+export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFirst, compact }, signal) {
+  const place = `${location.pathname} ${prefix}`, mine = (owners.get(place) ?? name) === name;
+  const known = new URLSearchParams(mine ? location.search : "");
+  const stages = () => [...stage.clock.stages];
+  const said = (key) => known.get(prefix + key);
+  let timer = 0, active = false;
+  owners.set(place, name); // another stop of the lesson begins anew
+  signal.addEventListener("abort", () => clearTimeout(timer));
+
+  function write() {
+    const url = new URL(location.href), { clock, layers } = stage;
+    const keep = (key, value, byDefault) => (value === byDefault ? url.searchParams.delete(prefix + key) : url.searchParams.set(prefix + key, value));
+    const turns = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]).map((angle) => Number((angle / TURN).toFixed(6)));
+    if (!compact) keep("layers", [...layers].sort().join() || "none", [...shownAtFirst].sort().join() || "none");
+    keep("speed", clock.speed, 1);
+    keep("from", clock.seenFrom, "ground");
+    keep("paused", clock.playing ? "" : turns.join(), "");
+    history.replaceState(history.state, "", url);
+  }
+
+  return {
+    /** What the address says of the clock. */
+    clock: () => ({ speed: SPEEDS.find((speed) => String(speed) === said("speed")) ?? 1, seenFrom: said("from") === "block" ? "block" : "ground" }),
+    /** The layers that it names, or none. */
+    layers: () => said("layers")?.split(",").filter((name) => /^\w+$/.test(name) && finder(stage.root)(`[data-layer=${name}]`)),
+    /** Both phases of this stage where it is paused, or none. */
+    paused() {
+      const at = 2 * stages().indexOf(stage), turns = said("paused")?.split(",").slice(at, at + 2).map(Number) ?? [];
+      active = turns.length === 2 && turns.every((turn) => Math.abs(turn) < 1e6);
+      return active ? turns.map((turn) => turn * TURN) : null;
+    },
+    /** Write what a person has set, once it rests. */
+    set() {
+      active = true;
+      clearTimeout(timer);
+      timer = setTimeout(write, PAUSE);
+    },
+    /** Write again what has been written once. */
+    update: () => active && stage.keeper.set(),
+  };
+}
