@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import io
 import os
+import re
+from xml.etree import ElementTree
 
+import numpy as np
 import pytest
+from PIL import Image
 
+from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import STAGE, inside, module, next_frame, settle
 from tests.test_browser_access import switch
+from tests.test_export import environments_nest
+from tests.test_look import THEME, rgb
 
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "1"))
 """How often theme and page are changed when leaks are looked for; fifty in a long run."""
@@ -410,3 +418,47 @@ def test_after_a_slider_a_page_shows_what_its_address_says(visit, path):
     assert moved["boxes"] != before["boxes"]
     whole = visit(page.url.rpartition("/")[2]).evaluate(SHOWN)
     assert moved == whole
+
+
+# ---- the picture as a file
+
+
+def test_the_picture_is_saved_as_svg_png_and_tikz(visit, tmp_path):
+    """What the buttons download: whole, without a word of this page's, in the light theme's colours, and not empty."""
+    page = visit(theme="dark")
+    page.get_by_role("button", name="Step forward").click()
+    page.get_by_role("button", name="Show").click()
+    page.get_by_role("button", name="Forces").click()
+    next_frame(page)
+    files = {}
+    for label in ("SVG", "PNG", "TikZ"):
+        with page.expect_download() as download:
+            page.get_by_role("button", name=label, exact=True).click()
+        name = download.value.suggested_filename
+        download.value.save_as(tmp_path / name)
+        files[name.partition(".")[2]] = (tmp_path / name).read_bytes()
+    root = ElementTree.fromstring(files["svg"])
+    box = [float(number) for number in root.get("viewBox").split()]
+    assert box[2] == pytest.approx(2 * box[3], rel=1e-6)
+    assert all(word not in files["svg"].decode() for word in ("var(", "--", "class=", "http://127", "<script"))
+    assert not re.search(rb"url\((?!&quot;#|#|\"#)", files["svg"])
+    painted = {node.get(kind) for node in root.iter() for kind in ("fill", "stroke")}
+    for colour in BODY_COLORS.values():
+        assert "rgb({}, {}, {})".format(*rgb(THEME["light"][f"{colour}TextColor"])) in painted
+    texts = {"".join(node.itertext()) for node in root.iter("{http://www.w3.org/2000/svg}text")}
+    assert {"m", "m′", "k"} <= texts
+    # It shows the same machine: the shapes stand where they stand on the page.
+    slab = inside(page, "root.querySelector('.moving .slab').getAttribute('transform')")
+    assert slab in {node.get("transform") for node in root.iter()}
+    image = np.asarray(Image.open(io.BytesIO(files["png"])).convert("RGB"), dtype=int)
+    assert image.shape[:2] == (1200, 2400)
+    green = np.array(rgb(THEME["light"]["greenTextColor"]))
+    assert (np.abs(image - green).sum(axis=2) < 6).sum() > 500, "the slab's edge is painted"
+    tikz = files["tex"].decode()
+    assert environments_nest(tikz)
+    assert tikz.count("\\begin{tikzpicture}") == 1
+    assert tikz.count("svg {") > 15
+    for d in re.findall(r"svg \{(.*?)\}", tikz):
+        assert re.fullmatch(r"[MLHVAhvlmz\d\s.e,-]+", d), d
+    assert "$m'$" in tikz
+    assert tikz.isascii()

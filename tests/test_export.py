@@ -16,7 +16,7 @@ from nbclient.exceptions import CellExecutionError
 
 from ramanujan import UNIT_MASS_RATIO
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.export import prose_to_latex, to_latex, to_markdown, to_notebook
+from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.rows import rows
@@ -63,6 +63,27 @@ def test_latex_is_a_whole_document_in_ascii(name, numbers):
     assert document.count(r"\section{") == len(route.steps)
     equations = [row for step in route.steps for row in rows(step, values_if(numbers))]
     assert document.count(" &= ") == len(equations)
+
+
+@pytest.mark.parametrize("numbers", [False, True])
+@pytest.mark.parametrize("name", ROUTES)
+def test_slides_hold_the_whole_route_and_no_frame_is_overfull(name, numbers):
+    """There is no TeX here: environments, braces, labels, and lines on a frame are counted."""
+    route = ROUTES[name]
+    document = to_beamer(route, values_if(numbers))
+    assert document.isascii()
+    assert document.startswith(r"\documentclass[aspectratio=169,10pt]{beamer}")
+    assert environments_nest(re.sub(r"^%.*", "", document, flags=re.MULTILINE))
+    frames = re.findall(r"\\begin\{frame\}\[label=(.*?)\](.*?)\\end\{frame\}", document, re.DOTALL)
+    labels = [label for label, _ in frames]
+    assert len(set(labels)) == len(labels)
+    assert [label for label in labels if "-" not in label] == ["title", "machine", *(step.key for step in route.steps)]
+    assert all(len(re.findall(r"\\\\\n", text)) < 9 for _, text in frames)
+    equations = [row for step in route.steps for row in rows(step, values_if(numbers))]
+    assert document.count(" &= ") == len(equations)
+    assert all(row.left in document for row in equations)
+    assert rf"\includeonlyframes{{{route.steps[0].key}" in document
+    assert r"\input{ramanujan-machine.tex}" in document
 
 
 def test_the_environment_check_sees_what_is_wrong():

@@ -8,10 +8,13 @@ with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.j
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
 from hashlib import sha256
 from html import escape
 from pathlib import Path
+
+import streamlit as st
 
 from ramanujan.browser.page.words import TEXTS
 from ramanujan.browser.stage import words
@@ -39,7 +42,8 @@ def contents() -> dict[str, bytes]:
     written = {
         "markup.js": f"export const MARKUP = {json.dumps(markup, ensure_ascii=False)};",
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
-        "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};",
+        "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"
+        f"export const LIGHT = {json.dumps(_light())};",
     }
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
     return files | {name: text.encode() for name, text in written.items()}
@@ -63,6 +67,14 @@ def _markup(name: str, texts: dict[str, str]) -> str:
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
     html = html.format(**{slot: escape(text) for slot, text in texts.items()})
     return f"<style>{style}</style>{html}" if style else html
+
+
+def _light() -> dict[str, str]:
+    """Return the colours of the light theme that the stage uses, by Streamlit's names: saved pictures have them."""
+    names = sorted(set(re.findall(r"var\((--st-(?!widget)[a-z-]*color)", _text(_HERE / "stage/stage.css"))))
+    options = {name: re.sub("-([a-z])", lambda found: found[1].upper(), name.removeprefix("--st-")) for name in names}
+    colors = {name: st.get_option(f"theme.light.{option}") for name, option in options.items()}
+    return {name: color for name, color in colors.items() if color}
 
 
 def _text(path: Path) -> str:

@@ -1,4 +1,4 @@
-"""A derivation as a file: a LaTeX article, a Markdown text, or a notebook that derives everything again.
+"""A derivation as a file: a LaTeX article or slides, a Markdown text, or a notebook that derives everything again.
 
 LaTeX and Markdown contain the route in symbols or with the numbers of one machine. The notebook is plain SymPy.
 """
@@ -19,7 +19,8 @@ from ramanujan.derivation.steps import Route, Step
 from ramanujan.translation import _
 
 TITLE = _("Ramanujan’s oscillator: {route}")
-_SYMBOLS, _WITH_NUMBERS, _CHECKED = _("Symbols"), _("With numbers"), _("Check the result another way")
+_SYMBOLS, _MACHINE = _("Symbols"), _("The machine")
+_WITH_NUMBERS, _CHECKED = _("With numbers"), _("Check the result another way")
 _BODIES = _("The machine has five bodies, three of which roll, and one spring.")
 _CHECK = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omega^2$.")
 _DISTANCE = _("How far is this machine from the condition $\\Omega^2=k/m$?")
@@ -31,6 +32,18 @@ _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \setlength{\parindent}{0pt}
 \allowdisplaybreaks
 """
+
+_SLIDES = r"""\documentclass[aspectratio=169,10pt]{beamer}
+\usepackage{amsmath,tikz}
+\usetikzlibrary{svg.path}
+\setbeamertemplate{navigation symbols}{}
+"""
+_ONE_STEP = _(
+    "For one step alone, name its frames in a line \\includeonlyframes{{{frames}}} before \\begin{{document}}."
+)
+_PICTURE = "ramanujan-machine.tex"
+"""The file as which a stage saves its picture as TikZ."""
+_NO_PICTURE = _("Save the picture of the machine as TikZ, and put the file {file} beside this one.")
 
 _IN_PROSE = {
     "\\": r"\textbackslash{}",
@@ -49,6 +62,8 @@ _IN_PROSE = {
 }
 _LINE_WIDTH = 66
 """Characters of a formula that fit on one line of the article; found by typesetting all routes with TeX."""
+_SLIDE_WIDTH, _SLIDE_LINES = 50, 5
+"""Characters of a formula that fit on one line of a slide, and such lines on a slide."""
 _MATH = re.compile(r"(\$[^$]*\$)")
 
 Values = Mapping[sp.Symbol, sp.Expr]
@@ -70,6 +85,28 @@ def to_latex(route: Route, values: Values | None = None) -> str:
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\author{{}}\n\\date{{}}\n"
     opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(values))}{symbols}"
     return f"{_PREAMBLE}{title}{opening}{body}\\end{{document}}\n"
+
+
+def to_beamer(route: Route, values: Values | None = None) -> str:
+    """Return the route as slides for LaTeX's beamer, in ASCII: the machine, then a frame or more for each step.
+
+    The machine is the picture that a stage of the app saves as TikZ, in a file beside this one.
+
+    Parameters
+    ----------
+    route : one of `ROUTES`, in symbols
+    values : the machine whose numbers are put in; none for the symbols
+    """
+    title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
+    missing = prose_to_latex(_NO_PICTURE.format(file=_PICTURE))
+    picture = f"\\centering\\IfFileExists{{{_PICTURE}}}{{\\input{{{_PICTURE}}}}}{{{missing}}}\n"
+    picture += f"\n{prose_to_latex(stated(values))}\n" if values else ""
+    frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), picture)]
+    for step in route.steps:
+        frames += _slides(step, values)
+    said = _ONE_STEP.format(frames=",".join(label for label, *_rest in frames if label.startswith(route.steps[0].key)))
+    body = "".join(f"\\begin{{frame}}[label={label}]{{{head}}}\n{text}\\end{{frame}}\n" for label, head, text in frames)
+    return f"{_SLIDES}% {said}\n{title}\\begin{{document}}\n{body}\\end{{document}}\n"
 
 
 def to_markdown(route: Route, values: Values | None = None) -> str:
@@ -129,9 +166,28 @@ def _latex_section(step: Step, values: Values | None) -> str:
     return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
 
 
-def _aligned(row: Row) -> str:
+def _slides(step: Step, values: Values | None) -> list[tuple[str, str, str]]:
+    """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
+    said = step.about(values) if values else step
+    parts: list[list[str]] = [[]]
+    for each in rows(step, values):
+        lines = each.lines(_SLIDE_WIDTH)
+        if parts[-1] and sum(len(equation.split("\\\\\n")) for equation in parts[-1]) + len(lines) > _SLIDE_LINES:
+            parts.append([])
+        parts[-1].append(_aligned(each, _SLIDE_WIDTH))
+    frames = []
+    for number, part in enumerate(parts, start=1):
+        label = step.key if number == 1 else f"{step.key}-{number}"
+        reason = f"{prose_to_latex(said.reason)}\n" if number == 1 else ""
+        equations = " \\\\\n".join(f"  {equation}" for equation in part)
+        text = f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n" if part else ""
+        frames.append((label, prose_to_latex(said.heading), f"{reason}{text}"))
+    return frames
+
+
+def _aligned(row: Row, width: int = _LINE_WIDTH) -> str:
     """Return left &= right, a long sum broken into lines."""
-    first, *others = row.lines(_LINE_WIDTH)
+    first, *others = row.lines(width)
     return f"{row.left} &= {first}" + "".join(f" \\\\\n  &\\quad {other}" for other in others)
 
 

@@ -1,6 +1,7 @@
 // The controls under the picture: what each does, and how the keyboard goes from one to the next.
 
 import { finder } from "./parts.js";
+import { save } from "./save.js";
 import { set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
@@ -11,7 +12,7 @@ import { WORDS } from "./texts.js";
 export function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
-  const layers = root.querySelector(".layers");
+  const more = root.querySelector(".more");
   const actions = {
     restart: () => stage.release(),
     play: () => stage.play(),
@@ -19,11 +20,12 @@ export function listenToControls(root, stage, signal) {
     forward: () => stage.step(1),
     undo: () => stage.slab.undo(),
     viewpoint: () => stage.setClock({ seenFrom: stage.clock.seenFrom === "block" ? "ground" : "block" }),
-    show: ({ currentTarget: button }) => set(button, { "aria-expanded": !(layers.hidden = !layers.hidden) }),
+    show: ({ currentTarget: button }) => set(button, { "aria-expanded": !(more.hidden = !more.hidden) }),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
   for (const button of all("[data-clock]")) on(button, "click", () => stage.setClock(JSON.parse(button.dataset.clock)));
   for (const button of all("[data-layer]")) on(button, "click", () => stage.layer(button.dataset.layer));
+  for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
   const scrub = root.querySelector(".scrub input");
   on(scrub, "input", () => stage.scrub(Number(scrub.value)));
 

@@ -121,6 +121,7 @@ TEXTS = {
     "viewpoint": _("From the block"),
     "viewpoint_hint": _("Seen from the block, which then stands still"),
     "show": _("Show …"),
+    "save": _("Save the picture:"),
     "layers": _("Layers"),
     "energy": _("Energy"),
     "velocities": _("Velocities"),

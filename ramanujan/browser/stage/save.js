@@ -1,0 +1,112 @@
+// The picture as a file: SVG that needs nothing of this page, PNG, or TikZ for LaTeX, always in the light theme. All three are
+// read off the picture that is seen, so that its lengths stand nowhere twice.
+
+import { element, set } from "./svg.js";
+import { LIGHT } from "./texts.js";
+
+const LOOKS = [
+  "fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity",
+  "font-family", "font-size", "font-style", "text-anchor", "dominant-baseline", "paint-order",
+];
+const WIDE = 2400; // pixels of a PNG
+const TIKZ_WIDE = 330; // pt, for a slide or a page
+const FILE = "ramanujan-machine";
+const SHAPES = "path, rect, circle, line, text";
+
+/** Do something while the stage has the colours of the light theme. Nothing is drawn before they are given back. */
+function inLight(host, make) {
+  for (const [name, colour] of Object.entries(LIGHT)) host.style.setProperty(name, colour);
+  const made = make();
+  for (const name of Object.keys(LIGHT)) host.style.removeProperty(name);
+  return made;
+}
+
+/** A copy of the picture that carries its looks with it, and of it only what is seen. */
+function standalone(svg) {
+  const copy = svg.cloneNode(true), scale = svg.getScreenCTM().a, { x, y, width, height } = svg.viewBox.baseVal;
+  const copies = [...copy.querySelectorAll("*")], gone = [];
+  [...svg.querySelectorAll("*")].forEach((node, i) => {
+    const style = getComputedStyle(node), isSeen = node.closest("defs") || (style.visibility !== "hidden" && node.getClientRects().length);
+    if (!isSeen || node.matches("title, .grip, .handle, .handle *, .ghosts")) return gone.push(copies[i]);
+    const looks = Object.fromEntries(LOOKS.map((name) => [name, style.getPropertyValue(name)]));
+    // Strokes are as many pixels of the screen wide, whatever the scale.
+    const lines = style.getPropertyValue("vector-effect") === "non-scaling-stroke" ? 1 / scale : 1;
+    looks["stroke-width"] = parseFloat(looks["stroke-width"]) * lines;
+    looks["stroke-dasharray"] = looks["stroke-dasharray"].replace(/[\d.]+(px)?/g, (length) => parseFloat(length) * lines);
+    looks["font-family"] = looks["font-family"].replaceAll('"', "'");
+    for (const { name } of [...node.attributes]) if (/^(class|style|role|tabindex|aria-.*|data-.*)$/.test(name)) copies[i].removeAttribute(name);
+    set(copies[i], looks);
+  });
+  for (const node of gone) node.remove();
+  for (const { name } of [...copy.attributes]) copy.removeAttribute(name);
+  set(copy, { xmlns: "http://www.w3.org/2000/svg", viewBox: `${x} ${y} ${width} ${height}`, width: WIDE, height: Math.round((WIDE * height) / width) });
+  copy.prepend(element("rect", { x, y, width, height, fill: LIGHT["--st-background-color"] }));
+  return copy;
+}
+
+const textOf = (svg) => `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(svg)}\n`;
+
+async function rasterized(svg) {
+  const source = URL.createObjectURL(new Blob([textOf(svg)], { type: "image/svg+xml" })), image = new Image();
+  image.src = source;
+  await image.decode();
+  const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+  canvas.getContext("2d").drawImage(image, 0, 0);
+  URL.revokeObjectURL(source);
+  return new Promise((done) => canvas.toBlob(done, "image/png"));
+}
+
+// ---- TikZ
+
+const SYMBOLS = { "φ̇": "\\dot\\varphi ", φ: "\\varphi ", Φ: "\\Phi ", "′": "'", "₀": "_0", "\u202f": "\\,", "−": "$-$", "√": "$\\surd$", "↔": "$\\leftrightarrow$" };
+const inTex = (text) => text.replace(/φ̇|[φΦ′₀\u202f−√↔]/g, (symbol) => SYMBOLS[symbol]);
+const colourOf = (value) => (value.match(/^rgba?\((\d+), (\d+), (\d+)/) ?? []).slice(1);
+const tikzColour = (value) => ((([r, g, b]) => r && `{rgb,255:red,${r};green,${g};blue,${b}}`)(colourOf(value)));
+const rounded = (value) => Number(value.toFixed(4));
+
+/** The picture as TikZ: each shape with the outline and the place that it has on the page. */
+function tikz(svg, { x, y, width }) {
+  const inverse = svg.getScreenCTM().inverse();
+  const lines = [...svg.querySelectorAll(SHAPES)].flatMap((node) => {
+    const style = getComputedStyle(node);
+    if (node.closest("defs, .ghosts, .handle") || node.matches(".grip, .rim") || style.visibility === "hidden" || !node.getClientRects().length) return [];
+    const { a, b, c, d, e, f } = inverse.multiply(node.getScreenCTM()), place = [a, b, c, d].map(rounded).join(",");
+    const cm = `cm={${place},(${rounded(e - x)}pt,${rounded(f - y)}pt)}`;
+    if (node.matches("text")) return node.textContent ? [label(node, style, cm)] : [];
+    const fill = tikzColour(style.fill), stroke = tikzColour(style.stroke), opacity = Number(style.opacity);
+    const options = [
+      fill && `fill=${fill}, fill opacity=${style.fillOpacity * opacity}`,
+      stroke && `draw=${stroke}, draw opacity=${opacity}, line width=${rounded(parseFloat(style.strokeWidth) * 0.5)}pt`,
+      style.strokeDasharray !== "none" && "dashed",
+    ].filter(Boolean);
+    return options.length ? [`  \\path[${cm}, ${options.join(", ")}] ${outline(node)};`] : [];
+  });
+  const scale = rounded(TIKZ_WIDE / width);
+  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}\n\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}]\n${lines.join("\n")}\n\\end{tikzpicture}\n`;
+}
+
+function outline(node) {
+  const of = (name) => rounded(Number(node.getAttribute(name) ?? 0));
+  if (node.matches("circle")) return `(${of("cx")}pt,${of("cy")}pt) circle[radius=${of("r")}pt]`;
+  if (node.matches("rect")) return `(${of("x")}pt,${of("y")}pt) rectangle ++(${of("width")}pt,${of("height")}pt)`;
+  if (node.matches("line")) return `(${of("x1")}pt,${of("y1")}pt) -- (${of("x2")}pt,${of("y2")}pt)`;
+  return `svg {${node.getAttribute("d")}}`;
+}
+
+function label(node, style, cm) {
+  const of = (name) => rounded(Number(node.getAttribute(name) ?? 0)), anchor = { start: "west", end: "east" }[style.textAnchor] ?? "center";
+  const text = style.fontStyle === "italic" ? `$${inTex(node.textContent)}$` : inTex(node.textContent);
+  return `  \\begin{scope}[${cm}]\\node[anchor=${anchor}, inner sep=1pt, text=${tikzColour(style.fill)}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
+}
+
+// ----
+
+/** Offer the picture under a stage's root as a file of a kind: svg, png or tex. */
+export async function save(root, kind) {
+  const [svg, host] = [root.querySelector("svg.machine"), root.querySelector(".stage")];
+  const content = inLight(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : standalone(svg)));
+  const file = kind === "png" ? await rasterized(content) : new Blob([kind === "svg" ? textOf(content) : content], { type: kind === "svg" ? "image/svg+xml" : "text/plain" });
+  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: `${FILE}.${kind}` });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
