@@ -122,7 +122,7 @@ def test_three_machines_run_side_by_side(visit):
 def test_the_route_as_it_stands_can_be_taken_home(visit):
     page = visit("derivation?route=energy&values=numbers")
     page.locator(".st-key-files button").first.click()
-    for kind, suffix in (("latex", "tex"), ("markdown", "md"), ("notebook", "ipynb")):
+    for kind, suffix in (("latex", "tex"), ("slides", "slides.tex"), ("markdown", "md"), ("notebook", "ipynb")):
         page.wait_for_selector(f".st-key-file_{kind} button")
         sent = len(page.frames_sent)
         with page.expect_download() as download:

@@ -13,7 +13,7 @@ from ramanujan.answers import Verdict, judge, shown_step
 from ramanujan.answers.formulas import typeset
 from ramanujan.answers.grammar import UnreadableError, parse, parse_equation
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
+from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.numbers import exact_values
@@ -139,8 +139,8 @@ def as_read(text: str, is_equation: bool = False) -> str | None:
 
 @st.cache_data(show_spinner=False, max_entries=64)
 def document(name: str, masses: Masses, kind: str) -> str:
-    """Return the route as a LaTeX, Markdown or notebook file, in symbols or with the present masses."""
-    write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
+    """Return the route as LaTeX, slides, Markdown or a notebook, in symbols or with the present masses."""
+    write = {"latex": to_latex, "slides": to_beamer, "markdown": to_markdown, "notebook": to_notebook}[kind]
     return write(route(name), _values(masses))
 
 

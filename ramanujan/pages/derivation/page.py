@@ -32,6 +32,7 @@ VIEW_WORDS = {"lecture": _("One step"), "reading": _("All steps")}
 VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
+    "slides": (_("LaTeX slides (beamer)"), "slides.tex", "application/x-tex"),
     "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": (_("Notebook"), "ipynb", "application/x-ipynb+json"),
 }
