@@ -22,7 +22,7 @@ from streamlit.testing.v1.local_script_runner import LocalScriptRunner
 from tests.browser import CHROMIUM, FLAGS, MOUNTED, ROOT, arrived, count_anew, is_back, listen, rest, running, settle
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
-TABS = 4
+TABS = 3
 """How many tabs a worker keeps."""
 
 
