@@ -130,14 +130,16 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
     assert "# mu = 0.11" in lines
 
 
-def test_plotly_keeps_its_legend_zoom_and_png(visit):
+def test_plotly_keeps_its_zoom_and_png_and_each_body_has_its_name_in_its_area(visit):
     page = open_motion(visit, "?figure=energy")
     graph = page.locator(".js-plotly-plot")
     graph.hover()
     titles = [button.get_attribute("data-title") or "" for button in page.locator(".modebar-btn").all()]
     assert any("png" in title.lower() for title in titles)
     assert any("zoom" in title.lower() for title in titles)
-    assert graph.locator(".infolayer .legendtext").count() == 10
+    names = [label.text_content() for label in graph.locator(".annotation-text").all()]
+    assert {"block", "hoop", "slab", "top cylinder", "spring", "total energy"} < set(names)
+    assert graph.locator(".infolayer .legendtext").count() == 0
 
 
 @pytest.mark.parametrize("radius", [5, 20])

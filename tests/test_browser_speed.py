@@ -45,7 +45,7 @@ def test_page_answers_while_it_measures(visit):
 def test_both_stages_move(visit):
     page = visit("speed?periods=1&steps=12", width=390, height=844, motion="no-preference")
     settle(page)
-    page.get_by_text("Negative or complex", exact=True).wait_for(timeout=60_000)
+    page.get_by_text("Negative or complex", exact=True).wait_for(state="attached", timeout=60_000)
     pictures = [page.locator(f".st-key-{key} svg.machine") for key in ("exact", "stepped")]
     before = [picture.inner_html() for picture in pictures]
     page.wait_for_timeout(500)

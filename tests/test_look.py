@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from daltonlens import convert, simulate
 
+from ramanujan.integrators import METHODS
 from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import ROOT
 
@@ -91,6 +92,17 @@ def test_every_two_bodies_keep_apart_to_the_eye_of_the_colour_blind(theme, kind,
     for model in EYES:
         apart = dict(zip(combinations(BODY_COLORS, 2), differences(colors, model, deficiency), strict=True))
         assert min(apart.values()) >= 10, (model, min(apart, key=apart.get))
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("deficiency", [None, *simulate.Deficiency])
+def test_every_method_has_a_colour_of_its_own_in_which_its_name_can_be_read(theme, deficiency):
+    methods = THEME[theme]["chartCategoricalColors"]
+    assert len(methods) == len(METHODS)
+    assert min(contrast(color, THEME[theme]["backgroundColor"]) for color in methods) >= 4.5
+    assert min(min(differences(methods, model, deficiency)) for model in EYES) >= 10
+    bodies = [THEME[theme][f"{color}Color"] for color in BODY_COLORS.values()]
+    assert min(differences([a, b], next(iter(EYES)), None)[0] for a in methods for b in bodies) >= 8
 
 
 def test_the_eye_of_the_colour_blind_is_another_one():

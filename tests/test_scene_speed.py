@@ -28,7 +28,6 @@ from ramanujan.motion import motion, released
 from ramanujan.numerals import duration, number, power_of_ten
 from ramanujan.pages.speed import cache, costs, downsampling, own_choices, verdicts
 from ramanujan.shell import theme
-from tests.test_scene_motion import numbers
 
 PAGE = "ramanujan/pages/speed/page.py"
 
@@ -138,7 +137,7 @@ def test_measuring_shows_progress_and_can_be_stopped(app, monkeypatch):
     [bar] = app.get("progress")
     assert (bar.proto.value, bar.proto.text) == (33, "Measuring 1 period on this server …")
     # All else is on the page already.
-    assert "What this app uses, and why" in words(app)
+    assert "**Motion, stage and figures**" in words(app)
     app.button(key="stop_measuring").click().run()
     assert not app.get("progress")
     assert "Press the button" in words(app)
@@ -276,16 +275,25 @@ def test_forms_that_never_fail_are_named_right():
 # ---- figures
 
 
-def test_failures_are_gaps_and_plateaus(app):
+def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app):
     app.run()
     sweeps = [s for s in extremes(samples_per_decade=1) if (s.along, s.dtype) == ("scale", "float64")]
-    exponents, truth, forms = downsampling.sweep(sweeps)
-    figure = figures.forms(exponents, truth, forms, quantity="s", colors=theme.colors()).checked()
-    value, error = (numbers(trace.y) for trace in figure.data if trace.name == "the paper’s form")
-    assert np.isnan(value[-1])  # it returns −0 there, which has no logarithm
-    assert np.isfinite(value[0])
-    assert np.ptp(value[:10]) == 0  # the plateau of the wrong value
-    assert error[0] > 14  # ulp of float64 in a relative error near 1: more than 1e14
+    strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
+    for sweep, parts in zip(sweeps, strips.values(), strict=True):
+        # A strip covers the whole range without a gap; at every sample it says what the sweep found.
+        assert (parts[0].start, parts[-1].end) == pytest.approx((-300, 300))
+        assert [part.start for part in parts[1:]] == [part.end for part in parts[:-1]]
+        for x, verdict in zip(sweep.x, sweep.verdict, strict=True):
+            [part] = [each for each in parts if each.start - 0.01 <= math.log10(x) < each.end - 0.01][:1] or parts[-1:]
+            assert part.right == (verdict == "right")
+    s = 1e-200
+    wrong = 8 * s / (7 * s + 8 * s - 8 * (s + s) ** 2 / (7 * s / 3 + 2 * s))
+    words = [part.word for part in strips["the paper’s form"]]
+    assert words[0] == f"{number(wrong, 4)}: wrong"
+    assert words[-1] == "−0"
+    figure = figures.forms(strips, quantity="s", colors=theme.colors()).checked()
+    assert set(words) < set(figure.data[0].text)
+    assert [note.text for note in figure.layout.annotations] == list(strips)
 
 
 @pytest.fixture(autouse=True)

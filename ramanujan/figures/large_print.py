@@ -8,26 +8,23 @@ from plotly.basedatatypes import BaseFigure
 
 from ramanujan.figures.drawn import Drawn
 
-_BELOW = 150
-"""Pixels below the axes: their title and two lines of a legend."""
+_LEAST = 400
+"""Pixels: the height that a figure has at least; where a sheet has more room, it takes it."""
 _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
 
 
 def in_large_print(figure: BaseFigure) -> Drawn:
-    """Return the figure with room for large words, in any height: its legend at the bottom, its axis titles apart.
+    """Return the figure with room for large words, in any height: its axis titles apart.
 
     >>> from ramanujan.figures import drawn
-    >>> sent = drawn([], {"legend": {"y": -0.2}, "yaxis": {"title": {"text": "displacement relative to the block"}}})
+    >>> sent = drawn([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
     >>> layout = in_large_print(sent).to_dict()["layout"]
-    >>> layout["legend"]["yref"], layout["yaxis"]["title"]["text"]
-    ('container', 'displacement relative<br>to the block')
+    >>> layout["height"], layout["yaxis"]["title"]["text"]
+    (400, 'displacement relative<br>to the block')
     """
     sent = figure.to_dict()
-    layout = dict(sent["layout"])
-    if "legend" in layout:
-        layout["legend"] = {**layout["legend"], "y": 0, "yref": "container", "yanchor": "bottom"}
-        layout["margin"] = {**layout.get("margin", {}), "b": max(_BELOW, layout.get("margin", {}).get("b", 0))}
+    layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
     for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
         layout[name] = _axis(layout[name], upright=name.startswith("yaxis"))
     return Drawn({**sent, "layout": layout})

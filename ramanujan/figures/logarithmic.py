@@ -2,27 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from ramanujan.figures import Drawn, drawn, template
-from ramanujan.numerals import number
 from ramanujan.translation import _
 
 Colors = Mapping[str, str]
+Scale = Callable[[np.ndarray], np.ndarray]
 
-_LOOKS = (
-    ("top", "circle"),
-    ("hoop", "square"),
-    ("cylinder", "diamond"),
-    ("slab", "triangle-up"),
-    ("spring", "triangle-down"),
-    ("primary", "pentagon"),
-    ("block", "hexagon2"),
-)
-"""Colour and symbol of the first, second, … method or form: each differs from the others in both."""
+_SYMBOLS = ("circle", "square", "diamond", "triangle-up", "triangle-down", "pentagon", "hexagon2")
+"""Symbol of the first, second, … method."""
+_SQUEEZED, _APART = 8, 4
+"""How much smaller a decade is drawn below the room of the other curves, and a gap of how many decades begins there."""
 
 EXTRA = "<extra>%{fullData.name}</extra>"
 """Plotly's second box, which names the curve."""
@@ -36,18 +30,14 @@ UPPER = {"domain": [0.54, 1.0]}
 LOWER = {"domain": [0.0, 0.46], "anchor": "x"}
 
 
-def laid_out(traces: list[dict[str, Any]], colors: Colors, height: int, **axes: Any) -> Drawn:
+def laid_out(traces: list[dict[str, Any]], colors: Colors, height: int, **more: Any) -> Drawn:
     """Return the traces in the common look."""
-    layout = {"template": template(colors), "height": height, "showlegend": True, **axes}
-    layout["legend"] = {"orientation": "h", "y": -0.16, "yanchor": "top", "x": 0, "font": {"size": 13}}
-    layout["legend"] |= {"itemclick": False, "itemdoubleclick": False}
-    layout["margin"] = {"l": 60, "r": 12, "t": 12, "b": 20}
-    return drawn(traces, layout)
+    layout = {"template": template(colors), "height": height, "showlegend": False, **more}
+    return drawn(traces, layout | {"margin": {"l": 60, "r": 12, "t": 12, "b": 48}})
 
 
 def look_of(index: int, colors: Colors) -> tuple[str, str]:
-    color, symbol = _LOOKS[index % len(_LOOKS)]
-    return colors[color], symbol
+    return colors[f"method_{index}"], _SYMBOLS[index]
 
 
 def log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:
@@ -69,24 +59,48 @@ def axis_title(text: str) -> dict[str, Any]:
     return {"text": text, "standoff": 8, "font": {"size": 14}}
 
 
-def power_axis(title: str, low: float, high: float, ticks: int = 6) -> dict[str, Any]:
+def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tuple[dict[str, Any], Scale, float]:
+    """Return an axis of exponents, how a value is placed on it, and below which exponent its decades are smaller.
+
+    Where some curves lie far below the others, such as rounding errors, the others have most of the room.
+
+    Parameters
+    ----------
+    title : of the axis
+    curves : all values, each curve for itself
+    most : the largest exponent that is shown
+    """
+    exponents = [each[np.isfinite(each)] for each in map(logarithm, curves)]
+    exponents = [each for each in exponents if each.size] or [np.array([-1.0, 0.0])]
+    least, high = min(map(np.min, exponents)), min(most, max(map(np.max, exponents)))
+    usual = np.sort([np.median(each) for each in exponents])
+    gaps = np.diff(usual)
+    wide = int(np.argmax(gaps)) if gaps.size else 0
+    low = float(np.floor(usual[wide + 1]) - 1) if gaps.size and gaps[wide] >= _APART else float(np.floor(least))
+
+    def place(values: np.ndarray) -> np.ndarray:
+        exponent = logarithm(values)
+        return np.where(exponent < low, low + (exponent - low) / _SQUEEZED, exponent).astype(np.float32)
+
+    bottom = float(place(np.array([10.0**least]))[0])
+    step = max(1, round((high - low) / 5))
+    decades = [*range(int(low), int(np.ceil(high)) + 1, step)]
+    below = [int(least)] if least < low - 3 else []
+    ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
+    axis = {"title": axis_title(title), "range": [bottom - 0.2, high + 0.2], "fixedrange": True, **ticks, **TICKS}
+    return axis, place, low
+
+
+def _powers(exponents: Iterable[int]) -> list[str]:
+    return [f"10<sup>{n}</sup>".replace("-", "−") if n else "1" for n in exponents]
+
+
+def power_axis(title: str, low: float, high: float) -> dict[str, Any]:
     """Return a linear axis of exponents whose ticks read 10ⁿ."""
-    low, high = float(low), float(high)
-    step = next(s for s in (1, 2, 3, 5, 10, 15, 20, 50, 100) if (high - low) / s <= ticks or s == 100)
-    values: list[float] = [n for n in range(-400, 401) if n % step == 0 and low <= n <= high]
-    texts = [f"10<sup>{n}</sup>".replace("-", "−") for n in values]
-    if high - low < 2:
-        # Powers of ten alone would give such an axis fewer than two ticks.
-        marks = [mantissa * 10.0**n for n in range(int(low) - 1, int(high) + 2) for mantissa in (1, 2, 5)]
-        values, texts = [float(np.log10(mark)) for mark in marks], [number(mark, 1) for mark in marks]
-    return {
-        "title": axis_title(title),
-        "range": [low, high],
-        "tickvals": values,
-        "ticktext": texts,
-        "fixedrange": True,
-        **TICKS,
-    }
+    step = next(step for step in (10, 20, 50, 100) if (high - low) / step <= 6)
+    values = [n for n in range(-400, 401, step) if low <= n <= high]
+    ticks = {"tickvals": values, "ticktext": _powers(values)}
+    return {"title": axis_title(title), "range": [low, high], "fixedrange": True, **ticks, **TICKS}
 
 
 def within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:

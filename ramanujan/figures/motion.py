@@ -2,38 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ramanujan.figures import Drawn, drawn, template
+from ramanujan.figures.labels import beside, in_bands
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
-_HEIGHT = {1: 330, 2: 370}
+_HEIGHT = {1: 380, 2: 420}
 """Number of panels → height of all panels and the gaps between them [px]."""
 
 _GAP = 0.12
-_BELOW = 100
+_BELOW = 48
 _ABOVE = 26
 
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve against time: its name in the legend, its values at equal steps, and how it is drawn.
+    """A curve against time: its name for who points at it, its values at equal steps, and how it is drawn.
 
-    Curves of one `group` are switched together and have one name in the legend. `stacked` curves are filled and lie on
-    top of each other, hatched if they are `hatched`.
+    Its `label` stands beside it in the colour `ink`. `stacked` curves are filled and lie on top of each other, hatched
+    if they are `hatched`; one label then stands for neighbours.
     """
 
     name: str
     values: np.ndarray
     color: str
+    label: str
+    ink: str
     width: float = 2.5
     dash: str = "solid"
-    group: str | None = None
     stacked: bool = False
     hatched: bool = False
 
@@ -65,10 +67,12 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     end = period * periods
     layout = _layout(colors, _HEIGHT[len(panels)])
     traces: list[dict[str, Any]] = []
-    named: set[str] = set()
+    notes = [_above(period, _("one period"), font={"size": 12})]
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
-        traces += [_trace(curve, panel, axis, end, named, several=len(panels) > 1) for curve in panel.curves]
+        traces += [_trace(curve, panel, axis, end, several=len(panels) > 1) for curve in panel.curves]
+        height, seen = _HEIGHT[len(panels)] * (domain[1] - domain[0]), {note["text"] for note in notes}
+        notes += _labels(panel, axis, end, height, colors["paper"], seen)
         layout[f"yaxis{axis[1:]}"] = {
             "domain": domain,
             "title": {"text": _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)},
@@ -78,14 +82,14 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
             **_zero_line(colors),
         }
     layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
-    layout["annotations"] = [_above(period, _("one period"), font={"size": 12})]
+    layout["annotations"] = notes
     layout["xaxis"] = {
-        "title": {"text": _("time after release t [s]")},
+        "title": {"text": _("time after release <i>t</i> [s]")},
         "automargin": True,
         "range": [0, end],
         "anchor": "free",
         "position": 0,
-        "unifiedhovertitle": {"text": "t = %{x:.4~g} s"},
+        "unifiedhovertitle": {"text": "<i>t</i> = %{x:.4~g} s"},
     }
     # One small box for all panels, which must not hide the curves.
     layout |= {
@@ -123,11 +127,18 @@ def phase_plane(
     centred = {**_zero_line(colors), "nticks": 7}
     places = list(roomy([orbit.values for orbit in orbits]))
     layout = _layout(colors, _HEIGHT[2]) | {
-        "xaxis": {**centred, "title": {"text": _("displacement [cm]")}, "automargin": True, "range": places},
+        "xaxis": {
+            **centred,
+            "title": {"text": _("displacement [cm]")},
+            "automargin": True,
+            "range": places,
+        },
         "yaxis": {**centred, "title": {"text": _("velocity [cm/s]")}, "range": list(roomy(velocities))},
         "hovermode": "closest",
         "meta": {"cursor": "orbit", "period": period, "periods": periods},
     }
+    named = [(o.label, o.ink, o.values, velocity) for o, velocity in zip(orbits, velocities, strict=True)]
+    layout["annotations"] = beside(named, tuple(places), roomy(velocities), _HEIGHT[2])
     return drawn(traces, layout)
 
 
@@ -164,38 +175,32 @@ def friction_bars(
         "width": 0.62,
         "hovertemplate": "%{x:.4~g}<extra></extra>",
     }
-    present = f"<b>μ = {fixed(friction_coefficient, 2)}</b>"
+    present = f"<b><i>μ</i> = {fixed(friction_coefficient, 2)}</b>"
     layout = _layout(colors, 250)
     layout |= {
         "shapes": [_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
         "annotations": [_above(friction_coefficient, present, font={"color": colors["primary"]})],
         "yaxis": {"autorange": "reversed", "ticks": "", "showgrid": False, "automargin": True, "fixedrange": True},
         # The word at the end of the longest bar needs room, also on a phone.
-        "xaxis": {"title": {"text": _("friction coefficient needed")}, "range": [0, 1.4 * longest], "nticks": 5},
-        "showlegend": False,
-        "height": 250 + _ABOVE + 56,
-        "margin": layout["margin"] | {"b": 56},
+        "xaxis": {"title": {"text": _("friction coefficient")}, "range": [0, 1.4 * longest], "nticks": 5},
     }
     return drawn([bars], layout)
 
 
 def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
-    """Return a range that holds all the arrays, a twelfth wider on both sides."""
+    """Return a range that holds all the arrays, a seventh wider on both sides: room for a name."""
     least, most = min(map(np.min, arrays)), max(map(np.max, arrays))
-    margin = (most - least) / 12 or 1.0
+    margin = (most - least) / 7 or 1.0
     return float(least - margin), float(most + margin)
 
 
 def _layout(colors: Mapping[str, str], height: int) -> dict[str, Any]:
-    legend = {"orientation": "h", "x": 0, "y": 0, "yref": "container", "yanchor": "bottom", "font": {"size": 13}}
-    # On a phone each group takes a line, and all lines have to find room.
-    legend["tracegroupgap"] = 1
     return {
         "template": template(colors),
         "height": height + _BELOW + _ABOVE,
         "margin": {"t": _ABOVE, "b": _BELOW, "l": 64},
         "uirevision": "stay",
-        "legend": legend,
+        "showlegend": False,
     }
 
 
@@ -222,9 +227,25 @@ def _domains(panels: int) -> list[list[float]]:
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
-def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str], *, several: bool) -> dict[str, Any]:
+def _labels(
+    panel: Panel, axis: str, end: float, height: float, paper: str, seen: Collection[str]
+) -> list[dict[str, Any]]:
+    """Return the names of a panel's curves beside them, or in the areas that they fill."""
+    flat = [curve for curve in panel.curves if not curve.stacked]
+    t = np.linspace(0, end, len(panel.curves[0].values))
+    bands: dict[str, list[np.ndarray]] = {}
+    top = np.zeros(len(t))
+    for curve in (curve for curve in panel.curves if curve.stacked):
+        low, top = top, top + curve.values
+        bands[curve.label] = [bands.get(curve.label, [low])[0], top]
+    named = [(curve.label, curve.ink, t, curve.values) for curve in flat]
+    return beside(named, (0, end), panel.range, height, axis, seen) + in_bands(
+        bands, paper, (0, end), panel.range, height
+    )
+
+
+def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) -> dict[str, Any]:
     hover = _("{value} {unit}, {panel}") if several else _("{value} {unit}")
-    group = curve.group or curve.name
     trace = {
         "type": "scatter",
         # Equal steps need no array, and single precision is far finer than a pixel.
@@ -233,13 +254,10 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, named: set[str], *
         "y": curve.values.astype(np.float32),
         "yaxis": axis,
         "name": curve.name,
-        "legendgroup": group,
-        "showlegend": group not in named,
         "mode": "lines",
         "line": {"color": curve.color, "width": curve.width, "dash": curve.dash},
         "hovertemplate": hover.format(value="%{y:.3~g}", unit=panel.unit, panel=panel.short or panel.title),
     }
-    named.add(group)
     if curve.stacked:
         trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": {**trace["line"], "width": 0.5}}
         if curve.hatched:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ramanujan.figures import Drawn
+from ramanujan.figures.labels import beside, note
 from ramanujan.figures.logarithmic import (
     AFTER,
     EXTRA,
@@ -16,6 +17,7 @@ from ramanujan.figures.logarithmic import (
     UPPER,
     Colors,
     axis_title,
+    axis_with_room,
     laid_out,
     level_line,
     log_axis,
@@ -27,8 +29,14 @@ from ramanujan.figures.logarithmic import (
 )
 from ramanujan.translation import _, ngettext
 
-_ENERGY_SHOWN, _PHASE_SHOWN = (1e-17, 1e6), (1e-17, 1e4)
-"""A run whose error grows further leaves the figure at the top, so that the others can be seen."""
+_ENERGY_MOST, _PHASE_MOST = 0.5, 2
+"""Exponents of ten: a run whose error grows further leaves the figure at the top, so that the others can be seen."""
+_BOUNDLESS = 1e30
+"""What stands for larger errors, which single precision cannot hold."""
+_HIGH = 560
+"""Height [px] of two panels with the gap between them."""
+_STRIP = 62
+"""Height [px] of the strip of a form, with its name above it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,13 +63,14 @@ class Cost:
     steps: np.ndarray
 
 
-@dataclass(frozen=True, eq=False)
-class Form:
-    """One form of Ω² along a sweep: Ω² as returned and its error [ulp] at 10^exponents; NaN where there is none."""
+@dataclass(frozen=True)
+class Part:
+    """A part of a form's strip, from one exponent of ten to another: whether the form is right there, and a word."""
 
-    name: str
-    value: np.ndarray
-    error_ulp: np.ndarray
+    start: float
+    end: float
+    right: bool
+    word: str
 
 
 def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray], colors: Colors) -> Drawn:
@@ -73,33 +82,59 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
     exact : numbers of periods and the closed form's phase error there [rad]
     colors : the theme's
     """
-    hover = AFTER.format(periods="%{x:.4g}", error="%{y:.3g}") + EXTRA
-    traces = []
+    hover = AFTER.format(periods="%{x:.4g}", error="%{customdata:.3g}") + EXTRA
     # The chosen one is drawn last, on top.
     curves = sorted(curves, key=lambda curve: curve.chosen)
-    for curve in curves:
-        color = look_of(curve.look, colors)[0]
-        line = {"color": color, "width": 4 if curve.chosen else 1.6}
-        shared = {"type": "scatter", "x": curve.reach, "mode": "lines", "line": line, "name": curve.name}
-        shared |= {"legendgroup": curve.name, "legendrank": curve.look, "opacity": 1 if curve.chosen else 0.75}
-        for values, shown, axis in ((curve.energy, _ENERGY_SHOWN, "y"), (curve.phase, _PHASE_SHOWN, "y2")):
-            own = {"y": within(values, shown), "yaxis": axis, "showlegend": axis == "y2", "hovertemplate": hover}
-            traces.append(shared | own)
-    dashed = {"color": colors["ink"], "width": 2, "dash": "dash"}
-    traces.append(
-        {"type": "scatter", "x": exact[0], "y": exact[1], "yaxis": "y2", "mode": "lines+markers", "line": dashed}
-        | {"name": _("closed form"), "legendrank": 99, "hovertemplate": hover}
-    )
-    return laid_out(
-        traces,
-        colors,
-        520,
-        yaxis=log_axis(_("energy error<br>|E/E₀ − 1|"), shown_range([c.energy for c in curves], _ENERGY_SHOWN)) | UPPER,
-        yaxis2=log_axis(_("phase error<br>[rad]"), shown_range([*(c.phase for c in curves), exact[1]], _PHASE_SHOWN))
-        | LOWER,
-        xaxis={"type": "log", "title": axis_title(_("periods")), "anchor": "y2", "fixedrange": True, "dtick": 1}
-        | TICKS,
-    )
+    closed = (_("closed form"), colors["ink"], exact[0], exact[1], {"width": 2, "dash": "dash"}, 1.0)
+    ends = np.log10([exact[0][0], exact[0][-1], *(end for curve in curves for end in curve.reach[[0, -1]])])
+    x_range = float(ends.min()), float(ends.max())
+    traces, notes, shapes, axes = [], [], [], {}
+    for axis, place, title, most, several in (
+        ("y", UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, [c.energy for c in curves]),
+        ("y2", LOWER, _("phase error [rad]"), _PHASE_MOST, [c.phase for c in curves]),
+    ):
+        drawn = [
+            (
+                c.name,
+                look_of(c.look, colors)[0],
+                c.reach,
+                values,
+                {"width": 4 if c.chosen else 2},
+                1.0 if c.chosen else 0.8,
+            )
+            for c, values in zip(curves, several, strict=True)
+        ]
+        drawn += [closed] if axis == "y2" else []
+        drawn_axis, scale, low = axis_with_room(title, [values for _n, _c, _x, values, *_ in drawn], most)
+        for name, color, x, values, line, opacity in drawn:
+            own = {
+                "x": x,
+                "y": scale(values),
+                "customdata": np.float32(np.minimum(values, _BOUNDLESS)),
+                "yaxis": axis,
+                "name": name,
+            }
+            look = {"mode": "lines", "line": {"color": color, **line}, "opacity": opacity, "hovertemplate": hover}
+            traces.append({"type": "scatter", **own, **look})
+        named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, *_ in drawn]
+        room = tuple(drawn_axis["range"])
+        height, seen = _HIGH * (place["domain"][1] - place["domain"][0]), {note["text"] for note in notes}
+        notes += beside(named, x_range, room, height, axis, seen)
+        zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": room[0], "y1": low, "yref": axis}
+        shapes += [
+            {
+                "type": "rect",
+                "line": {"width": 0},
+                "fillcolor": colors["faint"],
+                "opacity": 0.4,
+                "layer": "below",
+                **zone,
+            }
+        ]
+        axes[f"yaxis{axis[1:]}"] = drawn_axis | place
+    along = {"type": "log", "title": axis_title(_("periods")), "range": list(x_range), "fixedrange": True, "dtick": 1}
+    more = axes | {"xaxis": {**along, "anchor": "y2", **TICKS}, "annotations": notes, "shapes": shapes}
+    return laid_out(traces, colors, _HIGH + 60, **more)
 
 
 def work_precision(
@@ -122,7 +157,7 @@ def work_precision(
     exact : cost and error of the closed form
     colors : the theme's
     """
-    curves, traces = list(curves), []
+    curves, traces, named = list(curves), [], []
     hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + EXTRA
     marked = [np.array([tolerance])] + [np.array([point[1]]) for point in (cheapest, exact) if point]
     shown = shown_range([curve.error for curve in curves] + marked, (1e-17, 1e3))
@@ -139,12 +174,11 @@ def work_precision(
                 "line": {"color": color, "width": 2.5 if double else 1.5, "dash": "solid" if double else "dot"},
                 "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8},
                 "name": curve.name,
-                "legendgroup": curve.name,
-                "legendrank": curve.look,
-                "showlegend": double,
                 "hovertemplate": f"%{{text}}<br>{hover}",
             }
         )
+        if double:
+            named.append((curve.name, color, logarithm(curve.cost), logarithm(within(curve.error, shown))))
     marks = ((cheapest, _("cheapest"), "circle-open", 22, "primary"), (exact, _("closed form"), "star", 15, "ink"))
     for point, name, symbol, size, color in marks:
         if point is not None:
@@ -156,59 +190,58 @@ def work_precision(
                     "mode": "markers",
                     "marker": {"symbol": symbol, "size": size, "color": colors[color], "line": {"width": 3}},
                     "name": name,
-                    "legendrank": 99,
                     "hovertemplate": hover,
                 }
             )
+            named.append(
+                (name, colors[color], *(logarithm(np.array([each])) for each in (point[0], max(point[1], shown[0]))))
+            )
     reached = [cost for curve in curves for cost in (curve.cost[0], curve.cost[-1])]
     reached += [point[0] for point in (cheapest, exact) if point]
-    traces.append(level_line([min(reached), max(reached)], tolerance, _("largest error allowed"), colors))
-    return laid_out(
-        traces,
-        colors,
-        480,
-        xaxis={**TICKS, "type": "log", "title": axis_title(cost_title), "dtick": 1, "fixedrange": True},
-        yaxis=log_axis(_("largest error, relative to the amplitude"), shown),
-    )
+    ends = min(reached), max(reached)
+    traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
+    x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
+    named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
+    y_axis = log_axis(_("largest error, relative to the amplitude"), shown)
+    along = {"type": "log", "title": axis_title(cost_title), "dtick": 1, "range": list(x_range), "fixedrange": True}
+    notes = beside(named, x_range, tuple(y_axis["range"]), 420)
+    return laid_out(traces, colors, 480, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
 
 
-def forms(exponents: np.ndarray, truth: np.ndarray, curves: Sequence[Form], *, quantity: str, colors: Colors) -> Drawn:
-    """Draw the Ω² that each form returns above, and its error in ulp below, against powers of ten of the quantity.
-
-    The axes are linear in the logarithm, because 1e-300 itself is too small for single precision.
+def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
+    """Draw a strip for each form of Ω²: where it is right and where it fails, with what it returns there.
 
     Parameters
     ----------
-    exponents : log₁₀ of ε or of the scale s, equally spaced, shape (n,)
-    truth : Ω², shape (n,)
-    curves : the forms, each of shape (n,); the first ones are drawn on top
-    quantity : title of the horizontal axis
+    strips : name of the form → its parts, in order
+    quantity : title of the horizontal axis, along which the parts are given as exponents of ten
     colors : the theme's
     """
-    along = {"type": "scatter", "x0": float(exponents[0]), "dx": float(exponents[1] - exponents[0]), "mode": "lines"}
-    band = {"color": colors["faint"], "width": 12}
-    traces = [{**along, "y": logarithm(truth), "line": band, "name": _("exact"), "hoverinfo": "skip"}]
-    widths = np.linspace(2, 6, len(curves))
-    for place, curve in reversed(list(enumerate(curves))):
-        color = look_of(place, colors)[0]
-        line = {"color": color, "width": float(widths[place])}
-        shared = {**along, "line": line, "name": curve.name, "legendgroup": curve.name}
-        traces.append(shared | {"y": logarithm(curve.value), "hovertemplate": "Ω² = 10<sup>%{y:.2f}</sup>" + EXTRA})
-        # An error of zero has no logarithm: it is drawn at the lower edge.
-        ulp = {"y": logarithm(np.maximum(curve.error_ulp, 0.1)), "yaxis": "y2", "showlegend": False}
-        traces.append(shared | ulp | {"hovertemplate": "10<sup>%{y:.1f}</sup> ulp" + EXTRA})
-    logarithms = np.concatenate([logarithm(truth), *(logarithm(curve.value) for curve in curves)])
-    low, high = float(np.nanmin(logarithms)), float(np.nanmax(logarithms))
-    room = 0.08 * (high - low) + 0.1
-    worst = max(3.0, *(float(np.nanmax(logarithm(curve.error_ulp), initial=0.0)) for curve in curves))
-    return laid_out(
-        traces,
-        colors,
-        520,
-        xaxis=power_axis(quantity, exponents[0], exponents[-1]) | {"anchor": "y2"},
-        yaxis=power_axis("Ω² [rad²/s²]", low - room, high + room, ticks=4) | UPPER,
-        yaxis2=power_axis(_("error [ulp]"), -1.2, worst + 1, ticks=4) | LOWER,
-    )
+    rows = [(row, part) for row, parts in enumerate(strips.values()) for part in parts]
+    bars = {
+        "type": "bar",
+        "orientation": "h",
+        "y": [row for row, _part in rows],
+        "base": [part.start for _row, part in rows],
+        "x": [part.end - part.start for _row, part in rows],
+        "width": 0.4,
+        "marker": {
+            "color": [colors["primary"] if part.right else colors["ink"] for _row, part in rows],
+            "line": {"color": colors["paper"], "width": 2},
+        },
+        "text": [part.word for _row, part in rows],
+        "textposition": "inside",
+        "insidetextanchor": "middle",
+        "textangle": 0,
+        "textfont": {"color": colors["paper"], "size": 13},
+        "hovertemplate": "%{text}<extra></extra>",
+    }
+    start = min(part.start for _row, part in rows)
+    above = {"xanchor": "left", "yanchor": "bottom", "yshift": 11}
+    notes = [note(name, colors["ink"], start, row) | above for row, name in enumerate(strips)]
+    hidden = {"visible": False, "range": [len(strips) - 0.6, -0.75], "fixedrange": True}
+    x_axis = power_axis(quantity, start, max(part.end for _row, part in rows))
+    return laid_out([bars], colors, 70 + _STRIP * len(strips), xaxis=x_axis, yaxis=hidden, annotations=notes)
 
 
 def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> Drawn:
@@ -235,14 +268,15 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
                 "hovertemplate": AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + EXTRA,
             }
         )
-    traces.append(level_line([periods[0], periods[-1]], np.pi, _("half a turn: the phase is lost"), colors))
-    return laid_out(
-        traces,
-        colors,
-        380,
-        xaxis={**TICKS, "type": "log", "title": axis_title(_("periods")), "dtick": 3, "fixedrange": True},
-        yaxis=log_axis(_("phase error [rad]"), (1e-17, 200.0)),
-    )
+    lost = _("half a turn: phase lost")
+    traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
+    named = [
+        (each["name"], each["line"]["color"], np.log10(each["x"]), logarithm(np.array(each["y"]))) for each in traces
+    ]
+    x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
+    along = {"type": "log", "title": axis_title(_("periods")), "dtick": 3, "range": list(x_range), "fixedrange": True}
+    notes = beside(named, x_range, tuple(y_axis["range"]), 320)
+    return laid_out(traces, colors, 380, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
 
 
 def _steps(dtype: str, n: int) -> str:

@@ -39,7 +39,7 @@ def current() -> str:
 
 
 def colors() -> dict[str, str]:
-    """Return the theme's colours by use: ink, paper, faint, primary, and one (and its ink) for each body."""
+    """Return the theme's colours by use: ink, paper, faint, primary, method_0 …, one (and its ink) for each body."""
     return _colors(current())
 
 
@@ -47,10 +47,12 @@ def colors() -> dict[str, str]:
 def _colors(shown: str) -> dict[str, str]:
     # To ask for an option takes a tenth of a millisecond, and a page asks for all of them several times a run.
     fallback = {"ink": "#808080", "paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
-    return {
+    bodies = {
         use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, "#808080")
         for use, option in _OPTIONS.items()
     }
+    methods = st.get_option(f"theme.{shown}.chartCategoricalColors") or []
+    return bodies | {f"method_{n}": color for n, color in enumerate(methods)}
 
 
 def apply_css(boxes: Mapping[str, Mapping[str, Any]]) -> None:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
 
+import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
@@ -29,12 +32,12 @@ NAMES = {
     "top": _("top cylinder"),
     "spring": _("spring"),
 }
-"""Body → what a legend calls it."""
+"""Body → what a figure calls it."""
 CONTACTS = {
     "hoop_slab": _("hoop and slab"),
-    "cylinder_slab": _("cylinder and slab"),
+    "cylinder_slab": _("lower cylinder and slab"),
     "hoop_block": _("hoop and block"),
-    "cylinder_block": _("cylinder and block"),
+    "cylinder_block": _("lower cylinder and block"),
     "top_block": _("top cylinder and block"),
 }
 """Contact → the two bodies that touch there."""
@@ -51,13 +54,6 @@ _ENERGIES = {
     "slab_translation": _("slab, translation"),
     "top_translation": _("top cylinder, translation"),
     "top_rotation": _("top cylinder, rotation"),
-}
-_MOMENTA = {
-    "block": _("mv of the block"),
-    "hoop": _("mv of the hoop"),
-    "cylinder": _("mv of the lower cylinder"),
-    "slab": _("mv of the slab"),
-    "top": _("mv of the top cylinder"),
 }
 
 
@@ -92,7 +88,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
         _panel(
             title,
             "cm",
-            [Curve(NAMES[body], _CM * x, colors[body], **_LINES.get(body, {})) for body, x in bodies.items()],
+            [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()],
             short,
         )
         for title, short, bodies in places
@@ -102,13 +98,10 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
 
 def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw one orbit for each coordinate: slab and top cylinder relative to the block, the block to the ground."""
-    shown = {
-        "slab": (_("slab, relative to the block"), motion.over_block, motion.velocity_over_block),
-        "block": (_("block, relative to the ground"), motion.over_ground, motion.velocity_over_ground),
-        "top": (_("top cylinder, relative to the block"), motion.over_block, motion.velocity_over_block),
-    }
-    curves = [Curve(name, _CM * x[body], colors[body]) for body, (name, x, _v) in shown.items()]
-    velocities = [_CM * v[body] for body, (_name, _x, v) in shown.items()]
+    to_block = motion.over_block, motion.velocity_over_block
+    shown = {"slab": to_block, "block": (motion.over_ground, motion.velocity_over_ground), "top": to_block}
+    curves = [_of_body(body, _CM * x[body], colors) for body, (x, _v) in shown.items()]
+    velocities = [_CM * v[body] for body, (_x, v) in shown.items()]
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)
 
 
@@ -118,9 +111,10 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     for key, values in motion.energies.items():
         body = key.partition("_")[0]
         turns = key.endswith("_rotation")
-        curves.append(Curve(_ENERGIES[key], values * 1e3, colors[body], stacked=True, hatched=turns))
+        curve = _of_body(body, values * 1e3, colors, stacked=True, hatched=turns)
+        curves.append(replace(curve, name=_ENERGIES[key]))
     total = 1e3 * motion.total_energy
-    curves.append(Curve(_("total energy"), total, colors["ink"], width=3))
+    curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), colors["ink"], width=3))
     # A sixth above the total is room for the names of the periods.
     return _over_time(motion, [Panel(_("energy"), "mJ", curves, (0.0, float(total[0]) * 7 / 6))], colors)
 
@@ -128,19 +122,15 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
 def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the momentum of each body, which oscillates, and the two conserved ones, which are flat."""
     curves = [
-        Curve(_MOMENTA[body], values, colors[body], width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
+        _of_body(body, values, colors, width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
         for body, values in motion.body_momenta.items()
     ]
-    curves += [
-        Curve(_("all bodies together, −p<sub>X</sub>"), -motion.momenta["p_X"], colors["ink"], width=4),
-        Curve(
-            "p<sub>Φ</sub>/R",
-            motion.momenta["p_Phi"] / motion.oscillator.radius,
-            colors["primary"],
-            width=4,
-            dash="10px 6px",
-        ),
-    ]
+    conserved = {
+        _("all together: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
+        "<i>p</i><sub>Φ</sub>/<i>R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
+    }
+    for name, (values, color, dash) in conserved.items():
+        curves.append(Curve(name, values, colors[color], name, colors[color], width=4, dash=dash))
     return _over_time(motion, [_panel(_("momentum"), "kg m/s", curves)], colors)
 
 
@@ -167,9 +157,15 @@ def contact_color(contact: str, colors: Mapping[str, str]) -> str:
     return colors[contact.partition("_")[0]]
 
 
-def _contact_curve(contact: str, values: object, colors: Mapping[str, str]) -> Curve:
-    dash = "solid" if contact.endswith("slab") or contact.startswith("top") else "7px 5px"
-    return Curve(CONTACTS[contact], values, contact_color(contact, colors), dash=dash)
+def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> Curve:
+    body, _between, other = contact.partition("_")
+    dash = "solid" if other == "slab" or body == "top" else "7px 5px"
+    label = _("{body}–{other}").format(body=NAMES[body], other=NAMES[other])
+    return replace(_of_body(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
+
+
+def _of_body(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
+    return Curve(NAMES[body], values, colors[body], NAMES[body], colors[f"{body}_ink"], **look)
 
 
 def _panel(title: str, unit: str, curves: list[Curve], short: str = "") -> Panel:

@@ -50,9 +50,8 @@ def show() -> None:
             the_machine(motion, friction)
         with st.container(key="verdict"):
             verdict(friction, compression)
-        if not display_mode.is_projector():
-            freeze(motion)
-    cursor_and_download(motion, mu)
+    if display_mode.is_projector():
+        page.cursor("motion")
     the_figures(motion, friction, setting)
 
 
@@ -87,13 +86,13 @@ def verdict(friction: Friction, compression: float) -> None:
     holds = compression <= friction.largest
     sentence = (
         _(
-            ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ = {mu} this is true up "
-            "to x₀ = {largest}. Beyond that, the contact between **{contact}** slips first."
+            ":green[:material/check_circle: **Every contact rolls without slipping.**] With *μ* = {mu} this is true up "
+            "to *x*₀\u00a0=\u00a0{largest}. Beyond that, the contact between **{contact}** slips first."
         )
         if holds
         else _(
-            ":red[:material/error: **The model no longer holds.**] With μ = {mu}, the contact between **{contact}** "
-            "slips from x₀ = {largest} on. The picture still shows rolling."
+            ":red[:material/error: **The model no longer holds.**] With *μ* = {mu}, the contact between **{contact}** "
+            "slips from *x*₀\u00a0=\u00a0{largest} on. The picture still shows rolling."
         )
     )
     # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
@@ -127,10 +126,7 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 
 def cursor_and_download(motion: Record, mu: float) -> None:
-    """Draw the time cursor over all figures, and the download of their numbers."""
-    if display_mode.is_projector():
-        page.cursor("motion")
-        return
+    """Draw the time cursor over the figures of a view, and the download of all numbers."""
     marker, download = st.columns([5, 1], vertical_alignment="center")
     with marker:
         page.cursor("motion")
@@ -170,7 +166,9 @@ def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) 
     for view, tab in widgets.tabs(FIGURE, VIEW_WORDS).items():
         if tab.open:
             with tab:
+                cursor_and_download(motion, friction.coefficient)
                 if view == "forces":
+                    freeze(motion)
                     plots.show_forces(motion, drawn(view), friction)
                 else:
                     shows[view](motion, drawn(view))

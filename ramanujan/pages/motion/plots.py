@@ -65,11 +65,12 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
     block, top = (round(float(drift), 9) for drift in drifts)
     sentences = [
+        _("In the phase plane the block moves relative to the ground, the others relative to the block."),
         _(
             "Each initial velocity excites a **zero mode**: a motion that does not deform the spring, so nothing pulls "
             "it back. With an initial velocity $-\\dot X_0$ the whole machine glides, and nothing changes relative to "
             "the block. With an initial spin $\\dot\\Phi_0$ the top cylinder alone rolls away."
-        )
+        ),
     ]
     if block or top:
         sentence = _(

@@ -16,6 +16,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy import (
+    FORMS,
     Timing,
     arithmetics,
     caching,
@@ -33,10 +34,10 @@ from ramanujan.accuracy.extremes import Sweep
 from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision
-from ramanujan.figures import Drawn
+from ramanujan.figures import MASS_RATIO, Drawn
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.pages.speed import downsampling
+from ramanujan.pages.speed import downsampling, verdicts
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _
 
@@ -54,8 +55,8 @@ class Along:
 SWEEPS = {
     f"{along}_{dtype}": Along(along, dtype, symbol, quantity)
     for along, symbol, quantity in (
-        ("ratio", "ε", _("mass ratio ε = m′/m, with m = 1 kg and k = 1 N/m")),
-        ("scale", "s", _("scale s = m/kg = m′/kg = k/(N/m)")),
+        ("ratio", "ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)),
+        ("scale", "s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
     )
     for dtype in ("float64", "float32")
 }
@@ -158,8 +159,8 @@ def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
 @st.cache_resource(show_spinner=False, max_entries=2 * len(SWEEPS))
 def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> Drawn:
     """Return the figure of one of the SWEEPS in the given colours."""
-    exponents, truth, curves = downsampling.sweep(_shown)
-    return figures.forms(exponents, truth, curves, quantity=SWEEPS[name].quantity, colors=colors)
+    strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in _shown}
+    return figures.forms(strips, quantity=SWEEPS[name].quantity, colors=colors)
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
@@ -167,8 +168,8 @@ def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) ->
     """Return the figure of the phase errors in the given colours."""
     found = phases(m, m_prime, k)
     curves = {
-        _("Ω·t in float32"): [p.float32 for p in found],
-        _("Ω·t in float64"): [p.float64 for p in found],
+        _("Ω·<i>t</i> in float32"): [p.float32 for p in found],
+        _("Ω·<i>t</i> in float64"): [p.float64 for p in found],
         _("whole turns subtracted first"): [p.reduced for p in found],
     }
     return figures.phase_errors([p.periods for p in found], curves, colors)

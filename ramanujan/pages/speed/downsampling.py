@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import FORMS
-from ramanujan.accuracy.extremes import RIGHT, Sweep
 from ramanujan.accuracy.history import History
 from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
 from ramanujan.figures import speed as figures
@@ -93,22 +90,6 @@ def costs(curve: WorkPrecision, by: str) -> figures.Cost:
     error = np.where(np.isfinite(curve.error), curve.error, np.nan)
     title, look_ = METHODS[curve.method].title, list(METHODS).index(curve.method)
     return figures.Cost(title, look_, curve.dtype, getattr(curve, by)[at], error[at], curve.steps_per_period[at])
-
-
-def sweep(sweeps: Sequence[Sweep]) -> tuple[np.ndarray, np.ndarray, list[figures.Form]]:
-    """Return a sweep's exponents, its true values and its forms, in as many points as a screen can part."""
-    x = sweeps[0].x.astype(float)
-    every = max(1, x.size // 220)
-    sound = next(s for s in sweeps if s.form == list(FORMS)[-1])
-    starts = np.arange(0, x.size, every)
-    order = sorted(sweeps, key=lambda s: s.worst_right_ulp if set(s.verdict) == {RIGHT} else -1)
-    curves = [
-        figures.Form(
-            FORMS[s.form].title, s.value[starts], np.maximum.reduceat(np.nan_to_num(s.error_ulp, nan=np.inf), starts)
-        )
-        for s in order
-    ]
-    return np.log10(x[starts]), sound.value[starts], curves
 
 
 def downsampled(history: History, steps: int, periods: int) -> Run:

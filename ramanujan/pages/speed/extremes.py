@@ -10,7 +10,7 @@ from ramanujan.accuracy import FORMS
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import number
 from ramanujan.pages.speed import cache, own_choices, verdicts
-from ramanujan.shell import address, drawings, theme, widgets
+from ramanujan.shell import address, display_mode, drawings, theme, widgets
 from ramanujan.translation import _
 
 SWEEP = address.Choice("sweep", tuple(cache.SWEEPS), next(iter(cache.SWEEPS)))
@@ -47,19 +47,19 @@ def forms_at_extremes() -> str:
             count=len(FORMS), findings=sentence.replace("**", "").replace("- ", "")
         ),
     )
+    st.caption(
+        _(
+            "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look "
+            "right. Errors are in ulp (unit in the last place), measured against {digits} digits."
+        ).format(digits=REFERENCE.dps)
+    )
     return sentence
 
 
 def where_forms_fail(sentence: str) -> None:
     """Say where each form fails, and which formulas they are."""
     st.markdown(sentence)
-    st.caption(
-        _(
-            "A gap means the formula returned 0, infinity or NaN. A flat line away from the gray band is a wrong value "
-            "that looks right. Errors are in ulp (unit in the last place), measured against {digits} digits."
-        ).format(digits=REFERENCE.dps)
-    )
-    with st.expander(_("The formulas")):
+    if not display_mode.is_projector():
         item = _("- **{name}**: Ω² = {formula}")
         st.markdown("\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values()))
 
@@ -80,7 +80,6 @@ def many_periods(machine: Oscillator) -> None:
 def general_solver() -> None:
     """Say what a general eigen-solver makes of the zero modes."""
     _forms, sweeps = cache.sweeps()
-    st.header(_("A general eigen-solver"), anchor=False)
     st.markdown(
         _(
             "A library can find Ω² from the mass matrix M and the stiffness matrix K without knowing this machine. The "
@@ -99,6 +98,5 @@ def solvers() -> None:
 
 def what_the_app_uses() -> None:
     """List what the app itself uses where."""
-    st.header(_("What this app uses, and why"), anchor=False)
     swept, _solvers = cache.sweeps()
     st.markdown(own_choices.what_the_app_uses(cache.choices(), swept))

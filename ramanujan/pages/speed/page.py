@@ -15,7 +15,7 @@ from ramanujan.pages.speed import cache, downsampling, extremes, verdicts
 from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
 from ramanujan.pages.speed.extremes import SWEEP
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import folded, sheet
 from ramanujan.translation import _
 
 METHOD = address.Choice("method", tuple(METHODS), "velocity_verlet")
@@ -39,15 +39,16 @@ def show() -> None:
         costs_on_this_server = costs(periods)
     with sheet("forms", _("Extreme values")):
         failures = extremes.forms_at_extremes()
-    with sheet("failures", _("Where each form fails")):
+    with folded("failures", _("Where each form fails, and the formulas")):
         extremes.where_forms_fail(failures)
     with sheet("periods", _("Very many periods")):
         extremes.many_periods(sidebar.oscillator())
-    with sheet("solver", _("A general eigen-solver")):
+    place = folded("solver", _("A general eigen-solver, which does not know this machine"))
+    with place:
         extremes.general_solver()
-    with sheet("solvers", _("The solvers compared")):
+    with sheet("solvers", _("The solvers compared")) if display_mode.is_projector() else place:
         extremes.solvers()
-    with sheet("choices", _("What this app uses")):
+    with folded("choices", _("What this app uses, and why")):
         extremes.what_the_app_uses()
     # What may take long comes when all else is drawn.
     costs_on_this_server()
@@ -56,7 +57,6 @@ def show() -> None:
 def the_question() -> None:
     """Draw the title, and what the page asks."""
     st.title(_("Speed and accuracy"), anchor=False)
-    st.html("<style>[class*=st-key-table_]{overflow:auto hidden}</style>")
     st.markdown(
         _(
             "**How exact does a simulation have to be, and what does that cost?** Most simulations advance in small "
@@ -135,7 +135,8 @@ def growing_errors(run: downsampling.Run) -> None:
     st.caption(
         _(
             "Each curve shows the largest error so far, and all methods take the same steps. Below its stability limit "
-            "a symplectic method keeps its energy error bounded, but its phase error grows steadily."
+            "a symplectic method keeps its energy error bounded, but its phase error grows steadily. In the gray zone, "
+            "where rounding errors are, each power of ten takes an eighth of its usual height."
         )
     )
 

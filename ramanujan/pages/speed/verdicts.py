@@ -15,6 +15,7 @@ from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, 
 from ramanujan.accuracy.general_solvers import EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
+from ramanujan.figures.speed import Part
 from ramanujan.integrators import METHODS, Method
 from ramanujan.numerals import duration, number, percent, quantity, told_from
 from ramanujan.pages.speed.downsampling import Run
@@ -73,17 +74,17 @@ def errors_of(run: Run) -> str:
     phase = (
         ngettext(
             "After {n} period and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
-            "ahead**.",
+            "ahead**, {turns} of a full turn.",
             "After {n} periods and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
-            "ahead**.",
+            "ahead**, {turns} of a full turn.",
             run.periods,
         )
         if run.phase_at_end > 0
         else ngettext(
             "After {n} period and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
-            "behind**.",
+            "behind**, {turns} of a full turn.",
             "After {n} periods and {evaluations} evaluations of the force, the computed machine is **{phase} rad "
-            "behind**.",
+            "behind**, {turns} of a full turn.",
             run.periods,
         )
     )
@@ -95,7 +96,8 @@ def errors_of(run: Run) -> str:
         energy = _("Its relative energy error was at most **{error}**.").format(error=number(worst))
     seen = abs(run.phase_at_end) > _SEEN or worst > _SEEN
     verdict = _("The difference is visible.") if seen else _("The difference is too small to see.")
-    return f"{phase.format(phase=number(abs(run.phase_at_end)), **counts)} {energy} {verdict}"
+    counts |= {"phase": number(abs(run.phase_at_end)), "turns": number(abs(run.phase_at_end) / math.tau)}
+    return f"{phase.format(**counts)} {energy} {verdict}"
 
 
 def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
@@ -216,12 +218,39 @@ _FAILURES_AT_A_POINT = {
 
 
 def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
-    inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
-    verdict = "−0" if stretch.verdict == ZERO and np.signbit(inside).all() else stretch.verdict
+    verdict, usual = _returned(sweep, stretch)
     sentence = (_FAILURES_AT_A_POINT if stretch.first == stretch.last else _FAILURES)[verdict]
-    usual = number(float(np.median(inside)), 4) if stretch.verdict == PLAUSIBLE else ""
     ends = {"first": number(float(stretch.first)), "last": number(float(stretch.last))}
     return sentence.format(symbol=symbol, value=usual, **ends)
+
+
+def _returned(sweep: Sweep, stretch: Stretch) -> tuple[str, str]:
+    """Return a stretch's verdict, where −0 is told from 0, and the usual value if it looks like an answer."""
+    inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
+    verdict = "−0" if stretch.verdict == ZERO and np.signbit(inside).all() else stretch.verdict
+    return verdict, number(float(np.median(inside)), 4) if verdict == PLAUSIBLE else ""
+
+
+def strip(sweep: Sweep) -> list[Part]:
+    """Return the stretches of a form as parts of its strip."""
+    stretches, parts = sweep.stretches, []
+    ends = [*(each.first for each in stretches[1:]), stretches[-1].last]
+    for stretch, end in zip(stretches, ends, strict=True):
+        verdict, usual = _returned(sweep, stretch)
+        word = _RETURNS[verdict].format(value=usual, error=number(sweep.worst_right_ulp))
+        parts.append(Part(math.log10(stretch.first), math.log10(end), verdict == RIGHT, word))
+    return parts
+
+
+_RETURNS = {
+    RIGHT: _("right to {error} ulp"),
+    ZERO: "0",
+    "−0": "−0",
+    OVERFLOW: _("∞ or NaN"),
+    PLAUSIBLE: _("{value}: wrong"),
+    INACCURATE: _("loses digits"),
+}
+"""Verdict → what a strip says there."""
 
 
 def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:

@@ -68,7 +68,7 @@ def told(story: cache.Story) -> None:
     )
     said = [sentence.format(number=factored(story), cubes=story.cubes)]
     if isqrt(discriminant) ** 2 == discriminant:
-        said.append(_("It is a square, so this $\\varepsilon$ is a fraction."))
+        said.append(_("The discriminant is a square, so this $\\varepsilon$ is a fraction."))
     st.markdown(" ".join(said))
     st.latex(cache.as_norm(target.numerator, target.denominator))
 
@@ -136,8 +136,9 @@ def what_has_a_reason() -> None:
     st.latex(cache.norm_identity())
     st.markdown(
         _(
-            "It always has the form $x^2+3y^2$. A hoop and a cylinder as lower rollers are enough for this, whatever "
-            "rolls on top. It is the *norm* of $x+y\\sqrt{{-3}}$: multiply by the same number with the other sign."
+            "The discriminant always has the form $x^2+3y^2$. A hoop and a cylinder as lower rollers are enough for "
+            "this, whatever rolls on top. Such a number is the *norm* of $x+y\\sqrt{{-3}}$: multiply by the same "
+            "number with the other sign."
         ).format()
     )
     st.latex(cache.norm_multiplied_out())
@@ -215,14 +216,15 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
         _(
             "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on "
             "top: {count} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {sums} sums of "
-            "two cubes; the next pair gives {second}. Small numbers are such sums more often, but that is not the "
-            "reason: {smaller} other pairs have a smaller median."
+            "two cubes; the next pair gives {second}. Small numbers are such sums more often. But half of this pair’s "
+            "discriminants are below {median}, and {smaller} other pairs have a smaller median."
         ).format(
             most=cache.COUNTED_PART,
             count=paper.machines,
             pair=labels[at],
             sums=paper.sums,
             second=second.sums,
+            median=number(paper.median, 3),
             smaller=len(smaller),
         )
     )
