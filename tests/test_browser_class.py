@@ -1,0 +1,172 @@
+"""A class in browsers: a desk on a phone, a wall, five voters, a whole lesson by clicker, and the file of the votes."""
+
+from __future__ import annotations
+
+import csv
+import random
+from collections import Counter
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from ramanujan import lesson
+from tests.browser import listen, settle
+
+CUT = """() => {
+  const main = document.querySelector("[data-testid=stMain]");
+  return Math.max(main.scrollHeight - main.clientHeight, main.scrollWidth - main.clientWidth);
+}"""
+"""By how much the wall, which nobody scrolls, is too large [px]."""
+VOTES = ".st-key-class_phone [role=radiogroup] label"
+EVERYBODY = ("three tabs", "changing", "reloading", "leaving", "late")
+LATE, LEFT = 4, 6
+"""Stops at which one student comes, and another one is gone."""
+
+
+def hear(*pages: Page) -> None:
+    """Let pages ask what is new, as each does by itself every few seconds."""
+    for page in pages:
+        page.clock.fast_forward(3000)
+
+
+def vote(phone: Page, number: int) -> None:
+    sent = len(phone.frames_sent)
+    phone.locator(VOTES).nth(number).click()
+    while len(phone.frames_sent) == sent or phone.unanswered:
+        phone.wait_for_timeout(10)
+    expect(phone.locator(VOTES).nth(number).locator("input")).to_be_checked()
+    phone.get_by_text("Your answer counts").wait_for()
+
+
+@pytest.fixture
+def screen(chromium, server):
+    """Open the lesson's page on a screen of its own, or in another tab of one."""
+    contexts, errors = [], []
+
+    def show(query: str, width: int = 390, height: int = 844, beside: Page | None = None) -> Page:
+        if beside is None:
+            contexts.append(chromium.new_context(viewport={"width": width, "height": height}, reduced_motion="reduce"))
+        page = (beside.context if beside else contexts[-1]).new_page()
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        listen(page)
+        page.clock.install()
+        # Several pages load at once.
+        page.goto(f"{server}/lesson?{query}", wait_until="commit")
+        return page
+
+    yield show
+    for context in contexts:
+        context.close()
+    assert errors == []
+
+
+def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
+    draw, cast, cut = random.Random(1729), [], []
+    desk = screen("stops=all")
+    desk.locator(".st-key-class_door button").first.click()
+    desk.locator(".st-key-class_open button").click()
+    wall_link = desk.get_by_role("link", name="Open the wall").get_attribute("href")
+    query = wall_link.partition("?")[2]
+    wall = screen(query, 1280, 720)
+    code = query.partition("class=")[2][:6]
+    phones = {name: screen(f"class={code}") for name in EVERYBODY[:-1]}
+    tabs = [screen(f"class={code}", beside=phones["three tabs"]) for _ in range(2)]
+    for phone in (*phones.values(), *tabs):
+        phone.get_by_text("The first question will appear here").wait_for()
+    hear(wall)
+    wall.get_by_text("4 students have joined").wait_for()
+    secret = desk.url.partition("lecturer=")[2].partition("&")[0].partition("-")[2]
+    assert len(secret) > 20
+
+    def press(then: str) -> None:
+        """Press the clicker, and wait until it can do the next thing."""
+        desk.keyboard.press("PageDown")
+        desk.locator(then).wait_for()
+        settle(desk)
+        hear(wall)
+
+    def whole(state: str) -> None:
+        if (over := wall.evaluate(CUT)) > 2:
+            cut.append((stop.id, state, over))
+
+    for number, stop in enumerate(lesson.STOPS, start=1):
+        if number == LATE:
+            phones["late"] = screen(f"class={code}")
+        if number == LEFT:
+            phones.pop("leaving").get_by_role("button", name="Leave the class").click()
+        press(".st-key-class_reveal")
+        hear(*phones.values())
+        expect(wall.locator("h1")).to_have_text(stop.heading)
+        whole("asked")
+        chosen = {name: draw.randrange(len(stop.options)) for name in phones}
+        for name, phone in phones.items():
+            expect(phone.locator("h1")).to_have_text(stop.heading)
+            if name == "changing" or (name, number) == ("reloading", 2):
+                vote(phone, (chosen[name] + 1) % len(stop.options))
+            if (name, number) == ("reloading", 3):
+                phone.reload()
+            vote(phone, chosen[name])
+        if number == 1:
+            for tab, option in zip(tabs, (1, 2), strict=True):
+                hear(tab)
+                # It shows the answer from the tab before.
+                expect(tab.locator(VOTES).nth(chosen["three tabs"]).locator("input")).to_be_checked()
+                vote(tab, option)
+                chosen["three tabs"] = option
+        if number == 2:
+            phones["reloading"].reload()
+            expect(phones["reloading"].locator(f"{VOTES}:has(input:checked)")).to_have_count(1)
+            for tab in tabs:
+                tab.close()
+        votes = Counter(stop.options[option].id for option in chosen.values())
+        cast.append(votes)
+        hear(desk, wall)
+        expect(desk.locator(".st-key-class_desk")).to_contain_text(f"{len(phones)} of ")
+        if number == len(lesson.STOPS):
+            # Who has left is not waited for.
+            expect(desk.locator(".st-key-class_desk")).to_contain_text("4 of 4 here", timeout=25_000)
+        assert wall.locator("[data-testid=stProgress]").count() == 0
+
+        press(".st-key-class_run")
+        total = len(phones)
+        shares = [f"{votes[o.id]} of {total}, {round(100 * votes[o.id] / total)}\u202f%" for o in stop.options]
+        expect(wall.locator("[data-testid=stProgress]")).to_have_text(shares)
+        whole("revealed")
+        press(".st-key-class_solve")
+        picture = wall.locator("pre, .katex" if stop.exhibit else "svg.machine .body.slab").first
+        picture.wait_for()
+        assert wall.get_by_text(stop.option(stop.answer()).label, exact=True).count() == 0
+        whole("running")
+        press(".st-key-class_desk :text('This is right')")
+        wall.get_by_text(stop.option(stop.answer()).label, exact=True).wait_for()
+        assert picture.is_visible()
+        whole("solved")
+        if number % 3 != 2:
+            continue
+        # The machine and the word on one's own answer are on the phone, too; one phone at a time.
+        name = list(phones)[number % len(phones)]
+        own, phone = stop.options[chosen[name]].id, phones[name]
+        hear(phone)
+        said = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
+        phone.get_by_text(said).first.wait_for()
+        phone.locator("pre, .katex" if stop.exhibit else "svg.machine").first.wait_for()
+        widths = [page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") for page in (phone, desk)]
+        assert max(widths) <= 390
+        assert secret not in wall.content() + wall.url + phone.content() + phone.url
+    assert cut == []
+    # The clicker ends with the lesson.
+    assert desk.locator(".st-key-class_desk [data-testid=stBaseButton-primary]").count() == 0
+
+    with desk.expect_download() as download:
+        desk.get_by_role("button", name="Results as CSV").click()
+    rows = list(csv.DictReader(download.value.path().read_text(encoding="utf-8").splitlines()))
+    told = [(row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows]
+    assert told == [
+        (stop.id, option.id, "yes" if option.id == stop.answer() else "no", votes[option.id], "")
+        for stop, votes in zip(lesson.STOPS, cast, strict=True)
+        for option in stop.options
+    ]
+    present = {row["stop"]: int(row["present"]) for row in rows}
+    assert [present[stop.id] for stop in lesson.STOPS[: LEFT - 1]] == [4] * (LATE - 1) + [5] * (LEFT - LATE)
+    assert present[lesson.STOPS[-1].id] == 4
+    assert [row["asked_at"] for row in rows] == sorted(row["asked_at"] for row in rows)
