@@ -36,8 +36,8 @@ else:
     )
     display_mode.begin(page.name)
     address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
-    folded = "collapsed" if display_mode.is_projector() else 340
-    st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=folded)
+    shown = 340 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
+    st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
     cache.warm_up()
     theme.apply_css(sidebar.BOXES)
     sidebar.take_wishes()

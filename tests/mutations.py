@@ -157,8 +157,8 @@ MUTATIONS = [
     Mutation(
         "the slider of x₀ counts wrong",
         "shell/parameters.py",
-        '"scale": parameter.scale, "step"',
-        '"scale": parameter.scale * 1.1, "step"',
+        '"scale": PARAMETERS[name].scale, "step"',
+        '"scale": PARAMETERS[name].scale * 1.1, "step"',
         "thumb",
     ),
     Mutation(

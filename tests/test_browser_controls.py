@@ -105,3 +105,18 @@ def test_a_second_click_on_the_same_mark_is_heard(visit):
         box(page, "m_prime").press("Enter")
         page.wait_for_url(f"**m_prime={other}**")
         settle(page)
+
+
+def test_the_sidebar_fits_the_screen_and_is_open_only_where_it_matters(visit):
+    page = visit("motion")
+    controls = page.locator(".st-key-controls")
+    expect(controls).to_be_in_viewport(ratio=1)
+    assert controls.bounding_box()["y"] < 25
+    page.get_by_role("link", name="Worksheet", exact=True).first.click()
+    settle(page)
+    expect(controls).not_to_be_in_viewport()
+    # Who unfolds it has it as long as the page is open.
+    page.locator("[data-testid=stExpandSidebarButton]").click()
+    page.get_by_text("Key", exact=True).click()
+    settle(page)
+    expect(controls).to_be_in_viewport()

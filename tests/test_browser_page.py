@@ -356,30 +356,38 @@ def test_what_happens_is_said_once(visit):
 # ---- the assumptions, one by one
 
 
-def test_what_the_app_assumes_of_streamlit_and_plotly(visit):
-    """Each function of dom.js finds what it promises; whichever assumption breaks is named here."""
-    page = visit("motion", height=1400)
-    page.wait_for_selector(".time-cursor", state="attached")
-    broken = page.evaluate(
+HOLD = """({ ASSUMPTIONS }) =>
+  Object.fromEntries(Object.entries(ASSUMPTIONS).map(([name, [, holds]]) => [name, holds() ?? null]))"""
+
+
+def test_every_assumption_about_the_pages_of_streamlit_and_plotly_holds(visit):
+    """Those of `ASSUMPTIONS`, each somewhere; whichever breaks is named here, and in the console."""
+    found: dict[str, set] = {}
+    for path, width in (("1729", 390), ("motion", 1280)):
+        page = visit(path, width=width, height=1400)
+        page.wait_for_selector(".js-plotly-plot .nsewdrag", state="attached")
+        page.wait_for_selector(".katex-display .base" if path == "1729" else ".time-cursor", state="attached")
+        for name, holds in page.evaluate(f"{module('page/streamlit_dom')}.then({HOLD})").items():
+            found.setdefault(name, set()).add(holds if holds is None else bool(holds))
+    assert [name for name, holds in found.items() if False in holds] == []
+    assert [name for name, holds in found.items() if True not in holds] == []
+    # A slider that is not found agrees with nothing, and the console names what is broken, once.
+    warned = []
+    page.on("console", lambda message: warned.append(message.text))
+    shows = page.evaluate(
         f"""async () => {{
-          const {{ dom }} = await {module("page/streamlit_dom")};
-          const graphs = dom.graphs(), panel = dom.panels(graphs[0])[0], slider = dom.slider("m");
-          const theme = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
-          const holds = {{
-            "slider: a range input with bounds, step and value": slider?.type === "range" && slider.min === "0.5"
-              && slider.max === "5" && Number(slider.step) === 0.01 && slider.value === "1",
-            "isConnected: the page tells whether it has a server": dom.isConnected(),
-            "theme: components get the page's background colour": dom.theme(theme) === "light",
-            "graphs: Plotly marks its graphs and keeps data and layout on them": graphs.length === 2
-              && graphs.every((graph) => graph.data.length && graph.layout.meta),
-            "graphs: Plotly's graphs tell when they are drawn": graphs.every((each) => each.on && each.removeListener),
-            "panels: a rectangle over each panel": Boolean(panel) && dom.isPanel(panel),
-            "graphOf: from the panel to its graph": dom.graphOf(panel) === graphs[0],
-          }};
-          return Object.keys(holds).filter((name) => !holds[name]);
+          const {{ dom, reportBroken }} = await {module("page/streamlit_dom")}, slider = dom.slider;
+          dom.slider = () => null;
+          reportBroken();
+          reportBroken();
+          const shown = dom.shows(dom.slider("m"), 1);
+          dom.slider = slider;
+          return shown;
         }}"""
     )
-    assert broken == []
+    assert shows is False
+    assert len(warned) == 1
+    assert "a slider with the key m" in warned[0]
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
     sent = len(page.frames_sent)
     page.evaluate(f"{module('page/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))")

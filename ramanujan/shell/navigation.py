@@ -50,6 +50,10 @@ class Page:
         """What the page keeps in the address beside the machine."""
         return import_module(f"ramanujan.pages.{self.name}.page").URL_PARAMETERS
 
+    def uses_sidebar(self) -> bool:
+        """Tell whether what the sidebar sets matters on the page as it is now; else the sidebar is folded."""
+        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), "uses_sidebar", lambda: True)()
+
     def withheld(self) -> Collection[str]:
         """Return the presets of the sidebar that would tell what the page asks."""
         return getattr(import_module(f"ramanujan.pages.{self.name}.page"), "withheld", tuple)()

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from typing import Any, ClassVar
 
 import streamlit as st
 
+from ramanujan import Oscillator
 from ramanujan.shell.address import URLParameter
 from ramanujan.translation import _
 
@@ -25,6 +26,7 @@ class Parameter(URLParameter):
     least, most, default, step, format : its range, in this unit
     scale : this unit in SI units
     short : the meaning in as few words as fit beside a box
+    aside : whether its slider is among those that are folded away
     """
 
     bound: ClassVar[bool] = True
@@ -39,6 +41,7 @@ class Parameter(URLParameter):
     format: str
     scale: float = 1.0
     short: str = ""
+    aside: bool = False
 
     def read(self, text: str) -> float:
         """Return the number, written as Streamlit's sliders read it; ValueError if it does not fit."""
@@ -87,49 +90,25 @@ class Parameter(URLParameter):
         return min(max(value, self.least), self.most)
 
 
-MACHINE = ("m", "m_prime", "k", "radius")
-"""The parameters that make an `Oscillator`; the compression says how it starts."""
+_BLOCK, _ROLLER = _("mass of block, slab and top cylinder"), _("mass of each lower roller")
+_SQUEEZED, _RADIUS = _("compression at release"), _("radius of the rollers")
 PARAMETERS = {
     parameter.name: parameter
     for parameter in (
-        Parameter(
-            "m",
-            "m",
-            _("mass of block, slab and top cylinder"),
-            "kg",
-            0.5,
-            5.0,
-            1.0,
-            0.01,
-            "%.2f",
-            short=_("block, slab, top"),
-        ),
-        Parameter(
-            "m_prime",
-            "m′",
-            _("mass of each lower roller"),
-            "kg",
-            0.05,
-            10.0,
-            1.0,
-            0.01,
-            "%.2f",
-            short=_("each lower roller"),
-        ),
+        Parameter("m", "m", _BLOCK, "kg", 0.5, 5.0, 1.0, 0.01, "%.2f", short=_("block, slab, top")),
+        Parameter("m_prime", "m′", _ROLLER, "kg", 0.05, 10.0, 1.0, 0.01, "%.2f", short=_("each lower roller")),
         Parameter("k", "k", _("stiffness of the spring"), "N/m", 1.0, 200.0, 10.0, 0.5, "%.1f", short=_("stiffness")),
-        Parameter(
-            "compression", "x₀", _("compression at release"), "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", 0.01, _("compression")
-        ),
-        Parameter(
-            "radius", "R", _("radius of the rollers"), "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius")
-        ),
+        Parameter("compression", "x₀", _SQUEEZED, "cm", 0.5, 12.0, 8.0, 0.1, "%.1f", 0.01, _("compression")),
+        Parameter("radius", "R", _RADIUS, "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius"), aside=True),
     )
 }
-"""What every page has in its sidebar and keeps in its address."""
+"""What every page has in its sidebar and keeps in its address, in the order of the sliders."""
+MACHINE = tuple(field.name for field in fields(Oscillator) if field.name in PARAMETERS)
+"""The parameters that make an `Oscillator`."""
 URL_PARAMETERS = tuple(PARAMETERS.values())
 WATCH: dict[str, dict[str, Any]] = {
-    name: {"parameter": name, "scale": parameter.scale, "step": parameter.step}
-    for name, parameter in PARAMETERS.items()
+    name: {"parameter": name, "scale": PARAMETERS[name].scale, "step": PARAMETERS[name].step}
+    for name in (*MACHINE, "compression")
 }
 """For the stage: which slider moves which parameter."""
 

@@ -63,10 +63,10 @@ def draw(withheld: Collection[str] = ()) -> None:
                 on_change=_take_preset,
                 label_visibility="collapsed",
             )
-        values = {key: _slider(PARAMETERS[key]) for key in ("m", "m_prime", "k", "compression")}
+        values = {each.name: _slider(each) for each in PARAMETERS.values() if not each.aside}
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-            values["radius"] = _slider(PARAMETERS["radius"])
+            values |= {each.name: _slider(each) for each in PARAMETERS.values() if each.aside}
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:

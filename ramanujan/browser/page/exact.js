@@ -18,10 +18,9 @@ function exactBox(root, key, signal) {
   let watched;
   box.id = root.querySelector("label").htmlFor = "box";
 
-  /** What the slider holds: the server's text in full, unless the thumb stands elsewhere by now. */
-  const held = () => (dom.shows(dom.slider(key), told.value) ? told.text ?? "" : dom.slider(key).value);
+  const held = () => dom.held(dom.slider(key), told);
   const show = () => {
-    if (data && told.text && held() === told.text) dom.writeAddress(key, told.value, data.default);
+    if (data && dom.shows(dom.slider(key), told.value)) dom.writeAddress(key, told.value, data.default);
     const edited = root.activeElement === box && box.value !== box.dataset.shown;
     if (!edited) box.value = box.dataset.shown = held();
   };

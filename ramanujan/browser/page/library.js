@@ -2,13 +2,14 @@
 
 import { begin } from "../begin.js";
 import { bus } from "./bus.js";
-import { dom } from "./streamlit_dom.js";
+import { dom, reportBroken } from "./streamlit_dom.js";
 
 // A figure is drawn as wide as the page on the screen, and on paper it must be as wide as the paper (A4: 180 mm).
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
 window.addEventListener("resize", fitPaper);
 fitPaper();
 dom.keepOneEntry();
+setTimeout(reportBroken, 10_000); // by then a page is drawn
 
 const rooms = new WeakMap(); // parentElement → part → its room
 

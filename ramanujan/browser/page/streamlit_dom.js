@@ -1,16 +1,20 @@
-// What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file. Where an
-// assumption breaks, a function here returns null or nothing, and what depends on it stays still without an error.
+// What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file, and ASSUMPTIONS
+// says what each is for and whether it holds. Where one breaks, a function here returns null, false or nothing, what depends
+// on it stays still, and the console says so once. .github/upgrading.md tells how to move to another Streamlit.
 
 export const dom = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
-  /** Whether a slider shows a value, rounded as its steps are; one that is not there is no hindrance. */
-  shows: (slider, value) => !slider || Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step),
+  /** Whether a slider shows a value, rounded as its steps are; one that is not there shows none. */
+  shows: (slider, value) => Boolean(slider) && Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step),
+
+  /** What a slider holds, as text: what the server says of it in full, unless its thumb has been moved since. */
+  held: (slider, { value, text }) => (slider && !dom.shows(slider, value) ? slider.value : text ?? ""),
 
   /**
    * Move a slider's thumb on the page. React hears of it by the event, Streamlit draws the thumb, and sends nothing, since
-   * only the end of a drag or a key stroke makes it send.
+   * only the end of a drag or a key stroke makes it send (streamlit#4541).
    */
   moveSlider(input, value) {
     if (!input) return;
@@ -42,7 +46,7 @@ export const dom = {
 
   /**
    * Keep one entry of the history for whatever a person asks for. Streamlit adds one for every value that its server writes
-   * into the address: the way to another page would be several, with a mixture of two machines between.
+   * into the address (streamlit#9279): the way to another page would be several, with a mixture of two machines between.
    */
   keepOneEntry() {
     let asked = false;
@@ -164,3 +168,59 @@ export const dom = {
   isSliderTrack: (node) => Boolean(node.closest?.("[data-testid=stSlider] [role=group]")),
   onThumb: (node) => Boolean(node.closest?.(".react-aria-SliderThumb, [data-testid=stSlider] [style*='left']")),
 };
+
+const one = (selector) => Boolean(document.querySelector(selector));
+const each = (selector, holds) => {
+  const nodes = [...document.querySelectorAll(selector)];
+  return nodes.length ? nodes.every(holds) : undefined;
+};
+
+/** What is assumed → [what it is for, whether the present page agrees]; undefined where it has nothing of the kind. */
+export const ASSUMPTIONS = {
+  "a slider with the key m is a range input in an element of the class st-key-m": [
+    "the stage follows a thumb, a box shows what its slider holds",
+    () => ["min", "max", "step", "value"].every((name) => Number(dom.slider("m")?.[name]) > 0),
+  ],
+  "a slider's track is a group, and its thumb has its place by the style left": [
+    "a finger on a slider scrolls the page, unless it moves sideways",
+    () => each(".stSlider", (slider) => slider.querySelector("[role=group] [style*='left']")),
+  ],
+  "stApp tells the state of the connection": ["the notice that the page reconnects", () => one("[data-testid=stApp][data-test-connection-state]")],
+  "a component knows the page's background colour": [
+    "figures follow a switch of the theme",
+    () => each("[data-testid=stBidiComponentIsolated]", (node) => dom.theme(node.shadowRoot)),
+  ],
+  "main scrolls, and its content is the child of stMainBlockContainer": [
+    "the machine is brought into view, figures fit on paper",
+    () => dom.main()?.matches("main") === true && one(".stMainBlockContainer > *"),
+  ],
+  "there is one header above main": ["a phone's bar of pages, what stands around a projector's sheet", () => document.querySelectorAll("header").length === 1],
+  "the sidebar stSidebar contains the controls": ["the sheet of a phone, the printed page", () => one(".stSidebar [data-testid=stSidebarUserContent] .st-key-controls")],
+  "the sidebar's links are a list in a nav, and the present page is marked": [
+    "the bar of pages of a phone",
+    () => each(".stSidebar nav", (nav) => nav.querySelector("ul a[data-testid=stSidebarNavLink][aria-current=page]")),
+  ],
+  "formulas in stMarkdown are set by KaTeX": [
+    "wide formulas scroll by themselves",
+    () => each(".stMarkdown .katex-display", (formula) => formula.querySelector(":scope > .katex .base")),
+  ],
+  "a graph is of the class js-plotly-plot, with data, layout and events": [
+    "ring and time cursor over the figures",
+    () => each(".js-plotly-plot", (graph) => graph.data && graph.layout && graph.on && graph.removeListener),
+  ],
+  "a rectangle of the class nsewdrag covers each panel of a graph": [
+    "where ring and time cursor are drawn",
+    () => each(".js-plotly-plot:has(.xaxislayer-above > *)", (graph) => dom.panels(graph).length && dom.graphOf(dom.panels(graph)[0]) === graph),
+  ],
+};
+
+const reported = new Set();
+
+/** Say in the console, once, which assumptions the present page breaks. */
+export function reportBroken() {
+  for (const [name, [purpose, holds]] of Object.entries(ASSUMPTIONS)) {
+    if (reported.has(name) || (holds() ?? true)) continue;
+    reported.add(name);
+    console.warn(`Streamlit's page is not what the app assumes: ${name}. Needed for: ${purpose}.`);
+  }
+}

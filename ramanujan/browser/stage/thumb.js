@@ -29,7 +29,7 @@ export class Hand {
     const set = {};
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
       const input = this.input(key);
-      if (!dom.shows(input, this.told(parameter) / scale)) set[parameter] = Number(input.value) * scale;
+      if (input && !dom.shows(input, this.told(parameter) / scale)) set[parameter] = Number(input.value) * scale;
     }
     if (this.held !== null) set.compression = this.held;
     this.seen = JSON.stringify(set);
@@ -38,8 +38,7 @@ export class Hand {
 
   /** x₀ as its box shows it, with all digits. */
   text() {
-    const { value, text } = bus.last(`exact/${this.slabKey}`), input = this.input(this.slabKey);
-    return dom.shows(input, value) ? text : input.value;
+    return dom.held(this.input(this.slabKey), bus.last(`exact/${this.slabKey}`));
   }
 
   /** Look at the sliders, once a frame; return whether a value has changed. */

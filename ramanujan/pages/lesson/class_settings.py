@@ -9,15 +9,15 @@ import streamlit as st
 from ramanujan import Oscillator
 from ramanujan.lesson.classes import ClassError, shared
 from ramanujan.shell import messages, sidebar
+from ramanujan.shell.parameters import MACHINE
 
 _TOLD = "class_settings_told"
-_SLIDERS = ("m", "m_prime", "k", "radius")
 
 
 def tell(key: str) -> None:
     """Tell the wall what the sliders of the lecturer's desk hold, if that has changed."""
     machine = sidebar.oscillator()
-    held = {name: getattr(machine, name) for name in _SLIDERS} | {"compression": sidebar.compression()}
+    held = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
     if (text := urlencode(held)) != st.session_state.get(_TOLD):
         try:
             shared().set_machine(key, text)

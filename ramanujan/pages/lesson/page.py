@@ -43,6 +43,11 @@ def lesson_parts() -> None:
     page.give_back("part")
 
 
+def uses_sidebar() -> bool:
+    """Tell whether the reader sets the machine, as the tasks ask."""
+    return address.held(progress.PART) == "tasks" or bool(address.held(exercise.EXERCISE))
+
+
 def withheld() -> tuple[str, ...]:
     """Return the presets that are not offered: none would leave a question or a task as it is."""
     class_session.arrive()

@@ -69,6 +69,11 @@ def written(question: Question, with_key: bool) -> tuple[str, ...]:
     return question.text, options, in_a_row(question.working), question.answer
 
 
+def uses_sidebar() -> bool:
+    """Leave the sidebar folded: what is printed is chosen on the page."""
+    return False
+
+
 def choose() -> tuple[str, int, int]:
     """Draw the choice between questions and key, the sheet number and the level; none of it is printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
