@@ -77,12 +77,23 @@ def test_no_key_press_is_lost_behind_a_released_slab(profile, server, pause):
             assert float(address(page).get("compression", ["8"])[0]) == pytest.approx(held)
 
 
+TOLD_AT_ONCE = """() => {
+  const app = document.querySelector("[data-testid=stApp]");
+  const library = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
+  const notice = library.querySelector("p:not([role])");
+  new MutationObserver(() => requestAnimationFrame(() => (window.toldAtOnce ??= !notice.hidden)))
+    .observe(app, { attributeFilter: ["data-test-connection-state"] });
+}"""
+"""Whether the notice is there in the frame in which Streamlit reports the loss, which disables the sliders."""
+
+
 @pytest.mark.parametrize("let_go", ["while the server is away", "after its return"])
 def test_a_killed_server_takes_no_slab_out_of_the_hand(profile, let_go):
     first = running(ROOT / "app.py")
     with first as server, network(server) as way, opened(profile, way.address, 0) as page:
         page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
         take_slab(page, -3)
+        page.evaluate(TOLD_AT_ONCE)
         first.process.kill()
         first.process.wait()
         way.down()
@@ -90,6 +101,7 @@ def test_a_killed_server_takes_no_slab_out_of_the_hand(profile, let_go):
         notice = page.locator(".st-key-library p:not([role])")
         expect(notice).to_have_text("Reconnecting to the server. The page keeps everything that you set.")
         expect(notice).to_be_visible()
+        assert page.evaluate("window.toldAtOnce")
         if let_go == "while the server is away":
             page.mouse.up()
             next_frame(page)
