@@ -349,8 +349,6 @@ def test_a_finger_on_the_slab_drags_it_and_a_finger_beside_it_scrolls(visit):
     client.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
     try:
         top = "document.querySelector('[data-testid=stMain]').scrollTop"
-        if page.locator("[data-testid=stSidebar][aria-expanded=true]").count():
-            page.keyboard.press("Escape")
         page.get_by_role("button", name="Release again").click()
         x, y = centre(page)
         per_cm = scale(page)
