@@ -118,16 +118,21 @@ MOUNTED = """() => !document.querySelector(".st-key-arrival:last-child") &&
 
 
 _AT_HOME = """(arriving) => {
-  const pressed = (button) => button.getAttribute("aria-pressed") ?? button.getAttribute("aria-checked");
+  const held = (each) => each.type === "checkbox" ? each.checked : each.value || each.getAttribute("aria-pressed");
   if (!arriving) document.activeElement?.blur();
   for (const name of ["stMain", "stSidebarContent"]) document.querySelector(`[data-testid=${name}]`)?.scrollTo(0, 0);
   for (const component of document.querySelectorAll("[data-testid=stBidiComponentIsolated]")) {
     const find = (selector) => [...(component.shadowRoot?.querySelectorAll(selector) ?? [])];
-    const controls = find("[data-layer], [data-speed]");
-    if (arriving) component.atHome = controls.map(pressed);
+    const controls = find("[data-layer] input, .speeds select, .viewpoint");
+    if (arriving) component.atHome = controls.map(held);
     else {
-      const changed = controls.filter((button, i) => pressed(button) !== component.atHome?.[i]);
-      for (const each of changed) if (each.dataset.layer || pressed(each) === "false") each.click();
+      controls.forEach((each, i) => {
+        const home = component.atHome?.[i];
+        if (held(each) === home) return;
+        if (!each.matches("select")) return each.click();
+        each.value = home;
+        each.dispatchEvent(new Event("change"));
+      });
       for (const each of find(".playing [data-do=play], [data-do=restart]").reverse()) each.click();
     }
   }

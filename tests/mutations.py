@@ -148,11 +148,11 @@ MUTATIONS = [
     ),
     Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)"),
     Mutation(
-        "the speed buttons are dead",
+        "the speed menu is dead",
         "stage/toolbar.js",
-        "stage.setClock(JSON.parse(button.dataset.clock))",
-        "{}",
-        "speed_buttons",
+        "speed: Number(speed.value)",
+        "",
+        "speed_menu",
     ),
     Mutation(
         "the slider of x₀ counts wrong",

@@ -130,9 +130,10 @@ class Picture:
 
     def layers(self, *names: str) -> None:
         """Show these layers and no others."""
-        for button in self.page.locator(".st-key-stage [data-layer]").all():
-            if (button.get_attribute("aria-pressed") == "true") != (button.get_attribute("data-layer") in names):
-                button.evaluate("button => button.click()")
+        self.page.get_by_role("button", name="Show", exact=True).click()
+        for layer in self.page.locator(".st-key-stage [data-layer]").all():
+            layer.locator("input").set_checked(layer.get_attribute("data-layer") in names)
+        self.page.keyboard.press("Escape")
         next_frame(self.page)
 
     def painted(self) -> np.ndarray:

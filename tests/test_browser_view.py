@@ -60,14 +60,17 @@ def test_a_link_keeps_all_that_is_seen(visit):
       const lines = all(".machine > :not(defs, .ghosts) *, .hand", (node) =>
         node.closest("[style*='display: none']") ? []
           : ["transform", "d"].flatMap((name) => numbers(node.getAttribute(name))));
-      const set = (node) => node.getAttribute("aria-pressed") ?? node.getAttribute("aria-checked");
-      return [...all(".controls button", set), ...lines.flat()];
+      const set = (node) =>
+        node.type === "checkbox" ? String(node.checked) : node.getAttribute("aria-pressed") ?? node.value;
+      return [...all(".controls :is(button, select, [type=checkbox])", set), ...lines.flat()];
     }}"""
     page = visit("motion?m_prime=0.4&glide=3")
-    page.get_by_role("button", name="Show").click()
-    for name in ("Velocities", "Weights", "Forces", "From the block"):
-        page.get_by_role("button", name=name, exact=True).click()
-    page.get_by_role("radio", name="½×").click()
+    page.get_by_role("button", name="Show", exact=True).click()
+    for name in ("Velocities", "Weights", "Forces"):
+        page.get_by_role("checkbox", name=name).click()
+    page.keyboard.press("Escape")
+    page.get_by_role("button", name="From the block", exact=True).click()
+    page.get_by_role("combobox", name="Speed").select_option("½×")
     for _ in range(31):
         page.get_by_role("button", name="Step forward").click()
     # A machine that changes while it is paused lets both hands start anew.

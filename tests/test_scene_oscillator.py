@@ -42,13 +42,19 @@ DEFAULTS = {key: parameter.default for key, parameter in PARAMETERS.items()}
 
 
 def steps(app):
-    """Return the six steps as the page's text has them."""
-    return next(element.value for element in app.markdown if "### 1." in element.value)
+    """Open the six steps and return them as the page's text has them, each behind its heading."""
+    for number in range(1, 7):
+        app.session_state[f"summary_{number}"] = True
+    app.run()
+    folded = [each for each in app.expander if each.label[0].isdigit()]
+    assert len(folded) == 6
+    return "\n".join(text.value for each in folded for text in each.markdown)
 
 
 def test_the_first_run_shows_the_defaults(app):
     assert values(sound(app.run())) == DEFAULTS
     assert not app.warning
+    assert not any("$$" in each.value for each in app.markdown)
     assert steps(app).count("$$") == 12
 
 

@@ -19,7 +19,6 @@ import streamlit as st
 from ramanujan.browser.page.words import TEXTS
 from ramanujan.browser.stage import words
 from ramanujan.browser.stage.formulas import formulas, labels
-from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import javascript
 
 __all__ = ["begin", "contents", "place"]
@@ -37,8 +36,7 @@ def contents() -> dict[str, bytes]:
     markup = {"stage/stage": _markup("stage/stage", words.TEXTS)}
     for name in (path.stem for path in offered if path.match("page/*.js")):
         markup[f"page/{name}"] = _markup(f"page/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
-    unity = f"1 ↔ √{unit_frequency_condition().discriminant}"
-    sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES, "unity": unity}
+    sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
     written = {
         "markup.js": f"export const MARKUP = {json.dumps(markup, ensure_ascii=False)};",
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",

@@ -56,7 +56,14 @@ class Page:
 
     def withheld(self) -> Collection[str]:
         """Return the presets of the sidebar that would tell what the page asks."""
-        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), "withheld", tuple)()
+        return self._offers("withheld")
+
+    def lead(self) -> Collection[str]:
+        """Draw what stands above the page's machine with sliders in it, and return their keys."""
+        return self._offers("lead")
+
+    def _offers(self, name: str) -> Collection[str]:
+        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, tuple)()
 
 
 PAGES = {

@@ -45,12 +45,13 @@ _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
 
-def draw(withheld: Collection[str] = ()) -> None:
+def draw(withheld: Collection[str] = (), drawn: Collection[str] = ()) -> None:
     """Draw the sidebar. Called once a run, before the page.
 
     Parameters
     ----------
     withheld : presets that are not offered, because they would tell what the page asks
+    drawn : keys of the parameters whose sliders stand on the page itself
     """
     with st.sidebar, st.container(key="controls"):
         page.sheet()
@@ -63,10 +64,14 @@ def draw(withheld: Collection[str] = ()) -> None:
                 on_change=_take_preset,
                 label_visibility="collapsed",
             )
-        values = {each.name: _slider(each) for each in PARAMETERS.values() if not each.aside}
+        for each in PARAMETERS.values():
+            if not each.aside and each.name not in drawn:
+                slider(each.name)
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-            values |= {each.name: _slider(each) for each in PARAMETERS.values() if each.aside}
+            for each in PARAMETERS.values():
+                if each.aside:
+                    slider(each.name)
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:
@@ -76,7 +81,7 @@ def draw(withheld: Collection[str] = ()) -> None:
         display_mode.switch()
         pending_updates.draw()
     # What the sliders show in the first run is what the link has set, without what it got wrong.
-    st.session_state.setdefault(_LINKED, values)
+    st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
 
 
 def follow(*fragments: str) -> None:
@@ -247,8 +252,11 @@ def _take_preset() -> None:
     pending_updates.give({_PRESET: None})
 
 
-def _slider(parameter: Parameter) -> float:
-    return widgets.slider_with_box(parameter, enter, _moved)
+def slider(key: str) -> None:
+    """Draw the slider of a parameter with its box; in one run in one place only, before the sidebar ends."""
+    page.exact(key, partial(enter, key))
+    messages.show_note(key)
+    widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
 
 
 def _take_exact(parameter: Parameter, text: str) -> None:

@@ -9,8 +9,7 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser import page
-from ramanujan.shell import address, messages
+from ramanujan.shell import address
 from ramanujan.shell.address import Choice, Count
 from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
@@ -144,20 +143,6 @@ def page_slider(parameter: Parameter) -> float:
     """Draw a slider that only the present page has, and return its value in SI units."""
     value = slider(parameter)
     return (value if parameter.least <= value <= parameter.most else parameter.default) * parameter.scale
-
-
-def slider_with_box(parameter: Parameter, enter: Callable[[str, str], None], moved: Callable[[], None]) -> float:
-    """Draw a slider with the box that takes an exact number, and return its value in this parameter's unit.
-
-    Parameters
-    ----------
-    parameter : what is set
-    enter : called with the key and what was typed into the box
-    moved : called when the slider was moved
-    """
-    page.exact(parameter.name, partial(enter, parameter.name))
-    messages.show_note(parameter.name)
-    return slider(parameter, label_visibility="collapsed", on_change=moved)
 
 
 def box(parameter: Parameter) -> dict[str, Any]:

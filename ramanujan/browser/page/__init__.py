@@ -78,6 +78,28 @@ def arrived(stage: str) -> bool:
     return bool(_component("arrival")(key="arrival", data={"stage": stage}, on_seen_change=lambda: None).seen)
 
 
+def sweep(stage: str, slider: str, ratio: float, exactly: str) -> Any:
+    """Put a button on the page that moves a slider slowly until a stage's machine is in step; beside it, its ε.
+
+    The page itself moves the slider, as a hand does, marks the place on it, and sends the last value alone.
+
+    Parameters
+    ----------
+    stage : the name of the stage
+    slider : key of the slider of m′
+    ratio, exactly : ε = m′/m of the machine in step, as a number and as an exact expression
+    """
+    said = {
+        "ratio": "ε = m′/m = {ratio}",
+        "there": _("In step: ε = {exactly}").format(exactly=exactly),
+        "mark": _("in step"),
+        "begin": _("Show me"),
+        "hint": _("Move m′ slowly until both hands turn together"),
+        "stop": _("Stop"),
+    }
+    return _component("sweep")(key="sweep", data={"stage": stage, "slider": slider, "ratio": ratio, "said": said})
+
+
 def cursor(stage: str) -> Any:
     """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
 

@@ -35,6 +35,14 @@ export const dom = {
     return true;
   },
 
+  /** Mark a value on a slider's track, with a word below it; page.css draws the mark. Return whether there is a slider. */
+  markSlider(key, value, word) {
+    const input = dom.slider(key), style = input?.closest(`.st-key-${CSS.escape(key)}`).style;
+    style?.setProperty("--mark", (value - input.min) / (input.max - input.min));
+    style?.setProperty("--mark-word", JSON.stringify(word));
+    return Boolean(style);
+  },
+
   /** Let the address say of a slider what it shows, unless that is its default. Streamlit's server writes there the whole of an address, which can be older than the slider. */
   writeAddress(key, value, byDefault) {
     const url = new URL(location.href), said = url.searchParams.get(key);

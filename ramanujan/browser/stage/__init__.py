@@ -30,7 +30,6 @@ and by `page.publish`, at every change:
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
     samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
     slipping     the contact that is marked, such as hoop_slab; left out: none
-    unity        the text at the gauge's mark 1; left out: the paper's number
     lit          the highlighted body, or spring; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
 
@@ -80,7 +79,6 @@ def payload(
     shape_factors: Mapping[str, float] = SHAPE_FACTORS,
     samples: Mapping[str, Any] | None = None,
     slipping: str | None = None,
-    unity: str | None = None,
     lit: str | None = None,
 ) -> dict[str, Any]:
     """Return what is published at every change: the machine and its motion as plain numbers.
@@ -93,7 +91,6 @@ def payload(
     shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
     samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
     slipping : the contact to mark, such as hoop_slab
-    unity : the text at the gauge's mark 1, for bodies whose number is not the paper's
     lit : the highlighted body, such as hoop, or spring
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
@@ -101,7 +98,6 @@ def payload(
         "initial": initial and asdict(initial),
         "samples": samples,
         "slipping": slipping,
-        "unity": unity,
         "lit": lit,
     }
     return {

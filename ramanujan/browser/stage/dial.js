@@ -51,20 +51,19 @@ export function makeDial(root) {
   for (let i = 0; i < 12; i++) element("line", { y1: -46, y2: -52, transform: `rotate(${30 * i})` }, find(".dial .ticks"));
 
   /** Without clocks, nothing on the page tells how near the two frequencies are. */
-  function machine(solution, { unity }, clocks) {
+  function machine(solution, clocks) {
     reads.normalized.textContent = number(solution.normalized, 7);
     reads.omega.textContent = withUnit(number(solution.Omega, 5), "rad/s");
     reads.period.textContent = withUnit(number(TURN / solution.Omega, 4), "s");
     set(find(".step"), { "data-step": clocks ? nearness(solution) : "" });
     write(find(".parting"), parting(solution));
-    drawGauge(solution.normalized, unity ?? WORDS.unity);
+    drawGauge(solution.normalized);
   }
 
-  function drawGauge(normalized, unity) {
+  function drawGauge(normalized) {
     const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
     set(find(".scale"), { d: "M10 30H190" });
     set(find(".unity"), { x: at(1) });
-    write(find(".unity"), unity);
     set(find(".pointer"), { transform: `translate(${at(Math.min(normalized, limit))} 30)` });
     const ticks = find(".gauge .ticks");
     ticks.replaceChildren();

@@ -78,7 +78,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
     set(find(".picture"), { role: "img", "aria-label": pictured(parameters) });
     light(data.lit);
-    dial.machine(solution, data, !hides("clocks"));
+    dial.machine(solution, !hides("clocks"));
     layers.machine(parameters, solution, data, clock.seenFrom);
   }
 

@@ -34,7 +34,7 @@ class Stage {
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
     this.hand = new Hand(watch, (name) => this.data.parameters[name]);
-    this.mendControls = listenToControls(root, this, signal);
+    listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.calmed(), { signal });
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
@@ -75,7 +75,6 @@ class Stage {
   hide(names) {
     const stood = this.parts.hides("motion");
     this.parts.hide(names);
-    this.mendControls();
     this.host.classList.add("told");
     // Controls that were hidden have not heard of what was set since.
     this.showClock();

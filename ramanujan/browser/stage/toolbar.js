@@ -6,13 +6,12 @@ import { set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 /**
- * Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), speed(value), layer(name),
- * slab.undo(). Return a function to be called when controls have been hidden or shown.
+ * Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), setClock({ speed }),
+ * layer(name), slab.undo().
  */
 export function listenToControls(root, stage, signal) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const on = (target, type, handler) => target.addEventListener(type, handler, { signal });
-  const more = root.querySelector(".more");
   const actions = {
     restart: () => stage.release(),
     play: () => stage.play(),
@@ -20,73 +19,55 @@ export function listenToControls(root, stage, signal) {
     forward: () => stage.step(1),
     undo: () => stage.slab.undo(),
     viewpoint: () => stage.setClock({ seenFrom: stage.clock.seenFrom === "block" ? "ground" : "block" }),
-    show: ({ currentTarget: button }) => set(button, { "aria-expanded": !(more.hidden = !more.hidden) }),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
-  for (const button of all("[data-clock]")) on(button, "click", () => stage.setClock(JSON.parse(button.dataset.clock)));
-  for (const button of all("[data-layer]")) on(button, "click", () => stage.layer(button.dataset.layer));
+  const speed = root.querySelector(".speeds select");
+  on(speed, "change", () => stage.setClock({ speed: Number(speed.value) }));
+  for (const label of all("[data-layer]")) on(label, "change", () => stage.layer(label.dataset.layer));
   for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
+  // What opens lies over the whole page: its place is above its button.
+  const [show, layers] = all(".show, [popover]");
+  on(layers, "beforetoggle", () => {
+    const { right, top } = show.getBoundingClientRect();
+    Object.assign(layers.style, { right: `${innerWidth - right}px`, bottom: `${innerHeight - top + 4}px` });
+  });
   const scrub = root.querySelector(".scrub input");
   on(scrub, "input", () => stage.scrub(Number(scrub.value)));
 
   on(root.querySelector(".stage"), "keydown", (event) => {
     if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.slab.undo()) event.preventDefault();
-    const inControl = event.target.closest("input, button, [role=slider]");
+    const inControl = event.target.closest("input, select, button, [role=slider]");
     const action = { " ": "play", ArrowLeft: "back", ArrowRight: "forward", Home: "restart" }[event.key];
     if (!action || inControl || stage.parts.hides("motion") || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     actions[action]();
   });
 
-  const groups = [
-    rove(all(".transport button"), { signal }),
-    rove(all("[data-clock]"), { signal, choose: (button) => button.click() }),
-    rove(all("[data-layer]"), { signal }),
-  ];
-  return () => groups.forEach((mend) => mend());
+  rove(all(".transport button"), on);
 }
 
-/**
- * One stop for Tab in a group, arrows within it; in a radio group the arrows choose as well. Return a function that gives Tab
- * a stop among the items that are on the page.
- */
-function rove(all, { signal, choose }) {
-  let items = all;
-  const move = (to) => {
-    for (const item of items) item.tabIndex = item === to ? 0 : -1;
-  };
-  move(items.find((item) => item.getAttribute("aria-checked") === "true") ?? items[0]);
-  all.forEach((item) => {
-    const on = (type, handler) => item.addEventListener(type, handler, { signal });
-    on("focus", () => move(item));
-    on("keydown", (event) => {
-      const i = items.indexOf(item);
+/** One stop for Tab in a group of buttons, arrows within it. */
+function rove(items, on) {
+  items.forEach((item, i) => {
+    item.tabIndex = i ? -1 : 0;
+    on(item, "focus", () => items.forEach((each) => (each.tabIndex = each === item ? 0 : -1)));
+    on(item, "keydown", (event) => {
       const to = {
         ArrowRight: i + 1, ArrowDown: i + 1, ArrowLeft: i - 1, ArrowUp: i - 1, Home: 0, End: items.length - 1,
       }[event.key];
       if (to === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
-      const next = items[(to + items.length) % items.length];
-      next.focus();
-      choose?.(next);
+      items[(to + items.length) % items.length].focus();
     });
   });
-  return () => {
-    items = all.filter((item) => item.isConnected);
-    if (items.length && items.every((item) => item.tabIndex < 0)) move(items[0]);
-  };
 }
 
-/** Show what is set: what the clock says, { playing, speed, seenFrom }, and which layers are seen. */
-export function showControls(root, clock, layers) {
-  root.querySelector(".stage").classList.toggle("playing", clock.playing);
-  finder(root)("[data-do=play]").setAttribute("aria-label", clock.playing ? WORDS.pause : WORDS.play);
-  set(finder(root)(".viewpoint"), { "aria-pressed": clock.seenFrom === "block" });
-  for (const button of root.querySelectorAll("[data-clock]")) {
-    const checked = Object.entries(JSON.parse(button.dataset.clock)).every(([name, value]) => clock[name] === value);
-    button.setAttribute("aria-checked", String(checked));
-    button.tabIndex = checked ? 0 : -1;
-  }
-  for (const button of root.querySelectorAll("[data-layer]"))
-    button.setAttribute("aria-pressed", String(layers.has(button.dataset.layer)));
+/** Show what is set: whether the machine plays, its speed, from where it is seen, its layers. */
+export function showControls(root, { playing, speed, seenFrom }, layers) {
+  const find = finder(root);
+  root.querySelector(".stage").classList.toggle("playing", playing);
+  find("[data-do=play]").setAttribute("aria-label", playing ? WORDS.pause : WORDS.play);
+  find(".speeds select").value = speed;
+  set(find(".viewpoint"), { "aria-pressed": seenFrom === "block" });
+  for (const label of root.querySelectorAll("[data-layer]")) label.firstChild.checked = layers.has(label.dataset.layer);
 }

@@ -17,7 +17,7 @@ from ramanujan.browser import page, stage
 from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.lesson.classes import Phase
-from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.number_theory import BODIES
 from ramanujan.pages.lesson import cache, classroom, progress
 from ramanujan.shell import class_session, display_mode, messages, sidebar, stages, widgets
 from ramanujan.shell.display_mode import sheet
@@ -221,7 +221,6 @@ def observe(stop: Stop, running: bool) -> None:
 
 def payload(run: Run, machine: Oscillator, compression: float, running: bool) -> dict[str, object]:
     """Return what the stage is sent of a run; before the prediction, the released machine alone."""
-    choice = BodyChoice(*run.bodies)
     slips = run.slipping and running
     return stage.payload(
         machine,
@@ -230,7 +229,6 @@ def payload(run: Run, machine: Oscillator, compression: float, running: bool) ->
         shape_factors={place: float(BODIES[body]) for place, body in zip(_PLACES, run.bodies, strict=True)},
         samples=run.samples() if run.samples and running else None,
         slipping=first_to_slip(machine, compression, drawn_spacing(machine.radius)) if slips else None,
-        unity=f"1 ↔ √{choice.discriminant}" if running and choice != BodyChoice() else None,
     )
 
 

@@ -44,24 +44,30 @@ class Curve:
 @st.cache_resource(show_spinner=False)
 def curve() -> Curve:
     """Return the Ω² curve with its limits and the two marked ratios."""
-    normalized, condition = unit_frequency_condition().normalized_frequency_squared, unit_frequency_condition()
+    normalized = unit_frequency_condition().normalized_frequency_squared
     ratios = np.geomspace(*CURVE_RANGE, _POINTS)
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
-    numerator, denominator = sp.fraction(condition.root)
-    root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("sqrt", "√")
-    root = root.replace("√(1729)", "√1729").replace("-", "−")
     return Curve(
         ratios,
         normalized_frequency_squared(ratios),
         float(light),
         sp.lambdify(epsilon, heavy, "numpy")(ratios),
         Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
-        Mark(UNIT_MASS_RATIO, 1.0, f"Ω² = <i>k</i>/<i>m</i><br><i>ε</i> = {root}"),
+        Mark(UNIT_MASS_RATIO, 1.0, f"Ω² = <i>k</i>/<i>m</i><br><i>ε</i> = {unit_ratio()}"),
         str(light),
         sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
     )
+
+
+@st.cache_data(show_spinner=False)
+def unit_ratio() -> str:
+    """Return ε* as an exact expression."""
+    condition = unit_frequency_condition()
+    numerator, denominator = sp.fraction(condition.root)
+    root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("-", "−")
+    return root.replace(f"sqrt({condition.discriminant})", f"√{condition.discriminant}")
 
 
 def equal_masses_value() -> str:

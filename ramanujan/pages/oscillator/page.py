@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import streamlit as st
 
+from ramanujan import UNIT_MASS_RATIO
 from ramanujan.browser import page, stage
 from ramanujan.pages.oscillator import cache
 from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages, theme
@@ -16,10 +18,22 @@ from ramanujan.translation import _
 URL_PARAMETERS = ()
 
 
+def lead() -> Collection[str]:
+    """Draw the opening with the slider that its question names, and return that slider's key."""
+    if display_mode.is_projector():
+        return ()
+    with st.container(key="opening_words"):
+        opening()
+        with st.container(horizontal=True, vertical_alignment="center", gap="small", key="lead"):
+            sidebar.slider("m_prime")
+    return ("m_prime",)
+
+
 def show() -> None:
     """Draw the page."""
     with sheet("machine", _("The machine")):
-        opening()
+        if display_mode.is_projector():
+            opening()
         stages.mount(None, name="oscillator")
     told()
     curve, steps = (not display_mode.hides(part) for part in ("curve", "steps"))
@@ -48,36 +62,38 @@ def below(curve: bool, steps: bool) -> None:
     if curve:
         with sheet("curve", _("The curve")):
             the_curve()
-    if steps:
-        with st.container(key="steps"):
-            six_steps()
-        if not display_mode.is_projector():
-            st.page_link(
-                navigation.PAGES["derivation"].file,
-                label=_("The whole derivation, in five ways"),
-                icon=":material/function:",
-            )
-    sidebar.follow("machine", *(["steps"] if steps else []))
+    if not steps:
+        sidebar.follow("machine")
+        return
+    if not display_mode.is_projector():
+        st.header(_("The derivation in six steps"), anchor=False)
+    lines = st.container(key="steps")
+    if not display_mode.is_projector():
+        st.page_link(
+            navigation.PAGES["derivation"].file,
+            label=_("The whole derivation, in five ways"),
+            icon=":material/function:",
+        )
+    with lines:
+        six_steps()
 
 
 def opening() -> None:
     """Say what this is, what it asks and what to do first; on a reader's screen also where to learn more."""
-    with st.container(gap="xsmall"):
-        st.title(_("Ramanujan’s oscillator"), anchor=False)
-        first = _("Drag the slab and let go.")
-        if not display_mode.hides("clocks"):
-            first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
-        question = _("When does this machine of five bodies keep time with a plain mass on the same spring?")
-        st.markdown(f"**{question}** {first}")
-    if not display_mode.is_projector():
-        with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
-            st.markdown(_("New to this? Predict, watch and explain, step by step:"), width="content")
-            st.page_link(
-                navigation.PAGES["lesson"].file,
-                label=_("Take the lesson"),
-                icon=":material/school:",
-                width="content",
-            )
+    st.title(_("Ramanujan’s oscillator"), anchor=False)
+    first = _("Drag the slab and let go.")
+    if not display_mode.hides("clocks"):
+        first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
+    question = _("When does this machine of five bodies oscillate in step with a plain mass on the same spring?")
+    with st.container(horizontal=True, gap="small", key="opening"):
+        with st.container(gap=None):
+            st.markdown(f"**{question}** {first}")
+            if not display_mode.is_projector():
+                with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
+                    st.markdown(_("New to this?"), width="content")
+                    st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), width="content")
+        if not display_mode.hides("clocks", "numbers"):
+            page.sweep("oscillator", "m_prime", UNIT_MASS_RATIO, cache.unit_ratio())
 
 
 def the_curve() -> None:
@@ -87,7 +103,7 @@ def the_curve() -> None:
     st.markdown(
         _(
             "The plain mass $m$ on the spring $k$ has the angular frequency √(k/m), the machine has $\\Omega$. "
-            "They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio $\\varepsilon=m'/m$."
+            "They are in step where $\\Omega^2m/k=1.$ This depends only on the mass ratio $\\varepsilon=m'/m$."
         )
     )
     drawings.plot(
@@ -115,28 +131,33 @@ def take_clicked(point: dict[str, float]) -> None:
 
 @st.fragment(key="steps")
 def six_steps() -> None:
-    """Draw the derivation in short, in symbols and with the present numbers."""
+    """Draw the derivation in short, a line for each step; one that is open has symbols and the present numbers."""
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else (machine.m, machine.m_prime, machine.k)
-    summary = cache.summary(numbers)
-    texts = [
-        f"### {number}. {step.heading}\n{step.reason}\n\n$$\n{step.equations}\n$$"
-        for number, step in enumerate(summary, start=1)
-    ]
-    projected = display_mode.is_projector()
-    if not projected:
-        said = _("Each step appears in symbols, then with your numbers.")
-        stated = f":small[{said} {numbers_stated(*numbers)}]\n\n" if numbers else ""
-        heading = _("The derivation in six steps")
-        texts[0] = f"## {heading}\n\n{stated}{texts[0]}"
-    # One text: each element of a page costs the server a message.
-    starts = (0, 2, 3, 4, 5) if projected else (0,)
-    for first, end in zip(starts, (*starts[1:], len(texts)), strict=True):
-        with sheet(f"step_{first + 1}", f"{first + 1}. {summary[first].heading}"):
-            parts = summary[first].parts if projected else ()
-            st.markdown("\n\n".join(texts[first:end]) if not parts else texts[first].partition("$$")[0])
-            for column, part in zip(st.columns(len(parts)) if parts else (), parts, strict=True):
-                column.latex(part)
+    steps = cache.summary(numbers)
+    shown = display_mode.is_projector()
+    if shown:
+        on_sheets(steps)
+    else:
+        for number, step in enumerate(steps, start=1):
+            heading, key = f"{number}. {step.heading}", f"summary_{number}"
+            with st.expander(heading, key=key, type="compact", on_change="rerun") as line:
+                if line.open:
+                    shown = True
+                    stated = f"\n\n:small[{numbers_stated(*numbers)}]" if numbers else ""
+                    st.markdown(f"{step.reason}\n\n$$\n{step.equations}\n$${stated}")
+    sidebar.follow("machine", *(["steps"] if shown else []))
+
+
+def on_sheets(steps: list[cache.SummaryStep]) -> None:
+    """Draw the steps on sheets of the projector: the first two share one, and long equations stand in two columns."""
+    starts = (0, 2, 3, 4, 5)
+    for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
+        with sheet(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
+            for number, step in enumerate(steps[first:end], start=first + 1):
+                st.markdown(f"### {number}. {step.heading}\n{step.reason}")
+                for column, part in zip(st.columns(len(step.parts) or 1), step.parts or (step.equations,), strict=True):
+                    column.latex(part)
 
 
 if __name__ == "__main__":

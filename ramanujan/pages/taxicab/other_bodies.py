@@ -59,11 +59,11 @@ def the_machine(story: cache.Story, chosen: list[str]) -> None:
     # On a projector the pickers need the height of the clocks.
     dials = not display_mode.is_projector()
     stages.mount(None, key=STAGE, layers=(), dials=dials)
-    tell_machine(f"1 ↔ √{story.machine.discriminant}", chosen)
+    tell_machine(chosen)
 
 
 @st.fragment(key="bodies_machine")
-def tell_machine(unity: str, chosen: list[str]) -> None:
+def tell_machine(chosen: list[str]) -> None:
     """Tell the stage and the sliders' boxes which machine it is; a slider reruns nothing else of the section."""
     left, right, top = (float(BODIES[body]) for body in chosen)
     stages.tell(
@@ -71,7 +71,6 @@ def tell_machine(unity: str, chosen: list[str]) -> None:
             sidebar.oscillator(),
             sidebar.compression(),
             shape_factors={"hoop": left, "cylinder": right, "top": top},
-            unity=unity,
         ),
         key=STAGE,
         more=sidebar.followed(),
