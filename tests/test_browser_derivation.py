@@ -150,6 +150,14 @@ def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
         settle(page)
         assert told in page.locator("[data-testid=stAlert]").inner_text()
     assert page.locator("[data-testid=stAlert] img").count() == 0
+    # A right answer is listed, and the question stays.
+    page = visit("derivation?question=potential_energy")
+    page.get_by_label("Your formula").fill("2kR²φ²")
+    page.keyboard.press("Enter")
+    page.get_by_text("Solved so far: 1 of").wait_for()
+    for left in (3, 2, 1):
+        page.get_by_role("button", name=f"Hint ({left} left)").click()
+    page.get_by_role("button", name="Show me this step").wait_for()
 
 
 BEFORE_THE_FIRST_EQUATION = """() => {

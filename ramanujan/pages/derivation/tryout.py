@@ -36,11 +36,11 @@ class Given:
 def try_it() -> None:
     """Ask for a formula, say whether it is right or what is missing, and list what has been solved."""
     st.header(_("Try it yourself"), anchor=False)
-    take(address.held(QUESTION))
-    solved = [name for name in QUESTIONS if (found := given(name)) and found.right_since]
-    marked = {name: f"✓ {title(name)}" if name in solved else title(name) for name in QUESTIONS}
-    ask(widgets.menu(QUESTION, _("What do you want to work out?"), marked))
-    if solved:
+    # The words of a menu's options stay: a browser names its choice by them.
+    name = widgets.menu(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
+    take(name)
+    ask(name)
+    if solved := [name for name in QUESTIONS if (found := given(name)) and found.right_since]:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
         st.markdown("\n".join(f"- :green[:material/check_circle:] {title(name)}" for name in solved))
 
