@@ -474,9 +474,23 @@ def test_the_picture_is_saved_as_svg_png_and_tikz(visit, tmp_path):
     assert (np.abs(image - green).sum(axis=2) < 6).sum() > 500, "the slab's edge is painted"
     tikz = files["tex"].decode()
     assert environments_nest(tikz)
-    assert tikz.count("\\begin{tikzpicture}") == 1
+    assert tikz.count("\\begin{tikzpicture}") == tikz.count("\\clip (0pt,0pt)") == 1
     assert tikz.count("svg {") > 15
     for d in re.findall(r"svg \{(.*?)\}", tikz):
         assert re.fullmatch(r"[MLHVAhvlmz\d\s.e,-]+", d), d
     assert "$m'$" in tikz
     assert tikz.isascii()
+    # Plotly itself saves a figure.
+    page.locator(".st-key-curve .modebar-btn").wait_for(state="attached")
+    page.locator(".st-key-curve .js-plotly-plot").hover()
+    with page.expect_download() as download:
+        page.locator(".st-key-curve .modebar-btn").click()
+    assert download.value.suggested_filename == "ramanujan-curve.svg"
+    download.value.save_as(tmp_path / "curve.svg")
+    figure = (tmp_path / "curve.svg").read_text(encoding="utf-8")
+    assert ElementTree.fromstring(figure).get("viewBox")
+    assert set(re.findall(r"https?://[^\"')]+", figure)) <= {
+        "http://www.w3.org/1999/xlink",
+        "http://www.w3.org/2000/svg",
+    }
+    assert "equal masses" in figure

@@ -11,12 +11,12 @@ from plotly.basedatatypes import BaseFigure
 from ramanujan.figures.large_print import in_large_print
 from ramanujan.shell import display_mode
 
-STILL = {"displayModeBar": False, "scrollZoom": False}
-"""Plotly's options for a figure that is only looked at and clicked."""
+STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": False}
+"""Plotly's options for a figure that is only looked at, clicked and saved."""
 
 
 def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
-    """Put a figure on the page; on a projector it grows with the screen.
+    """Put a figure on the page, which Plotly saves as SVG; on a projector it grows with the screen.
 
     Parameters
     ----------
@@ -28,7 +28,8 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     height = "content"
     if display_mode.is_projector():
         figure, height = in_large_print(figure), "stretch"
-    st.plotly_chart(figure, key=key, theme=None, height=height, config=config, alt=alt, **options)
+    saved = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}"}}
+    st.plotly_chart(figure, key=key, theme=None, height=height, config=saved | config, alt=alt, **options)
 
 
 def draw(svg: str, *, alt: str, style: str) -> None:

@@ -65,7 +65,7 @@ const tikzColour = (value) => ((([r, g, b]) => r && `{rgb,255:red,${r};green,${g
 const rounded = (value) => Number(value.toFixed(4));
 
 /** The picture as TikZ: each shape with the outline and the place that it has on the page. */
-function tikz(svg, { x, y, width }) {
+function tikz(svg, { x, y, width, height }) {
   const inverse = svg.getScreenCTM().inverse();
   const lines = [...svg.querySelectorAll(SHAPES)].flatMap((node) => {
     const style = getComputedStyle(node);
@@ -82,7 +82,7 @@ function tikz(svg, { x, y, width }) {
     return options.length ? [`  \\path[${cm}, ${options.join(", ")}] ${outline(node)};`] : [];
   });
   const scale = rounded(TIKZ_WIDE / width);
-  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}\n\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}]\n${lines.join("\n")}\n\\end{tikzpicture}\n`;
+  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}\n\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}]\n  \\clip (0pt,0pt) rectangle (${rounded(width)}pt,${rounded(height)}pt);\n${lines.join("\n")}\n\\end{tikzpicture}\n`;
 }
 
 function outline(node) {
