@@ -14,8 +14,12 @@ UNTOUCHED = """(text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍ�
 """Whether a text has words, none of which gettext has seen: those would carry accents."""
 STREAMLITS_OWN = (
     "Skip to main content",
+    "1 more",
     *(f"aria-label: {label}" for label in ("Sidebar", "Collapse sidebar", "App pages", "Link to heading")),
-    *(f"aria-label: {label}" for label in ("Decrement", "Increment", "Copy to clipboard", "Fullscreen")),
+    *(
+        f"aria-label: {label}"
+        for label in ("Expand sidebar", "Decrement", "Increment", "Copy to clipboard", "Fullscreen")
+    ),
     *(f"aria-label: {label}" for label in ("Download plot as a PNG", "Autoscale", "Reset axes")),
 )
 """What Streamlit and Plotly say by themselves, in English always; no setting changes it."""

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from ramanujan.answers.formulas import is_decimal, typeset
@@ -226,6 +226,7 @@ def _combined(pairs: st.SearchStrategy) -> st.SearchStrategy:
 _LEAVES = st.sampled_from(list(POINT.items())) | st.integers(0, 99).map(lambda n: (str(n), Fraction(n)))
 
 
+@example(("-(1*(m+m))", Fraction(-4)))
 @settings(deadline=None, max_examples=20_000 if DEEP else 200)
 @given(st.recursive(_LEAVES, _combined, max_leaves=12).filter(lambda pair: len(pair[0]) < MAX_LENGTH))
 def test_value_is_the_one_python_computes(pair: tuple[str, Fraction]) -> None:

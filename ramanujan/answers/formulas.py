@@ -94,8 +94,15 @@ def _is_negative(expression: sp.Expr) -> bool:
     return _is_negative(first) if first.is_Mul else bool(first.is_Rational and first < 0)
 
 
+def _bare(factor: sp.Expr) -> sp.Expr:
+    """Return a factor without the ones that it is multiplied by: 1·(m + m) needs its brackets as m + m does."""
+    parts = [part for part in factor.args if part != 1] if factor.is_Mul else []
+    return _bare(parts[0]) if len(parts) == 1 else factor
+
+
 def _product(factors: tuple[sp.Expr, ...]) -> str:
-    first, *rest = factors
+    first, *rest = map(_bare, factors)
+    factors = (first, *rest)
     if _is_negative(first) and (rest or not first.is_Rational):
         # One minus sign before the whole product, and not above its fraction line.
         if first.is_Mul:
