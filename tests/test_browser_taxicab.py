@@ -7,6 +7,7 @@ import re
 from playwright.sync_api import expect
 
 from tests.browser import settle
+from tests.test_browser_access import OPEN
 
 
 def ready(page: object) -> object:
@@ -41,7 +42,7 @@ def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(vi
 
 
 def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
-    page = ready(visit("1729"))
+    page = ready(visit("1729?digits=1000"))
     labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
     assert len(labels) == 5
     assert all(label and any(map(str.isdigit, label)) for label in labels)
@@ -56,3 +57,8 @@ def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit
     length = page.evaluate(count)
     page.locator(".st-key-apart label").click()
     page.wait_for_function(f"{count} > {length}")
+    # A box of a thousand digits that scrolls by itself would be out of the keyboard's reach.
+    page.evaluate(OPEN)
+    digits = page.locator(".stCode pre")
+    digits.wait_for()
+    assert digits.evaluate("(box) => box.scrollHeight <= box.clientHeight + 1")

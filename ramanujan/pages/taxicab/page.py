@@ -76,7 +76,6 @@ def digits_and_fractions() -> None:
             number_theory.positive_root_digits(*BodyChoice().quadratic, count),
             language=None,
             wrap_lines=True,
-            height=190 if count > 200 else "content",
         )
         st.caption(
             _(
