@@ -92,7 +92,8 @@ def opening() -> None:
                 with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
                     st.markdown(_("New to this?"), width="content")
                     st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), width="content")
-        if not display_mode.hides("clocks", "numbers"):
+        # A projector's sheet has no height for it.
+        if not (display_mode.hides("clocks", "numbers") or display_mode.is_projector()):
             page.sweep("oscillator", "m_prime", UNIT_MASS_RATIO, cache.unit_ratio())
 
 
