@@ -114,7 +114,7 @@ def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable
         opened.append(page)
         page.bring_to_front()  # a tab behind another draws once a second
         page.on("pageerror", note)
-        back = not anew and is_back(page, address)
+        back = not anew and theme == "light" and is_back(page, address)  # a tab is left in the light theme
         page.set_viewport_size({"width": width, "height": height})
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
         page.mouse.move(0, 0)

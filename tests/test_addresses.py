@@ -92,6 +92,10 @@ MEANT = {
         "step": ("3", 3),
         "body": ("top", "top"),
         "question": ("unit_mass_ratio", "unit_mass_ratio"),
+        "modes_layers": ("coordinates,arrows", ("coordinates", "arrows")),
+        "modes_speed": ("0.5", "0.5"),
+        "modes_from": ("block", "block"),
+        "modes_paused": ("0.25,0.5", "0.25,0.5"),
     },
     "motion": {"glide": ("-7.5", -7.5), "spin": ("1.25", 1.25), "mu": ("0.9", 0.9), "figure": ("forces", "forces")},
     "taxicab": {

@@ -415,7 +415,7 @@ def test_words_grow_with_the_screen(picture):
     phone, laptop, projector = seen
     assert min(phone.values()) >= 11.4
     assert min(laptop.values()) >= 12
-    assert min(projector.values()) >= 17.5
+    assert min(projector.values()) >= 16.5
     assert max(projector.values()) <= 26
 
 

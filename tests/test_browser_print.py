@@ -68,7 +68,7 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
         assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
 
 
-SHEETS = {"": 4, "derivation?show=reading": 11, "motion": 2, "1729": 6, "speed": 4, "worksheet?paper=key": 6}
+SHEETS = {"": 4, "derivation?show=reading": 11, "motion": 3, "1729": 6, "speed": 4, "worksheet?paper=key": 6}
 """Page → how many sheets of A4 it takes at most."""
 
 

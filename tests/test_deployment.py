@@ -162,6 +162,7 @@ def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, 
     assert letters.text_content().lower() == code
     assert letters.evaluate("node => parseFloat(getComputedStyle(node).fontSize)") > 100
     desk.evaluate("navigator.clipboard.writeText = async (text) => (window.copied = text)")
+    desk.locator("[data-testid=stExpandSidebarButton]").click()
     desk.get_by_role("button", name="Copy link").click()
     link = desk.evaluate("copied")
     assert "lecturer=" in desk.url

@@ -201,8 +201,12 @@ def test_runs_are_independent(name, runs):
         assert (together[0][i], together[1][i]) == alone
 
 
+# Where q and v are so small that their products with h round to nothing, no equation is left to be solved.
+_SIZES = st.floats(-10, 10).filter(lambda x: x == 0 or abs(x) > 1e-290)
+
+
 @settings(deadline=None, max_examples=50)
-@given(q=st.floats(-10, 10), v=st.floats(-10, 10), h=st.floats(-100, 100), omega_squared=st.floats(0.01, 100))
+@given(q=_SIZES, v=_SIZES, h=st.floats(-100, 100), omega_squared=st.floats(0.01, 100))
 def test_implicit_midpoint_solves_its_equations(q, v, h, omega_squared):
     q_new, v_new = METHODS["implicit_midpoint"].step(lambda x: -omega_squared * x, q, v, h)
     # The step is solved, so what is left of each equation is rounding of its largest term.

@@ -28,7 +28,7 @@ KNOWN = {
     "answers": "There is a closing bracket without an opening bracket.",
     "derivation": "The last printed digit is one too high. No other result depends on it.",
     "energy": "q_dot must have the shape of q, {shape}, not {other}",
-    "figures": "time after release t [s]",
+    "figures": "time after release <i>t</i> [s]",
     "frequency": "mass_ratio must be finite and not negative",
     "integrators": "velocity Verlet",
     "motion": "t must not exceed {most} periods: beyond that the phase is not known",

@@ -105,7 +105,7 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
             for c, values in zip(curves, several, strict=True)
         ]
         drawn += [closed] if axis == "y2" else []
-        drawn_axis, scale, low = axis_with_room(title, [values for _n, _c, _x, values, *_ in drawn], most)
+        drawn_axis, scale, low = axis_with_room(title, [curve[3] for curve in drawn], most)
         for name, color, x, values, line, opacity in drawn:
             own = {
                 "x": x,
@@ -116,7 +116,7 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
             }
             look = {"mode": "lines", "line": {"color": color, **line}, "opacity": opacity, "hovertemplate": hover}
             traces.append({"type": "scatter", **own, **look})
-        named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, *_ in drawn]
+        named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _line, _opacity in drawn]
         room = tuple(drawn_axis["range"])
         height, seen = _HIGH * (place["domain"][1] - place["domain"][0]), {note["text"] for note in notes}
         notes += beside(named, x_range, room, height, axis, seen)
