@@ -15,6 +15,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
+from urllib.parse import SplitResult, urlencode, urlsplit
 
 import streamlit as st
 from streamlit.runtime.scriptrunner import get_script_run_ctx
@@ -210,6 +211,13 @@ def keep(*parameters: URLParameter) -> None:
             st.query_params.pop(parameter.name, None)
         elif st.query_params.get(parameter.name) != text:
             st.query_params[parameter.name] = text
+
+
+def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:
+    """Return the address of this page, or of the one with another path, as the browser has it, with another query."""
+    here = urlsplit(st.context.url or "")
+    path = here.path if path is None else f"{here.path.rpartition('/')[0]}/{path}"
+    return here._replace(path=path, query=urlencode(query, safe=","), fragment="")
 
 
 def fits(parameter: URLParameter) -> bool:

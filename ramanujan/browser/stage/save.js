@@ -13,6 +13,10 @@ const TIKZ_WIDE = 330; // pt, for a slide or a page
 const FILE = "ramanujan-machine";
 const SHAPES = "path, rect, circle, line, text";
 
+/** Whether a node is seen, and not only there for a hand. */
+const isSeen = (node, style) =>
+  style.visibility !== "hidden" && node.getClientRects().length > 0 && !node.matches(".grip") && !node.closest(".handle, .ghosts");
+
 /** Do something while the stage has the colours of the light theme. Nothing is drawn before they are given back. */
 function inLight(host, make) {
   for (const [name, colour] of Object.entries(LIGHT)) host.style.setProperty(name, colour);
@@ -26,8 +30,8 @@ function standalone(svg) {
   const copy = svg.cloneNode(true), scale = svg.getScreenCTM().a, { x, y, width, height } = svg.viewBox.baseVal;
   const copies = [...copy.querySelectorAll("*")], gone = [];
   [...svg.querySelectorAll("*")].forEach((node, i) => {
-    const style = getComputedStyle(node), isSeen = node.closest("defs") || (style.visibility !== "hidden" && node.getClientRects().length);
-    if (!isSeen || node.matches("title, .grip, .handle, .handle *, .ghosts")) return gone.push(copies[i]);
+    const style = getComputedStyle(node);
+    if (!node.closest("defs") && !isSeen(node, style)) return gone.push(copies[i]);
     const looks = Object.fromEntries(LOOKS.map((name) => [name, style.getPropertyValue(name)]));
     // Strokes are as many pixels of the screen wide, whatever the scale.
     const lines = style.getPropertyValue("vector-effect") === "non-scaling-stroke" ? 1 / scale : 1;
@@ -69,7 +73,7 @@ function tikz(svg, { x, y, width, height }) {
   const inverse = svg.getScreenCTM().inverse();
   const lines = [...svg.querySelectorAll(SHAPES)].flatMap((node) => {
     const style = getComputedStyle(node);
-    if (node.closest("defs, .ghosts, .handle") || node.matches(".grip, .rim") || style.visibility === "hidden" || !node.getClientRects().length) return [];
+    if (node.closest("defs") || node.matches(".rim") || !isSeen(node, style)) return [];
     const { a, b, c, d, e, f } = inverse.multiply(node.getScreenCTM()), place = [a, b, c, d].map(rounded).join(",");
     const cm = `cm={${place},(${rounded(e - x)}pt,${rounded(f - y)}pt)}`;
     if (node.matches("text")) return node.textContent ? [label(node, style, cm)] : [];

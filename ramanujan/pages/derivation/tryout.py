@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, tzinfo
 from zoneinfo import ZoneInfo
 
 import streamlit as st
@@ -70,7 +70,7 @@ def given(name: str) -> Given | None:
     return st.session_state.get(_GIVEN, {}).get(name)
 
 
-def _time_zone() -> ZoneInfo:
+def _time_zone() -> tzinfo:
     try:
         return ZoneInfo(st.context.timezone or "")
     except (ValueError, OSError):

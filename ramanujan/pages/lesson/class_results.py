@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from urllib.parse import SplitResult, urlencode, urlsplit
 
 import segno
 import streamlit as st
@@ -128,11 +127,6 @@ def answered(now: Question) -> str:
 def joined(people: int) -> str:
     """Return how many have joined, as a sentence."""
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
-
-
-def link(query: Mapping[str, str]) -> SplitResult:
-    """Return the address of this page, as the browser has it, with another query."""
-    return urlsplit(st.context.url or "")._replace(query=urlencode(query), fragment="")
 
 
 def qr_code(address: str) -> None:

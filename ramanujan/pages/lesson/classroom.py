@@ -222,13 +222,13 @@ def _foot(key: str, code: str) -> None:
     st.text(spaced(code), width="content")
     st.link_button(
         _("Open the wall"),
-        class_results.link({"class": code, "wall": "on", "view": "projector"}).geturl(),
+        address.link({"class": code, "wall": "on", "view": "projector"}).geturl(),
         icon=":material/co_present:",
         type="tertiary",
     )
     with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
-        class_results.qr_code(class_results.link({"class": code, "lecturer": key}).geturl())
+        class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
     st.download_button(
         _("Results as CSV"),
         partial(_file, key),

@@ -6,8 +6,6 @@ The lecturer composes the link on the page Worksheet. The link for students lead
 
 from __future__ import annotations
 
-from urllib.parse import urlencode
-
 import streamlit as st
 
 from ramanujan import lesson
@@ -102,8 +100,8 @@ def compose() -> None:
         if not chosen:
             return
         machine = {each.name: f"{each.present:g}" for each in PARAMETERS.values() if each.present != each.default}
-        asked = urlencode({**machine, EXERCISE.name: EXERCISE.write(tuple(chosen))}, safe=",")
-        link = f"{(st.context.url or '').rpartition('/')[0]}/{PAGES['lesson'].path}?{asked}"
+        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen))}
+        link = address.link(asked, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)
         st.markdown(_("For you, with the key:"))

@@ -13,6 +13,7 @@ from ramanujan.lesson.class_codes import spaced
 from ramanujan.lesson.classes import ClassError, Phase, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, class_settings, stops
+from ramanujan.shell import address
 from ramanujan.shell.class_session import leave, wall_held
 from ramanujan.translation import _
 
@@ -87,26 +88,26 @@ def _watch(code: str, drawn: Question) -> None:
         else:
             if now.phase == Phase.ASKED:
                 st.markdown(f"**{class_results.answered(now)}**", width="content")
-            here = class_results.link({})
+            here = address.link({})
             st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
 
 
 def _how_to_join(code: str) -> None:
     """Draw code and address so that the last row can read them."""
-    address = class_results.link({"class": code})
+    here = address.link({"class": code})
     st.title(_("Join the class"), anchor=False)
     words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
     with words:
         st.markdown(_("On your phone, open"))
         with st.container(key="class_address"):
             # As plain text: an address is whatever the browser says it is.
-            st.text(f"{address.netloc}{address.path}")
+            st.text(f"{here.netloc}{here.path}")
         st.markdown(_("then choose **Class** and type"))
         with st.container(key="class_letters"):
             st.text(spaced(code))
     with picture:
-        class_results.qr_code(address.geturl())
-    if address.hostname in _ONLY_HERE:
+        class_results.qr_code(here.geturl())
+    if here.hostname in _ONLY_HERE:
         st.warning(
             _(
                 "Phones cannot open this address, because it means this computer only. Open the app under the "
