@@ -118,7 +118,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
             expect(phones["reloading"].locator(f"{VOTES}:has(input:checked)")).to_have_count(1)
             for tab in tabs:
                 tab.close()
-        votes = Counter(stop.options[option].id for option in chosen.values())
+        votes = Counter(list(stop.options)[option] for option in chosen.values())
         cast.append(votes)
         hear(desk, wall)
         expect(desk.locator(".st-key-class_desk")).to_contain_text(f"{len(phones)} of ")
@@ -129,23 +129,23 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
 
         press(".st-key-class_run")
         total = len(phones)
-        shares = [f"{votes[o.id]} of {total}, {round(100 * votes[o.id] / total)}\u202f%" for o in stop.options]
+        shares = [f"{votes[o]} of {total}, {round(100 * votes[o] / total)}\u202f%" for o in stop.options]
         expect(wall.locator("[data-testid=stProgress]")).to_have_text(shares)
         whole("revealed")
         press(".st-key-class_solve")
         picture = wall.locator("pre, .katex" if stop.exhibit else "svg.machine .body.slab").first
         picture.wait_for()
-        assert wall.get_by_text(stop.option(stop.answer()).label, exact=True).count() == 0
+        assert wall.get_by_text(stop.options[stop.answer()], exact=True).count() == 0
         whole("running")
         press(".st-key-class_desk :text('This is right')")
-        wall.get_by_text(stop.option(stop.answer()).label, exact=True).wait_for()
+        wall.get_by_text(stop.options[stop.answer()], exact=True).wait_for()
         assert picture.is_visible()
         whole("solved")
         if number % 3 != 2:
             continue
         # The machine and the word on one's own answer are on the phone, too; one phone at a time.
         name = list(phones)[number % len(phones)]
-        own, phone = stop.options[chosen[name]].id, phones[name]
+        own, phone = list(stop.options)[chosen[name]], phones[name]
         hear(phone)
         said = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
         phone.get_by_text(said).first.wait_for()
@@ -162,7 +162,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
     rows = list(csv.DictReader(download.value.path().read_text(encoding="utf-8").splitlines()))
     told = [(row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows]
     assert told == [
-        (stop.id, option.id, "yes" if option.id == stop.answer() else "no", votes[option.id], "")
+        (stop.id, option, "yes" if option == stop.answer() else "no", votes[option], "")
         for stop, votes in zip(lesson.STOPS, cast, strict=True)
         for option in stop.options
     ]

@@ -20,7 +20,7 @@ from tests.browser import ROOT
 PAGE = "ramanujan/pages/lesson/page.py"
 STOP = lesson.STOPS[0]
 RIGHT = STOP.answer()
-WRONG = next(option.id for option in STOP.options if option.id != RIGHT)
+WRONG = next(option for option in STOP.options if option != RIGHT)
 
 
 @pytest.fixture(autouse=True)
@@ -324,10 +324,10 @@ def test_the_lecturer_takes_home_what_was_voted(lecturer, school):
     press(lecturer, "reveal")
     rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(address(lecturer)["lecturer"])))))
     assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
-        option.id: (
-            {RIGHT: "1", WRONG: "2"}.get(option.id, "0"),
-            "2" if option.id == RIGHT else "0",
-            "yes" if option.id == RIGHT else "no",
+        option: (
+            {RIGHT: "1", WRONG: "2"}.get(option, "0"),
+            "2" if option == RIGHT else "0",
+            "yes" if option == RIGHT else "no",
         )
         for option in STOP.options
     }

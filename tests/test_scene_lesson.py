@@ -80,7 +80,7 @@ def go_on(app, stop):
 
 
 def other_than(stop) -> str:
-    return next(option.id for option in stop.options if option.id != stop.answer())
+    return next(option for option in stop.options if option != stop.answer())
 
 
 def frequencies(stop) -> set[str]:
@@ -110,7 +110,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
 ):
     stop = lesson.stop(name)
     wrong = other_than(stop)
-    reply, right = stop.reply(wrong), stop.option(stop.answer()).label
+    reply, right = stop.reply(wrong), stop.options[stop.answer()]
     app = opened(stop=name)
     page = sent(app)
     told = sentences(stop.explanation()) | {stop.link_label, "Right answer", "prediction was"}
@@ -119,9 +119,9 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
         giveaways.add(f"{UNIT_MASS_RATIO:.3g}")
     assert [text for text in giveaways if text in page] == []
     # All options look alike: each is named once, as a button.
-    for option in stop.options:
-        assert page.count(json.dumps(option.label, ensure_ascii=False)) == 1
-        assert page.count(f'-option_{name}_{option.id}"') == 1
+    for option, label in stop.options.items():
+        assert page.count(json.dumps(label, ensure_ascii=False)) == 1
+        assert page.count(f'-option_{name}_{option}"') == 1
     assert stop.question in [text.value for text in app.markdown]
     assert not [pills for pills in app.get("button_group") if "preset" in pills.proto.id]
 
@@ -225,7 +225,7 @@ def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(o
     app = opened(stops="short", stop="end", chosen=made)
     shown = "\n".join(text.value for text in app.markdown)
     assert "You answered 2 of 6 questions. Your prediction was right at 1 of them." in shown
-    said = [stop.option(stop.answer()).label in shown for stop in short]
+    said = [stop.options[stop.answer()] in shown for stop in short]
     assert said == [True, True, False, False, False, False]
     assert shown.count("Not answered yet") == 4
     assert len(app.get("page_link")) == 4

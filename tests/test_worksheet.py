@@ -188,7 +188,7 @@ def test_the_letters_of_the_key_name_the_right_options():
             if question.options:
                 stop = stops[question.text]
                 letter = re.match(r"\*\*(\w)\.\*\*", question.answer)[1]
-                assert f"{letter}. {stop.option(stop.answer()).label}" in question.options
+                assert f"{letter}. {stop.options[stop.answer()]}" in question.options
                 assert len(question.options) == len(stop.options)
                 seen.add((stop.id, letter))
     # The seed shuffles: a stop's right option has no letter of its own.

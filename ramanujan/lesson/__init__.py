@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, settings
 from ramanujan.lesson.notes import SOURCES
-from ramanujan.lesson.stop import Option, Run, Stop
+from ramanujan.lesson.stop import Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.translation import _
 
@@ -34,7 +34,6 @@ __all__ = [
     "SOURCES",
     "STOPS",
     "TASKS",
-    "Option",
     "Run",
     "Setting",
     "Stop",

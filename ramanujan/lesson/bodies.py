@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Stop, by_sign, options
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Stop, by_sign
 from ramanujan.motion import (
     ground_positions,
     ground_velocities,
@@ -85,7 +85,7 @@ STOPS = (
             "The floor has no friction, and the machine starts at rest. At some later moment the slab moves to the "
             "right relative to the block. Which way does the block move relative to the ground?"
         ),
-        options=options(
+        options=dict(
             opposite=_("It moves to the left."), rest=_("It stays where it is."), same=_("It moves to the right.")
         ),
         replies={
@@ -123,7 +123,7 @@ STOPS = (
             "the ground?"
         ),
         given={"whole": 2 * _CM * COMPRESSION, "centre": _CM * COMPRESSION},
-        options=options(
+        options=dict(
             all=_("As far as on the block."),
             tenth=_("Less than a tenth of that."),
             half=_("About half of that way."),
@@ -173,7 +173,7 @@ STOPS = (
             "Half a period after the release the slab reaches its other turning point. It stands still relative to the "
             "block for an instant. Where is the energy then?"
         ),
-        options=options(
+        options=dict(
             spring=_("All of it is in the spring."),
             half=_("About half of it is in the spring."),
             bodies=_("Most of it is in the bodies."),
@@ -213,7 +213,7 @@ STOPS = (
             "A quarter of a period after the release the spring is relaxed, and all energy is kinetic. Each body has a "
             "mass of {machine.m:1 kg}. Which of these bodies has the most energy?"
         ),
-        options=options(hoop=_("The hoop."), block=_("The block."), slab=_("The slab."), top=_("The top cylinder.")),
+        options=dict(hoop=_("The hoop."), block=_("The block."), slab=_("The slab."), top=_("The top cylinder.")),
         replies={
             "hoop": _(
                 "It spins with all of its mass at the rim, and that makes {hoop:2 %} of the energy. But it hardly "

@@ -23,10 +23,10 @@ def as_csv(asked: Iterable[Asked]) -> str:
     writer.writerow(HEADER)
     for each in asked:
         stop = lesson.stop(each.stop)
-        right, at = stop.answer(), datetime.fromtimestamp(each.at, UTC).isoformat(timespec="seconds")
+        right, at = stop.right, datetime.fromtimestamp(each.at, UTC).isoformat(timespec="seconds")
         for option, first in each.first.items():
             second = "" if each.second is None else each.second[option]
-            label = stop.option(option).label
+            label = stop.options[option]
             answer = "yes" if option == right else "no"
             writer.writerow((stop.id, stop.heading, at, each.present, option, label, answer, first, second))
     return text.getvalue()

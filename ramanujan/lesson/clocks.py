@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import EQUAL, Run, Stop, by_sign, options
+from ramanujan.lesson.stop import EQUAL, Run, Stop, by_sign
 from ramanujan.motion import motion, released
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
@@ -56,7 +56,7 @@ STOPS = (
             "moves on an equal spring. Both are released at the same moment. Each has a clock hand that makes one full "
             "turn per period. Where is the machine’s hand after ten periods of the plain mass?"
         ),
-        options=options(
+        options=dict(
             far_behind=_("Behind by more than one full turn."),
             behind=_("Behind by less than one full turn."),
             together=_("Exactly where the other hand is."),
@@ -112,7 +112,7 @@ STOPS = (
             "Hoop and lower cylinder are replaced by light ones of {machine.m_prime:1 kg} each. All other bodies keep "
             "their {machine.m:1 kg}. How does the machine’s frequency change?"
         ),
-        options=options(same=_("It stays the same."), rises=_("It rises."), falls=_("It falls.")),
+        options=dict(same=_("It stays the same."), rises=_("It rises."), falls=_("It falls.")),
         replies={
             "same": _(
                 "The centres of the rollers hardly move, but the rollers spin. Equal rollers take {spin:2 %} of the "
@@ -144,7 +144,7 @@ STOPS = (
             "Hoop and lower cylinder are replaced by heavy ones of {machine.m_prime:1 kg} each. All other bodies keep "
             "their {machine.m:1 kg}. Whose hand is ahead after ten periods of the plain mass?"
         ),
-        options=options(
+        options=dict(
             plain=_("The hand of the plain mass."),
             machine=_("The hand of the machine."),
             neither=_("Neither of the two hands."),
@@ -181,7 +181,7 @@ STOPS = (
             "All masses are equal. In each period the hands of the machine and of the plain mass part by a small part "
             "of a turn. Both springs are replaced by springs that are four times as stiff. How large is this part then?"
         ),
-        options=options(more=_("Larger than before."), less=_("Smaller than before."), same=_("The same as before.")),
+        options=dict(more=_("Larger than before."), less=_("Smaller than before."), same=_("The same as before.")),
         replies={
             "more": _(
                 "The machine’s period falls from {equal.period:3 s} to {shown.period:3 s}. By which factor does the "
@@ -214,7 +214,7 @@ STOPS = (
             "All three rollers get twice the radius but keep their masses. Their moments of inertia are then four "
             "times as large. How does the period of the machine change?"
         ),
-        options=options(longer=_("It becomes longer."), same=_("It stays the same."), shorter=_("It becomes shorter.")),
+        options=dict(longer=_("It becomes longer."), same=_("It stays the same."), shorter=_("It becomes shorter.")),
         replies={
             "longer": _(
                 "The moment of inertia is four times as large. But over the same distance a roller turns half as far. "

@@ -11,7 +11,7 @@ import numpy as np
 
 from ramanujan.accuracy import FORMS
 from ramanujan.integrators import METHODS, trajectory
-from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop, options
+from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import released
 from ramanujan.numerals import power_of_ten
 from ramanujan.oscillator import Oscillator
@@ -116,9 +116,7 @@ STOPS = (
             "{periods} periods?"
         ),
         given={"many": STEPS["explicit_euler"], "few": STEPS["velocity_verlet"], "periods": PERIODS},
-        options=options(
-            euler=_("In the first run."), verlet=_("In the second run."), both=_("It is the same in both.")
-        ),
+        options=dict(euler=_("In the first run."), verlet=_("In the second run."), both=_("It is the same in both.")),
         replies={
             "verlet": _(
                 "Its energy is off by {off:1 %}, and in the first run the energy is {grown:2} times as large as at the "
@@ -157,7 +155,7 @@ STOPS = (
             "enters m = 1, k = 1 and m′ = {ratio}. What does the program return?"
         ),
         given={"formula": FORMS["paper"].formula, "ratio": _RATIO, "largest": _LARGEST},
-        options=options(
+        options=dict(
             message=_("Infinity or an error."), right=_("The right value."), zero=_("Zero."), wrong=_("Another number.")
         ),
         replies={

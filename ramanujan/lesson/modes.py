@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ramanujan.contact import drawn_spacing, first_to_slip, normal_forces, required_friction
-from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Run, Stop, options
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import InitialState, released
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -60,7 +60,7 @@ STOPS = (
             "You may push the machine in any way. In how many independent ways can it keep moving for ever without "
             "oscillating?"
         ),
-        options=options(none=_("In no way."), one=_("In one way."), two=_("In two ways."), three=_("In three ways.")),
+        options=dict(none=_("In no way."), one=_("In one way."), two=_("In two ways."), three=_("In three ways.")),
         replies={
             "none": _("Push the whole machine, and no spring is deformed. What could stop it on this floor?"),
             "one": _("The whole machine can glide. Which body can turn while all the others are at rest?"),
@@ -93,7 +93,7 @@ STOPS = (
             "stays frictionless, but the friction at all other contacts is made weaker and weaker. Where does the "
             "first slip happen?"
         ),
-        options=options(
+        options=dict(
             top_block=_("Between top cylinder and block."),
             hoop_slab=_("Between hoop and slab."),
             cylinder_block=_("Between lower cylinder and block."),

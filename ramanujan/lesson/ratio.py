@@ -10,7 +10,7 @@ from ramanujan import number_theory
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
-from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop, options
+from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import filled, number
 from ramanujan.oscillator import Oscillator
@@ -122,7 +122,7 @@ STOPS = (
             "The machine is in step with the plain mass where Ω² = k/m. That is so at one mass ratio ε = m′/m alone. "
             "Between which two ratios is it?"
         ),
-        options=options(**{name: filled(_("Between {low} and {high}"), **_between(name)) for name in BRACKETS}),
+        options={name: filled(_("Between {low} and {high}"), **_between(name)) for name in BRACKETS},
         replies={name: _outside(name) for name in BRACKETS if name != _by_hand()},
         given={"periods": round(1 / abs(EQUAL.normalized_frequency_squared**0.5 - 1))},
         answer=_by_hand,
@@ -151,7 +151,7 @@ STOPS = (
             "Set Ω² equal to k/m. This gives a quadratic equation for the mass ratio: {quadratic}. Which mass ratio is "
             "it exactly?"
         ),
-        options=options(
+        options=dict(
             plus="ε = (√1729 + 1)/36", without="ε = √1729/36", minus="ε = (√1729 − 1)/36", double="ε = (√1729 − 1)/18"
         ),
         replies={
@@ -182,7 +182,7 @@ STOPS = (
             "The machine is in step where {quadratic}. The number under the root is {number} = {first} = {second}. "
             "Which of these two sums can you read off the coefficients as b² plus −4ac?"
         ),
-        options=options(
+        options=dict(
             second=_("The second one."),
             both=_("Both of them."),
             neither=_("Neither of them."),
@@ -232,7 +232,7 @@ STOPS = (
             "The top cylinder is replaced by a solid sphere of the same mass and radius. The spring does not touch it, "
             "and it rolls freely. Which number is now under the root of the exact mass ratio?"
         ),
-        options=options(
+        options=dict(
             same=_("The same number, 1729."),
             another=_("Another number, not a square."),
             square=_("Another number, a square."),

@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
 
 from ramanujan.motion import InitialState
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
 
 FREQUENCY = ("clocks", "numbers")
 """Parts of the stage that tell how fast the machine is."""
@@ -27,14 +27,6 @@ EVERYTHING = ("clocks", "numbers", "motion")
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.08
 """The machine of most stops, and where it is released [m]."""
-
-
-@dataclass(frozen=True)
-class Option:
-    """One of the answers to choose from: a short ASCII id, which stands in addresses, and a sentence for people."""
-
-    id: str
-    label: str
 
 
 @dataclass(frozen=True)
@@ -72,7 +64,7 @@ class Stop:
     ----------
     id : short and ASCII, as it stands in an address
     heading, question : what is asked, plain text
-    options : the answers to choose from
+    options : the answers to choose from: a short ASCII id, which stands in addresses → a sentence for people
     answer : returns the id of the right option
     replies : id of each wrong option → what it would mean for this machine, then a question that leads on
     why : why the right option is right
@@ -97,7 +89,7 @@ class Stop:
     id: str
     heading: str
     question: str
-    options: tuple[Option, ...]
+    options: Mapping[str, str]
     answer: Callable[[], str]
     replies: Mapping[str, str]
     why: str
@@ -139,29 +131,26 @@ class Stop:
             object.__setattr__(self, name, self._filled(getattr(self, name)))
         object.__setattr__(self, "hints", tuple(map(self._filled, self.hints)))
 
+    @cached_property
+    def right(self) -> str:
+        """The id of the right option."""
+        return self.answer()
+
+    @cached_property
+    def _found(self) -> Mapping[str, object]:
+        return self.numbers()
+
     def explanation(self) -> str:
         """Return why the right option is right, with the numbers of this machine."""
-        return self._filled(self.why, **self.numbers())
+        return self._filled(self.why, **self._found)
 
     def reply(self, option: str) -> str:
         """Return what to say to whoever chose this wrong option, with the numbers of this machine."""
-        return self._filled(self.replies[option], **self.numbers())
+        return self._filled(self.replies[option], **self._found)
 
     def _filled(self, template: str, **numbers: object) -> str:
         machines = {"equal": EQUAL, "machine": self.machine, "shown": self.shown, "runs": self.runs}
         return filled(template, **machines, **self.given, **numbers)
-
-    def option(self, name: str) -> Option:
-        """Return the option with this id; ValueError if there is none."""
-        for option in self.options:
-            if option.id == name:
-                return option
-        raise ValueError(_("the stop {stop} has no option {name}").format(stop=self.id, name=name))
-
-
-def options(**labels: str) -> tuple[Option, ...]:
-    """Return options from id=label, in this order."""
-    return tuple(Option(name, label) for name, label in labels.items())
 
 
 def by_sign(value: object, negative: str, zero: str, positive: str) -> str:

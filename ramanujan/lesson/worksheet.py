@@ -107,14 +107,12 @@ def in_a_row(formulas: Sequence[str]) -> str:
 
 def _predicted(stop: Stop, draw: random.Random) -> Question:
     """Return a stop as a question with options in a drawn order."""
-    shown = draw.sample(stop.options, len(stop.options))
-    letters = dict(zip((option.id for option in shown), string.ascii_uppercase, strict=False))
-    right = stop.answer()
-    label = stop.option(right).label
+    shown = draw.sample(list(stop.options), len(stop.options))
+    letters = dict(zip(shown, string.ascii_uppercase, strict=False))
     return Question(
         stop.question,
-        f"**{letters[right]}.** {label}\\\n{stop.explanation()}",
-        options=tuple(f"{letters[option.id]}. {option.label}" for option in shown),
+        f"**{letters[stop.right]}.** {stop.options[stop.right]}\\\n{stop.explanation()}",
+        options=tuple(f"{letters[option]}. {stop.options[option]}" for option in shown),
         space=1.6,
     )
 

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import segno
 import streamlit as st
 
+from ramanujan import lesson
 from ramanujan.lesson.classes import ClassError, Comparison, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
-from ramanujan.pages.lesson import cache
 from ramanujan.translation import _, ngettext
 
 
@@ -35,19 +35,19 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
         if solved and changes and (said := _changes(changes)):
             with st.container(key="class_changes"):
                 st.markdown(said)
-        right = cache.solution(stop.id).option if solved else None
-        for option in stop.options:
+        right = stop.right if solved else None
+        for option, text in stop.options.items():
             if not alone:
                 label, *places = st.columns([3, *(2 for _vote in all_votes)], gap="small")
-                label.markdown(_label(option.label, option.id == right, option.id == chosen))
-            elif option.id == right:
+                label.markdown(_label(text, option == right, option == chosen))
+            elif option == right:
                 places = st.columns(len(all_votes), gap="small")
             else:
                 continue
             for number, (place, votes) in enumerate(zip(places, all_votes, strict=True)):
                 total = sum(votes.values())
-                share = votes[option.id] / total if total else 0.0
-                place.progress(share, _share(number, len(all_votes), share, votes[option.id], total))
+                share = votes[option] / total if total else 0.0
+                place.progress(share, _share(number, len(all_votes), share, votes[option], total))
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
@@ -55,7 +55,7 @@ def _result(access: str, stop: str, round_: int) -> tuple[list[Mapping[str, int]
     """Return the votes on a question, option → number, and the changes; what is revealed stays as it is."""
     if round_ % 2:
         return [shared().distribution(access, stop, round_)], None
-    changes = shared().comparison(access, stop, cache.solution(stop).option, round_)
+    changes = shared().comparison(access, stop, lesson.stop(stop).right, round_)
     return [changes.first, changes.second], changes
 
 
@@ -103,11 +103,10 @@ def _changes(changes: Comparison) -> str:
 
 def explain(stop: Stop, chosen: str | None = None) -> None:
     """Name the right answer and its reason; whoever has chosen another one reads a word on that first."""
-    solution = cache.solution(stop.id)
-    if chosen and chosen != solution.option:
-        st.markdown(solution.replies[chosen])
-    st.markdown(f":green[:material/check_circle:] **{solution.label}**")
-    st.markdown(solution.explanation)
+    if chosen and chosen != stop.right:
+        st.markdown(stop.reply(chosen))
+    st.markdown(f":green[:material/check_circle:] **{stop.options[stop.right]}**")
+    st.markdown(stop.explanation())
 
 
 def answered(now: Question) -> str:

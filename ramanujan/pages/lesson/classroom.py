@@ -161,7 +161,7 @@ def _desk(stop: Stop, phase: Phase) -> None:
         if last and last.phase > Phase.ASKED:
             class_results.show(code, stop, last.round, last.phase == Phase.SOLVED)
         else:
-            st.markdown("\n".join(f"- {option.label}" for option in stop.options))
+            st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
             _foot(key, code)
 
@@ -193,7 +193,7 @@ def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> N
         kind, shortcut = ("primary", "PageDown") if usual else ("secondary", None)
         st.button(label, key=f"class_{name}", type=kind, shortcut=shortcut, on_click=attempt, args=(act, key, *more))
 
-    options = [each.id for each in stop.options]
+    options = list(stop.options)
     if now.stop != stop.id:
         button(_("Ask the class"), "ask", _present, stop, usual=last is None)
         if last:
@@ -213,7 +213,7 @@ def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> N
 
 def _present(key: str, stop: Stop) -> None:
     """Take the class to a stop, and this desk with it."""
-    shared().present(key, stop.id, [each.id for each in stop.options])
+    shared().present(key, stop.id, list(stop.options))
     st.session_state[_SEEN] = st.session_state[progress.STOP.name] = stop.id
 
 
@@ -309,9 +309,9 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         st.session_state[key] = chosen
     st.radio(
         _("Your answer"),
-        [option.id for option in stop.options],
+        list(stop.options),
         index=None,
-        format_func=lambda name: stop.option(name).label,
+        format_func=stop.options.__getitem__,
         key=key,
         on_change=_vote,
         args=(key, stop.id, question.round),

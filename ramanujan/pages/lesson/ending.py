@@ -5,7 +5,7 @@ from __future__ import annotations
 import streamlit as st
 
 from ramanujan.lesson import Stop
-from ramanujan.pages.lesson import cache, progress
+from ramanujan.pages.lesson import progress
 from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _
@@ -29,10 +29,9 @@ def draw(path: tuple[Stop, ...]) -> None:
         if phase != progress.ANSWERED:
             lines.append(_("- **{heading}** Not answered yet.").format(heading=stop.heading))
             continue
-        solved = cache.solution(stop.id)
-        answered, right = answered + 1, right + (chosen == solved.option)
-        sign = ":green[:material/check_circle:]" if chosen == solved.option else ":red[:material/cancel:]"
-        lines.append(f"- {sign} **{stop.heading}** {solved.label}")
+        answered, right = answered + 1, right + (chosen == stop.right)
+        sign = ":green[:material/check_circle:]" if chosen == stop.right else ":red[:material/cancel:]"
+        lines.append(f"- {sign} **{stop.heading}** {stop.options[stop.right]}")
     said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     with sheet("seen", HEADING):
         st.title(HEADING, anchor=False)

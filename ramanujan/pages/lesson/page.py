@@ -10,7 +10,7 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.browser import page
 from ramanujan.lesson.notes import INTRODUCTION
-from ramanujan.pages.lesson import cache, classroom, ending, exercise, progress, stops, tasks, wall
+from ramanujan.pages.lesson import classroom, ending, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
@@ -128,7 +128,7 @@ def _begin_notes() -> None:
 
 def _note(number: int, stop: lesson.Stop) -> None:
     time = ngettext("{n} minute", "{n} minutes", stop.minutes).format(n=stop.minutes)
-    right = _("Right answer: {label}").format(label=cache.solution(stop.id).label)
+    right = _("Right answer: {label}").format(label=stop.options[stop.right])
     st.markdown(f"##### {number}. {stop.heading} :small[({time})]\n{stop.purpose} {stop.expect}  \n:small[{right}]")
 
 

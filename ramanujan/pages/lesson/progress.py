@@ -40,7 +40,9 @@ class Predictions(address.URLParameter):
             name, option, *phase = entry.split(".")
             if phase not in ([], [PREDICTED], [MISSED]):
                 raise ValueError(self.name)
-            made[name] = lesson.stop(name).option(option).id, *(phase or [ANSWERED])
+            if option not in lesson.stop(name).options:
+                raise ValueError(self.name)
+            made[name] = option, *(phase or [ANSWERED])
         return made
 
     def write(self, made: Mapping[str, tuple[str, str]]) -> str:

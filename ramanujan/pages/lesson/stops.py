@@ -18,7 +18,7 @@ from ramanujan.contact import drawn_spacing, first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.lesson.classes import Phase
 from ramanujan.number_theory import BODIES
-from ramanujan.pages.lesson import cache, classroom, progress
+from ramanujan.pages.lesson import classroom, progress
 from ramanujan.shell import class_session, display_mode, messages, sidebar, stages, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
@@ -84,7 +84,7 @@ def draw(stop: Stop, number: int) -> None:
                 ask(stop)
             else:
                 if apart:
-                    st.markdown("\n".join(f"- {option.label}" for option in stop.options))
+                    st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
                 judge(stop, chosen, phase)
     if apart:
         with sheet("machine", _("The machine")):
@@ -131,11 +131,11 @@ def ask(stop: Stop) -> None:
     """Draw the options and the hints."""
     st.markdown(_("**Predict** before you see it:"))
     with st.container(key="options", gap="xsmall"):
-        for option in stop.options:
+        for option, label in stop.options.items():
             st.button(
-                option.label,
-                key=f"option_{stop.id}_{option.id}",
-                on_click=partial(go_on, stop, option.id, progress.PREDICTED),
+                label,
+                key=f"option_{stop.id}_{option}",
+                on_click=partial(go_on, stop, option, progress.PREDICTED),
                 width="stretch",
             )
     widgets.hints(stop.id, [widgets.plain(hint) for hint in stop.hints])
@@ -143,9 +143,8 @@ def ask(stop: Stop) -> None:
 
 def judge(stop: Stop, chosen: str, phase: str) -> None:
     """Say what was predicted; once the machine has run, whether that is right; and only if asked, what else is."""
-    solved = cache.solution(stop.id)
-    right = chosen == solved.option
-    own = _("**Your prediction:** {option}").format(option=stop.option(chosen).label)
+    right = chosen == stop.right
+    own = _("**Your prediction:** {option}").format(option=stop.options[chosen])
     # A phone shows this part above the machine.
     with st.container(key="judged"):
         if phase == progress.PREDICTED:
@@ -156,15 +155,16 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
             return
         if right:
             said = _("Your prediction was right.")
-            st.markdown(f":green[:material/check_circle: **{said}**] {solved.label}")
+            st.markdown(f":green[:material/check_circle: **{said}**] {stop.options[stop.right]}")
         else:
-            said = _("Your prediction was different. {reply}").format(reply=solved.replies[chosen])
-            st.markdown(f":red[:material/cancel:] {own}\\\n{solved.replies[chosen]}")
+            reply = stop.reply(chosen)
+            said = _("Your prediction was different. {reply}").format(reply=reply)
+            st.markdown(f":red[:material/cancel:] {own}\\\n{reply}")
         if phase == progress.MISSED:
             _moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
         elif not right:
-            said = solved.label
-            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=solved.label))
+            said = stop.options[stop.right]
+            st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=said))
     # With the button that was clicked the focus has gone: who cannot see the page is told here.
     page.publish(f"told_{stop.id}_published", {"say": {"sentence": said, "urgent": True}})
 
@@ -178,7 +178,7 @@ def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
 
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
-    st.markdown(cache.solution(stop.id).explanation)
+    st.markdown(stop.explanation())
     if display_mode.is_projector():
         return
     st.page_link(

@@ -58,7 +58,7 @@ def _show(code: str, stop: Stop, question: Question) -> None:
             return
         if question.is_second:
             st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
-        st.markdown("\n".join(f"- {option.label}" for option in stop.options))
+        st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         return
     words, picture, reason = stops.places(stop, running=True)
     if question.phase == Phase.SOLVED:
