@@ -403,37 +403,19 @@ def test_continued_fraction_of_a_rational_root_ends_at_it(root, other):
     assert nt.convergents(nt.continued_fraction(q, q * other - p, -p * other, 100))[-1] == root
 
 
-def test_practical_ratios_of_the_papers_machine():
-    ratios = nt.practical_ratios()
-    assert [r.ratio for r in ratios[:4]] == [1, Fraction(8, 7), Fraction(9, 8), Fraction(62, 55)]
-    errors = {r.ratio: r.error for r in ratios}
-    assert errors[1] == Fraction(104, 99) - 1
+def test_convergents_of_the_papers_ratio_are_the_best_machines_to_build():
+    ratios = nt.convergents(nt.continued_fraction(*PAPER, 5))
+    assert ratios[:4] == [1, Fraction(8, 7), Fraction(9, 8), Fraction(62, 55)]
+    errors = {ratio: nt.normalized_frequency_squared_exact(*nt.BodyChoice().bodies, ratio) - 1 for ratio in ratios}
     # Two significant digits, as quoted: +8.5e-4 and −6.0e-6.
     assert Fraction(845, 10**6) < errors[Fraction(9, 8)] < Fraction(855, 10**6)
     assert -Fraction(605, 10**8) < errors[Fraction(62, 55)] < -Fraction(595, 10**8)
-
-
-def test_practical_ratios_are_best_approximations():
     mpmath.mp.dps = 40
     root = (mpmath.sqrt(1729) - 1) / 36
-    for found in nt.practical_ratios(terms=5)[1:]:
-        distance = abs(mpmath.mpf(found.ratio.numerator) / found.ratio.denominator - root)
-        for q in range(1, found.ratio.denominator):
+    for found in ratios[1:]:
+        distance = abs(mpmath.mpf(found.numerator) / found.denominator - root)
+        for q in range(1, found.denominator):
             assert abs(mpmath.nint(q * root) / q - root) > distance
-
-
-@pytest.mark.parametrize("machine", nt.machines()[::5], ids=lambda m: "-".join(m.bodies))
-def test_practical_ratios_leave_the_stated_error(machine):
-    frequency, symbols = derived_frequency()
-    target = Fraction(4, 3)
-    for found in nt.practical_ratios(*machine.bodies, target, 5):
-        values = dict(zip(symbols, map(exact, (*betas_of(machine), found.ratio)), strict=True))
-        assert exact(found.error) == frequency.subs(values) - exact(target)
-        assert found.ratio > 0
-
-
-def test_practical_ratio_of_a_rational_machine_is_exact():
-    assert nt.practical_ratios("hoop", "cylinder", 0, terms=100)[-1].error == 0
 
 
 # Exactness and bad input
@@ -466,7 +448,7 @@ def outputs() -> list[object]:
     for one in (1, np.int64(1), sp.Integer(1), sp.Rational(1)):
         results += [nt.unit_quadratic(one, sp.Rational(1, 2), Fraction(1, 2), one), nt.norm_form(one)]
         results += [nt.normalized_frequency_squared_exact(one, 0, 0, one), nt.BodyChoice(target=one)]
-        results += [nt.practical_ratios(target=one), nt.convergents([one, one])]
+        results += [nt.convergents([one, one])]
     quadratic = tuple(map(np.int64, PAPER))
     results += [nt.discriminant(*quadratic), nt.continued_fraction(*quadratic, 9)]
     results += [nt.positive_root_digits(*quadratic, np.int64(30)), nt.smallest_taxicab(), dict(nt.BODIES)]
@@ -474,7 +456,7 @@ def outputs() -> list[object]:
 
 
 def test_answers_are_integers_fractions_and_text():
-    kept = {int, Fraction, str, list, tuple, dict, nt.BodyChoice, nt.PracticalRatio}
+    kept = {int, Fraction, str, list, tuple, dict, nt.BodyChoice}
     assert {type(value) for value in everything(outputs())} <= kept
     # Negative control: the walk finds a float inside a container.
     assert float in {type(value) for value in everything([(1, {"x": [0.5]})])}
@@ -514,7 +496,7 @@ def test_values_outside_their_range_are_refused_by_name():
         refused += [("beta_b", lambda bad=bad: nt.unit_quadratic("hoop", bad, "cylinder"))]
         refused += [("top", lambda bad=bad: nt.BodyChoice("hoop", "cylinder", bad))]
     for bad in (0, -1, LIGHT_ROLLERS_LIMIT, 2):
-        calls = (nt.BodyChoice, nt.practical_ratios, nt.norm_form, nt.machines, nt.one_change_away)
+        calls = (nt.BodyChoice, nt.norm_form, nt.machines)
         refused += [("target", lambda call=call, bad=bad: call(target=bad)) for call in calls]
     for name, call in refused:
         with pytest.raises(ValueError, match=rf"^{name} must"):
@@ -532,7 +514,6 @@ def test_largest_permitted_inputs_have_a_discriminant():
     quadratic = nt.unit_quadratic(*betas, Fraction(999_953, 999_997))
     assert nt.discriminant(*quadratic) > 10**24  # the primes above leave no common factor to cancel
     assert len(nt.positive_root_digits(*quadratic, 1000)) == 1002
-    # Here the root lies below 1, so that the first convergent is 0 and left out.
-    assert len(nt.practical_ratios(*betas, Fraction(999_953, 999_997), 100)) == 99
+    assert len(nt.convergents(nt.continued_fraction(*quadratic, 100))) == 100
     with pytest.raises(ValueError, match=r"^n must"):
         _ = nt.BodyChoice(*betas, Fraction(999_953, 999_997)).factorization

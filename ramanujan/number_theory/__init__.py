@@ -11,10 +11,8 @@ discriminant 1729 = 1³ + 12³ = 9³ + 10³.
 from ramanujan.number_theory.bodies import (
     BODIES,
     BodyChoice,
-    PracticalRatio,
     norm_form,
     normalized_frequency_squared_exact,
-    practical_ratios,
     unit_quadratic,
 )
 from ramanujan.number_theory.integers import (
@@ -34,7 +32,6 @@ from ramanujan.number_theory.survey import machines, one_change_away
 __all__ = [
     "BODIES",
     "BodyChoice",
-    "PracticalRatio",
     "continued_fraction",
     "convergents",
     "discriminant",
@@ -45,7 +42,6 @@ __all__ = [
     "normalized_frequency_squared_exact",
     "one_change_away",
     "positive_root_digits",
-    "practical_ratios",
     "represent_x2_plus_3y2",
     "smallest_taxicab",
     "squarefree_part",

@@ -68,7 +68,7 @@ def normalized_frequency_squared_exact(
     epsilon = rational("ratio", ratio, LARGEST_RATIO_PART)
     if epsilon < 0:
         raise ValueError(_("ratio must not be negative"))
-    return _normalized_frequency_squared(s, gamma, epsilon)
+    return (2 + gamma + 2 * epsilon) / (1 + gamma + (2 + gamma) * (2 + s) * epsilon / 4 + s * epsilon**2 / 2)
 
 
 def unit_quadratic(
@@ -195,54 +195,6 @@ def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
     """
     w = BodyChoice(target=target).target
     return 48 * w.denominator - 7 * w.numerator, 4 * w.numerator
-
-
-@dataclass(frozen=True)
-class PracticalRatio:
-    """A mass ratio ε that a workshop can make, and the error Ω²m/k − w that it leaves, both exact."""
-
-    ratio: Fraction
-    error: Fraction
-
-
-def practical_ratios(
-    beta_a: ShapeFactor = "hoop",
-    beta_b: ShapeFactor = "cylinder",
-    beta_c: ShapeFactor = "cylinder",
-    target: int | Fraction = 1,
-    terms: int = 6,
-) -> list[PracticalRatio]:
-    """Return the convergents of the exact mass ratio as machines to build, each with its exact error in Ω²m/k.
-
-    No fraction with a smaller denominator lies closer to the exact mass ratio than a convergent after the first.
-
-    Parameters
-    ----------
-    beta_a, beta_b, beta_c, target : as in `unit_quadratic`
-    terms : how many convergents, from 1 to 100; a first convergent 0 (no rollers) is left out
-
-    Returns
-    -------
-    the ratios, each with its error
-
-    Raises
-    ------
-    ValueError : as in `unit_quadratic`, or the number of terms is not such an integer.
-
-    >>> practical_ratios(terms=3)[-1].ratio
-    Fraction(9, 8)
-    """
-    bodies = (beta_a, beta_b, beta_c)
-    quotients = integers.continued_fraction(*unit_quadratic(*bodies, target), terms)
-    ratios = integers.convergents(quotients)
-    inertia = _inertia(*bodies)
-    w = rational("target", target, LARGEST_PART)
-    return [PracticalRatio(ratio, _normalized_frequency_squared(*inertia, ratio) - w) for ratio in ratios if ratio]
-
-
-def _normalized_frequency_squared(s: Fraction, gamma: Fraction, epsilon: Fraction) -> Fraction:
-    """Return Ω²m/k from s, γ and ε, unchecked: convergents may be longer than what a caller may pass."""
-    return (2 + gamma + 2 * epsilon) / (1 + gamma + (2 + gamma) * (2 + s) * epsilon / 4 + s * epsilon**2 / 2)
 
 
 def _inertia(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> tuple[Fraction, Fraction]:

@@ -31,26 +31,18 @@ def machines(target: int | Fraction = 1) -> list[BodyChoice]:
     return [BodyChoice(left, right, top, target) for left, right in pairs for top in BODIES]
 
 
-def one_change_away(target: int | Fraction = 1) -> list[BodyChoice]:
+def one_change_away() -> list[BodyChoice]:
     """Return the nine of the 40 machines that differ from the paper's in exactly one body.
-
-    Parameters
-    ----------
-    target : w = Ω²m/k, dimensionless
 
     Returns
     -------
     the machines, in the order of `machines`
 
-    Raises
-    ------
-    ValueError : the target is not an exact number that all 40 machines can reach.
-
     >>> len(one_change_away())
     9
     """
     paper = BodyChoice()
-    return [machine for machine in machines(target) if _bodies_changed(machine, paper) == 1]
+    return [machine for machine in machines() if _bodies_changed(machine, paper) == 1]
 
 
 def _bodies_changed(one: BodyChoice, other: BodyChoice) -> int:

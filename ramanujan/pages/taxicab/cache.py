@@ -138,10 +138,12 @@ class PracticalMachine:
 @st.cache_resource(show_spinner=False)
 def practical_machines() -> tuple[PracticalMachine, ...]:
     """Return the first convergents of the paper's mass ratio as machines to build."""
+    ratios = number_theory.convergents(quotients(5))
+    errors = [number_theory.normalized_frequency_squared_exact(*BodyChoice().bodies, ratio) - 1 for ratio in ratios]
+    # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
     return tuple(
-        # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
-        PracticalMachine(entry.ratio, entry.error, (1 + (1 + entry.error) ** 0.5) / abs(entry.error))
-        for entry in number_theory.practical_ratios(terms=5)
+        PracticalMachine(ratio, error, (1 + (1 + error) ** 0.5) / abs(error))
+        for ratio, error in zip(ratios, errors, strict=True)
     )
 
 
