@@ -154,15 +154,6 @@ def one_of(name: str, value: object, allowed: Collection[str]) -> str:
     return value
 
 
-def some_of(name: str, values: object, allowed: Collection[str]) -> list[str]:
-    """Return names that are all among the allowed ones, as a list.
-
-    >>> some_of("methods", ["rk4"], ("rk4", "yoshida4"))
-    ['rk4']
-    """
-    return [one_of(name, value, allowed) for value in sequence(name, values)]
-
-
 def sequence(name: str, values: object) -> list[object]:
     """Return an ordered iterable as a list; text counts as one value, not as a sequence of letters.
 

@@ -198,17 +198,9 @@ def test_cheapest_is_sorted_and_within_the_tolerance(curves):
         (lambda: cheapest([], 0), "tolerance"),
         (lambda: cheapest([], math.nan), "tolerance"),
         (lambda: cheapest([], 1, by="beauty"), "by"),
-        (lambda: extremes(["magic"]), "forms"),
         (lambda: extremes(dtypes=["float16"]), "dtypes"),
-        (lambda: extremes(samples_per_decade=0), "samples_per_decade"),
-        (lambda: eigen_solvers(samples_per_decade=10**6), "samples_per_decade"),
-        (lambda: phase_errors(MACHINE, 16), "largest_decade"),
-        (lambda: phase_errors(MACHINE, 3, 0), "samples"),
-        (lambda: curve_sampling((1,)), "points"),
-        (lambda: curve_sampling(height=0), "height"),
         (lambda: closed_form(MACHINE, [0]), "periods"),
         (lambda: arithmetics(-1.0), "mass_ratio"),
-        (lambda: arithmetics(1.0, [0]), "digits"),
     ],
 )
 def test_bad_arguments_are_named_at_once(call, name):
@@ -218,7 +210,7 @@ def test_bad_arguments_are_named_at_once(call, name):
 
 @cache
 def all_sweeps():
-    return {(s.form, s.dtype, s.along): s for s in extremes(samples_per_decade=2)}
+    return {(s.form, s.dtype, s.along): s for s in extremes()}
 
 
 @pytest.fixture
@@ -277,7 +269,7 @@ def test_two_polynomials_overflow_to_nan_and_divide_by_zero(sweeps):
 
 
 @settings(deadline=None, max_examples=60)
-@given(form=st.sampled_from(sorted(FORMS)), sample=st.integers(0, 1200), along=st.sampled_from(["ratio", "scale"]))
+@given(form=st.sampled_from(sorted(FORMS)), sample=st.integers(0, 1800), along=st.sampled_from(["ratio", "scale"]))
 def test_errors_agree_with_exact_fractions(form, sample, along):
     sweep = all_sweeps()[form, "float64", along]
     x = Fraction(float(sweep.x[sample]))
@@ -319,17 +311,17 @@ def test_phase_errors(machine):
 
 
 def test_chords_of_a_cosine_miss_it_by_what_geometry_says():
-    for sampling in curve_sampling((17, 65, 257), height=300):
-        if sampling.curve == "cosine":
+    for sampling in curve_sampling():
+        if sampling.curve == "cosine" and sampling.points > 9:
             # An arc's chord under the crest: 1 − cos of half a step, times half the height; off the crest a bit less.
-            most = (1 - math.cos(math.pi / (sampling.points - 1))) * 150
+            most = (1 - math.cos(math.pi / (sampling.points - 1))) * 200
             assert 0.95 * most < sampling.pixels <= most * (1 + 1e-9)
         assert sampling.bytes == 16 * sampling.points
 
 
 def test_more_points_miss_less():
     for name in ("cosine", "frequency"):
-        pixels = [s.pixels for s in curve_sampling((5, 9, 17, 33, 65)) if s.curve == name]
+        pixels = [s.pixels for s in curve_sampling() if s.curve == name]
         assert pixels == sorted(pixels, reverse=True)
         assert pixels[-2] / pixels[-1] == pytest.approx(4, rel=0.1)  # chords are of second order
 
@@ -341,11 +333,11 @@ def test_closed_form_does_not_lose_digits():
 
 
 def test_arithmetics_have_the_error_of_their_digits():
-    rows = {(row.kind, row.digits): row for row in arithmetics(1 / 3, (20, 40))}
+    rows = {(row.kind, row.digits): row for row in arithmetics(1 / 3)}
     assert rows["fraction", None].relative_error == 0
     assert 1e-9 < rows["float32", None].relative_error < 4 * 2.0**-23
     assert 0 < rows["float64", None].relative_error < 4 * 2.0**-52
-    for digits in (20, 40):
+    for digits in (30, 50):
         assert 0 < rows["mpmath", digits].relative_error < 10.0 ** (1 - digits)
 
 
@@ -353,7 +345,7 @@ def test_comparisons_and_timings_are_ordered():
     for row in caching(MACHINE):
         assert row.ratio == row.slow_seconds.median / row.fast_seconds.median
     calls = []
-    timing = measure(lambda: calls.append(1), repeats=3, shortest=1e-5)
+    timing = measure(lambda: calls.append(1))
     assert len(calls) > 3
     assert 0 < timing.low <= timing.median <= timing.high
 
@@ -362,7 +354,7 @@ def test_names_are_short_ids_and_not_words():
     named = {*FORMS, *SOLVERS, *METHODS}
     named |= {name for sweep in all_sweeps().values() for name in (sweep.form, sweep.along, *sweep.verdict)}
     named |= {row.kind for row in arithmetics()} | {row.name for row in caching(MACHINE)}
-    named |= {row.curve for row in curve_sampling((9,))}
+    named |= {row.curve for row in curve_sampling()}
     assert {name for name in named if not re.fullmatch(r"[a-z][a-z0-9_]{2,20}", name)} == set()
 
 

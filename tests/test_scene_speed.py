@@ -265,7 +265,7 @@ def test_special_numbers(value, text):
 
 
 def test_forms_that_never_fail_are_named_right():
-    sweeps = [s for s in extremes(samples_per_decade=1) if (s.along, s.dtype) == ("scale", "float64")]
+    sweeps = [s for s in extremes() if (s.along, s.dtype) == ("scale", "float64")]
     sentence = verdicts.where_forms_fail(sweeps, "s")
     right = sentence.splitlines()[-1]
     assert "effective mass" in right
@@ -277,7 +277,7 @@ def test_forms_that_never_fail_are_named_right():
 
 def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app):
     app.run()
-    sweeps = [s for s in extremes(samples_per_decade=1) if (s.along, s.dtype) == ("scale", "float64")]
+    sweeps = [s for s in extremes() if (s.along, s.dtype) == ("scale", "float64")]
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in sweeps}
     for sweep, parts in zip(sweeps, strips.values(), strict=True):
         # A strip covers the whole range without a gap; at every sample it says what the sweep found.
@@ -320,7 +320,7 @@ def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
 
 def test_what_is_said_of_the_app_s_own_frequency_holds_for_a_machine_far_out():
     """The curve's form is wrong by 2 ulp here, and has no value at all for the second machine."""
-    said = own_choices.what_the_app_uses(cache.choices(), extremes(samples_per_decade=1))
+    said = own_choices.what_the_app_uses(cache.choices(), extremes())
     machine, curve = (line for line in said.splitlines() if "Ω²" in line.partition("**:")[0])
     claimed = float(re.search(r"at most ([\d.]+) ulp", machine)[1])
     for m, m_prime, k in ((1.8732999652319045, 7.5490236095328624, 7.557978417122431), (1e-200, 1e200, 1e200)):

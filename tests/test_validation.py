@@ -105,14 +105,14 @@ BAD = {
 }
 KINDS = {
     "number": "mass_ratio m m_prime k radius X phi Phi X_dot phi_dot Phi_dot compression "
-    "glide spin g spacing friction_coefficient periods height_px tolerance shortest",
+    "glide spin g spacing friction_coefficient periods height_px tolerance",
     "array": "t q q_dot v h times",
     "coefficient": "a b c",
-    "integer": "n digits terms points largest_decade samples samples_per_decade repeats every height",
+    "integer": "n digits terms points",
     "exact": "target ratio",
     "numbers": "quotients steps_per_period",
     "name": "method by dtype",
-    "names": "methods dtypes forms",
+    "names": "dtypes",
     "body": "beta_a beta_b beta_c left right top",
     "object": "oscillator initial motion acceleration call curve curves after between columns comments",
 }
@@ -125,12 +125,9 @@ SPECIAL = {
     ("error_history", "periods"): "integer",
     ("error_history", "steps_per_period"): "integer",
     ("closed_form", "periods"): "numbers",
-    ("curve_sampling", "points"): "numbers",
-    ("arithmetics", "digits"): "numbers",
 }
 PERMITTED = {
     "spacing": (math.inf,),
-    "forms": (None,),
     "after": (None,),
     # An acceleration may be any function, and any text may be a comment.
     "comments": (["nope"], "machine"),
@@ -165,18 +162,15 @@ GOOD = {
     "by": "seconds",
     "dtype": "float64",
     "dtypes": ["float64"],
-    "methods": ["rk4"],
-    "forms": ["paper"],
     "target": Fraction(1),
     "ratio": Fraction(1),
     "a": 18,
     "b": 1,
     "c": -24,
     "n": 1729,
-    "shortest": 1e-6,
     "normalized_frequency_squared": 1.0,
     **dict.fromkeys(("beta_a", "beta_b", "beta_c", "left", "right", "top"), "hoop"),
-    **dict.fromkeys(("digits", "terms", "largest_decade", "samples", "samples_per_decade", "repeats", "every"), 1),
+    **dict.fromkeys(("digits", "terms"), 1),
 }
 GOOD_FOR = {
     ("trajectory", "method"): METHODS["rk4"],
@@ -184,9 +178,6 @@ GOOD_FOR = {
     ("error_history", "periods"): 2,
     ("work_precision", "periods"): 2,
     ("closed_form", "periods"): [1],
-    ("curve_sampling", "points"): [5],
-    ("curve_sampling", "height"): 400,
-    ("arithmetics", "digits"): [20],
 }
 
 

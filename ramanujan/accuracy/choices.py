@@ -27,6 +27,8 @@ Value: TypeAlias = float | np.floating | np.ndarray | Fraction | mpmath.mpf
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
 PERIODS = (1, 10, 100, 1000, 10_000)
 DIGITS = (15, 30, 50, 100)
+HEIGHT = 400
+"""Of the figure that the curves fill [pixels]."""
 LARGEST_MASS_RATIO = 4.0
 """Right end of the sampled Ω² curve."""
 
@@ -95,32 +97,17 @@ class Comparison:
         return self.slow_seconds.median / self.fast_seconds.median
 
 
-def curve_sampling(points: Sequence[int] = POINTS, height: int = 400) -> list[CurveSampling]:
-    """Return the error on screen of both curves for each number of points.
+def curve_sampling() -> list[CurveSampling]:
+    """Return the error on screen of both curves for each number of POINTS.
 
-    Parameters
-    ----------
-    points : numbers of samples, the ends included; at least 2
-    height : height of the figure [pixels]
-
-    Returns
-    -------
-    a `CurveSampling` for each curve and number of points
-
-    Raises
-    ------
-    ValueError : an argument is outside its range.
-
-    >>> [sampling.curve for sampling in curve_sampling([17])]
-    ['cosine', 'frequency']
+    >>> {sampling.curve for sampling in curve_sampling()} == {"cosine", "frequency"}
+    True
     """
-    height = integer("height", height, 1, 100_000)
-    numbers = [integer("points", n, 2, 10_000) for n in sequence("points", points)]
     curves: list[tuple[str, Callable, float]] = [
         ("cosine", np.cos, 2 * np.pi),
         ("frequency", normalized_frequency_squared, LARGEST_MASS_RATIO),
     ]
-    return [_sampled(*curve, n, height) for curve in curves for n in numbers]
+    return [_sampled(*curve, n) for curve in curves for n in POINTS]
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
@@ -147,13 +134,12 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     return [_closed_form(oscillator, n) for n in wholes]
 
 
-def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIGITS) -> list[Arithmetic]:
+def arithmetics(mass_ratio: float = UNIT_MASS_RATIO) -> list[Arithmetic]:
     """Return error and cost of Ω²m/k in float32, float64, exact fractions, and mpmath with n digits.
 
     Parameters
     ----------
     mass_ratio : ε, taken as exactly this float
-    digits : decimal digits that mpmath carries
 
     Returns
     -------
@@ -161,15 +147,14 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
 
     Raises
     ------
-    ValueError : the mass ratio is negative or not finite, or a number of digits is not from 1 to 300.
+    ValueError : the mass ratio is negative or not finite.
 
-    >>> [(value.kind, value.digits) for value in arithmetics(1.0, [30])][-2:]
-    [('fraction', None), ('mpmath', 30)]
+    >>> [(value.kind, value.digits) for value in arithmetics(1.0)][-2:]
+    [('mpmath', 50), ('mpmath', 100)]
     """
     epsilon = real("mass_ratio", mass_ratio)
     # This call raises ValueError for a negative ratio.
     normalized_frequency_squared(epsilon)
-    wholes = [integer("digits", n, 1, 300) for n in sequence("digits", digits)]
     many, few = np.full(ARRAY, epsilon), np.float32(epsilon)
     cases: list[tuple[str, int | None, Callable[[], Value], int]] = [
         ("float32", None, lambda: normalized_frequency_squared(few), 1),
@@ -178,7 +163,7 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO, digits: Sequence[int] = DIG
         ("integers", None, lambda: _by_integers(epsilon), 1),
         ("fraction", None, lambda: _at(Fraction(epsilon)), 1),
     ]
-    cases += [("mpmath", n, _with_digits(n, epsilon), 1) for n in wholes]
+    cases += [("mpmath", n, _with_digits(n, epsilon), 1) for n in DIGITS]
     exact = _at(Fraction(epsilon))
     return [_arithmetic(*case, exact) for case in cases]
 
@@ -205,7 +190,7 @@ def caching(oscillator: Oscillator) -> list[Comparison]:
     return [compare(oscillator) for compare in (_frequency_again, _state_again, _states_at_once)]
 
 
-def _sampled(name: str, curve: Callable, end: float, points: int, height: int) -> CurveSampling:
+def _sampled(name: str, curve: Callable, end: float, points: int) -> CurveSampling:
     x = np.linspace(0, end, points)
     y = curve(x)
     between = x[:-1] + _BETWEEN * np.diff(x)
@@ -213,7 +198,7 @@ def _sampled(name: str, curve: Callable, end: float, points: int, height: int) -
     # The height of the curve, not of these samples: two samples may have equal values.
     extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
     return CurveSampling(
-        name, points, float(distance / extent * height), x.nbytes + y.nbytes, measure(lambda: curve(x))
+        name, points, float(distance / extent * HEIGHT), x.nbytes + y.nbytes, measure(lambda: curve(x))
     )
 
 

@@ -18,7 +18,7 @@ from ramanujan.accuracy.measurement import REFERENCE, exact_frequency_squared, f
 from ramanujan.frequency import frequency_squared, normalized_frequency_squared
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
-from ramanujan.validation import integer, sequence, some_of
+from ramanujan.validation import sequence
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow", "zero", "plausible"
 """The verdicts: few enough ulp; some digits lost; ∞ or NaN; 0; finite and not 0, but wrong."""
@@ -93,16 +93,12 @@ class Sweep:
         ]
 
 
-def extremes(
-    forms: Iterable[str] | None = None, dtypes: Iterable[str] = tuple(DECADES), samples_per_decade: int = 3
-) -> list[Sweep]:
+def extremes(dtypes: Iterable[str] = tuple(DECADES)) -> list[Sweep]:
     """Return the sweeps: one `Sweep` per sweep, dtype and form.
 
     Parameters
     ----------
-    forms : names in FORMS, all if None
     dtypes : "float32", "float64"
-    samples_per_decade : samples between two powers of ten, from 1 to 20
 
     Returns
     -------
@@ -110,21 +106,14 @@ def extremes(
 
     Raises
     ------
-    ValueError : an argument is outside its range.
+    ValueError : there is no such dtype.
 
-    >>> sweep, *_ = extremes(["paper"], ["float32"], 1)
+    >>> sweep, *_ = extremes(["float32"])
     >>> [stretch.verdict for stretch in sweep.stretches]
     ['right', 'zero']
     """
-    names = list(FORMS) if forms is None else some_of("forms", forms, FORMS)
     kinds = {dtype: float_type("dtypes", dtype) for dtype in sequence("dtypes", dtypes)}
-    density = integer("samples_per_decade", samples_per_decade, 1, 20)
-    return [
-        sweep
-        for along in SWEPT
-        for dtype, kind in kinds.items()
-        for sweep in _sweeps(names, along, dtype, kind, density)
-    ]
+    return [sweep for along in SWEPT for dtype, kind in kinds.items() for sweep in _sweeps(along, dtype, kind)]
 
 
 def _paper(m: Values, m_prime: Values, k: Values) -> Values:
@@ -173,17 +162,17 @@ FORMS: dict[str, Form] = {
 """The forms of Ω² by name; `normalized_frequency_squared` evaluates the last but one, `Oscillator` the last one."""
 
 
-def _sweeps(names: list[str], along: str, dtype: str, kind: type[np.floating], density: int) -> Iterator[Sweep]:
-    x, m, m_prime, k = _swept(along, dtype, kind, density)
+def _sweeps(along: str, dtype: str, kind: type[np.floating]) -> Iterator[Sweep]:
+    x, m, m_prime, k = _swept(along, dtype, kind)
     truth = list(map(exact_frequency_squared, m, m_prime, k))
-    for name in names:
+    for name, form in FORMS.items():
         with np.errstate(all="ignore"):
-            value = FORMS[name].evaluate(m, m_prime, k)
+            value = form.evaluate(m, m_prime, k)
         error_ulp, relative = ulp_errors(value, truth, kind)
         yield Sweep(name, dtype, along, x, value, error_ulp, _verdicts(value, error_ulp, relative))
 
 
-def _swept(along: str, dtype: str, kind: type[np.floating], density: int) -> tuple[Values, Values, Values, Values]:
+def _swept(along: str, dtype: str, kind: type[np.floating]) -> tuple[Values, Values, Values, Values]:
     """Return x of a sweep, and m, m′ and k there."""
     if along == "machines":
         decades = DECADES[dtype]
@@ -192,7 +181,7 @@ def _swept(along: str, dtype: str, kind: type[np.floating], density: int) -> tup
         within = np.abs(k - np.maximum(m, m_prime)) < decades - 1
         m, m_prime, k = (10.0 ** exponents[:, within]).astype(kind)
         return np.arange(m.size, dtype=kind), m, m_prime, k
-    x = powers_of_ten(dtype, kind, density)
+    x = powers_of_ten(dtype, kind, 3)
     one = np.ones_like(x)
     return (x, one, x, one) if along == "ratio" else (x, x, x, x)
 

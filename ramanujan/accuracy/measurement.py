@@ -11,11 +11,10 @@ import mpmath
 import numpy as np
 
 from ramanujan.frequency import frequency_squared
-from ramanujan.numerals import quantity
-from ramanujan.translation import _
-from ramanujan.validation import function, integer, one_of, positive
+from ramanujan.validation import function, one_of, positive
 
-_LONGEST_BATCH = 60
+_REPEATS, _SHORTEST = 7, 1e-3
+"""Batches of which the median and the quartiles are taken, and the least duration of a batch [s]."""
 
 REFERENCE = mpmath.MPContext()
 """50-digit arithmetic with an exponent of any size; a separate context, since mpmath.mp is shared."""
@@ -31,14 +30,12 @@ class Timing:
     high: float
 
 
-def measure(call: Callable[[], object], repeats: int = 7, shortest: float = 1e-3) -> Timing:
+def measure(call: Callable[[], object]) -> Timing:
     """Return the duration of a call, with its spread.
 
     Parameters
     ----------
     call : called without arguments, many times
-    repeats : number of batches; the median and the quartiles are taken over them
-    shortest : least duration of a batch [s], much longer than the clock's resolution; at most a minute
 
     Returns
     -------
@@ -46,19 +43,16 @@ def measure(call: Callable[[], object], repeats: int = 7, shortest: float = 1e-3
 
     Raises
     ------
-    ValueError : call is not a function, repeats is not an integer from 1 to 1000, or shortest is out of its range.
+    ValueError : call is not a function.
 
-    >>> measure(lambda: sum(range(100)), repeats=3, shortest=1e-4).median > 0
+    >>> measure(lambda: sum(range(100))).median > 0
     True
     """
     function("call", call)
-    integer("repeats", repeats, 1, 1000)
-    if positive("shortest", shortest) > _LONGEST_BATCH:
-        raise ValueError(_("shortest must be at most {most}").format(most=quantity(_LONGEST_BATCH, "s")))
     calls = 1
-    while (seconds := _batch(call, calls)) < shortest:
-        calls = max(2 * calls, math.ceil(calls * shortest / max(seconds, 1e-7)))
-    per_call = [_batch(call, calls) / calls for _repeat in range(repeats)]
+    while (seconds := _batch(call, calls)) < _SHORTEST:
+        calls = max(2 * calls, math.ceil(calls * _SHORTEST / max(seconds, 1e-7)))
+    per_call = [_batch(call, calls) / calls for _repeat in range(_REPEATS)]
     low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
     return Timing(median, low, high)
 

@@ -18,7 +18,7 @@ from ramanujan.motion import InitialState, motion
 from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
-from ramanujan.validation import finite_array, instance, integer
+from ramanujan.validation import finite_array, instance
 
 LARGEST_DECADE = 15
 """Beyond 1e15 periods neighbouring doubles t are a quarter of a period apart: t itself no longer determines a phase."""
@@ -37,14 +37,12 @@ class PhaseErrors:
     reduced: float
 
 
-def phase_errors(oscillator: Oscillator, largest_decade: int = LARGEST_DECADE, samples: int = 16) -> list[PhaseErrors]:
-    """Return the phase errors after 1, 10, 100, … 10^largest_decade periods, against 50-digit arithmetic.
+def phase_errors(oscillator: Oscillator) -> list[PhaseErrors]:
+    """Return the phase errors after 1, 10, 100, … 10^LARGEST_DECADE periods, against 50-digit arithmetic.
 
     Parameters
     ----------
     oscillator : the machine
-    largest_decade : from 1 to LARGEST_DECADE
-    samples : times per decade, each a whole number of periods plus a fraction of one; the largest error counts
 
     Returns
     -------
@@ -52,18 +50,18 @@ def phase_errors(oscillator: Oscillator, largest_decade: int = LARGEST_DECADE, s
 
     Raises
     ------
-    ValueError : an argument is outside its range, or the longest time is.
+    ValueError : oscillator is not an `Oscillator`, or the longest time is outside the range of float64.
 
-    >>> [near.periods for near in phase_errors(Oscillator(), 2)]
+    >>> [near.periods for near in phase_errors(Oscillator())][:3]
     [1.0, 10.0, 100.0]
     """
     instance("oscillator", oscillator, Oscillator)
-    last = integer("largest_decade", largest_decade, 1, LARGEST_DECADE)
-    if not math.isfinite(oscillator.period * 10.0**last * 2):
+    if not math.isfinite(oscillator.period * 10.0**LARGEST_DECADE * 2):
         sentence = _("oscillator has a period of {period}, too long for {count} of them")
-        raise ValueError(sentence.format(period=quantity(oscillator.period, "s", 3), count=number(10.0**last)))
-    fractions = np.arange(integer("samples", samples, 1, 1000)) / samples
-    return [_errors_near(oscillator, 10.0**decade, fractions) for decade in range(last + 1)]
+        raise ValueError(
+            sentence.format(period=quantity(oscillator.period, "s", 3), count=number(10.0**LARGEST_DECADE))
+        )
+    return [_errors_near(oscillator, 10.0**decade) for decade in range(LARGEST_DECADE + 1)]
 
 
 def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
@@ -97,8 +95,8 @@ def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
     )
 
 
-def _errors_near(oscillator: Oscillator, periods: float, fractions: NDArray[np.float64]) -> PhaseErrors:
-    times = oscillator.period * (periods + fractions)
+def _errors_near(oscillator: Oscillator, periods: float) -> PhaseErrors:
+    times = oscillator.period * (periods + np.arange(16) / 16)
     exact = _exact_phases(oscillator, times)
     omega = oscillator.natural_frequency
     with np.errstate(over="ignore", under="ignore", invalid="ignore"):

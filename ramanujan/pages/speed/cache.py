@@ -142,7 +142,7 @@ def choices() -> list[object]:
     machine = Oscillator()
     experiments = (
         closed_form(machine),
-        curve_sampling(height=downsampling.FIGURE_HEIGHT),
+        curve_sampling(),
         arithmetics(machine.mass_ratio),
         caching(machine),
     )

@@ -16,7 +16,7 @@ from ramanujan.motion import released
 
 SAMPLES_PER_PERIOD = 32
 """A run with more steps than that is downsampled: straight pieces between so many points of a swing look round."""
-FIGURE_HEIGHT, SCREEN_HEIGHT = 400, 1080
+SCREEN_HEIGHT = 1080
 """Pixels that errors on screen are held against."""
 SHOWN_PERIODS = 8
 """Periods that the stage plays before it begins again."""

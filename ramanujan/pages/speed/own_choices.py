@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ramanujan.accuracy import FORMS
-from ramanujan.accuracy.choices import STATES, Arithmetic, ClosedForm, Comparison, CurveSampling
+from ramanujan.accuracy.choices import HEIGHT, STATES, Arithmetic, ClosedForm, Comparison, CurveSampling
 from ramanujan.accuracy.extremes import RIGHT, Sweep
 from ramanujan.numerals import duration, number
-from ramanujan.pages.speed.downsampling import FIGURE_HEIGHT, SCREEN_HEIGHT
+from ramanujan.pages.speed.downsampling import SCREEN_HEIGHT
 from ramanujan.translation import _
 
 
@@ -93,7 +93,7 @@ def _curves(curves: Sequence[CurveSampling]) -> str:
         "draw one period to {cosine_error} pixel, and {curve} points draw the curve of Ω² to {curve_error} "
         "pixel."
     ).format(
-        height=FIGURE_HEIGHT,
+        height=HEIGHT,
         cosine=enough["cosine"].points,
         cosine_error=number(enough["cosine"].pixels),
         curve=enough["frequency"].points,
