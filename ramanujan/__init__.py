@@ -26,8 +26,7 @@ A notebook needs this package alone:
     machine = Oscillator(m=1, m_prime=1.127, k=10)
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
-`Oscillator`, the Ω² curve and the motion are loaded at once; the energies, the contacts and the integrators when they
-are first asked for. One motion with everything known of it, and as CSV: `ramanujan.record`.
+One motion with everything known of it, and as CSV: `ramanujan.record`.
 
 Reading order: `oscillator` and `frequency` (the numbers), `motion` (time), `energy` and `contact` (what it carries),
 `derivation` (where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing
@@ -38,10 +37,17 @@ each), `shell` (what all pages share). `validation` says which arguments are acc
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING
-
+from ramanujan.contact import (
+    contact_forces,
+    first_to_slip,
+    largest_compression,
+    normal_forces,
+    required_friction,
+    travel_amplitude,
+)
+from ramanujan.energy import energies, momenta
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for, normalized_frequency_squared
+from ramanujan.integrators import METHODS, trajectory
 from ramanujan.motion import (
     InitialState,
     ground_positions,
@@ -53,32 +59,6 @@ from ramanujan.motion import (
     with_initial_velocities,
 )
 from ramanujan.oscillator import Oscillator, drawn_spacing
-
-if TYPE_CHECKING:
-    from ramanujan.contact import (
-        contact_forces,
-        first_to_slip,
-        largest_compression,
-        normal_forces,
-        required_friction,
-        travel_amplitude,
-    )
-    from ramanujan.energy import energies, momenta
-    from ramanujan.integrators import METHODS, trajectory
-
-_LOADED_WHEN_ASKED_FOR = {
-    "energies": "energy",
-    "momenta": "energy",
-    "contact_forces": "contact",
-    "first_to_slip": "contact",
-    "largest_compression": "contact",
-    "normal_forces": "contact",
-    "required_friction": "contact",
-    "travel_amplitude": "contact",
-    "METHODS": "integrators",
-    "trajectory": "integrators",
-}
-"""Name → room. The first page needs none of these, and must not wait for them."""
 
 __all__ = [
     "METHODS",
@@ -105,14 +85,3 @@ __all__ = [
     "travel_amplitude",
     "with_initial_velocities",
 ]
-
-
-def __getattr__(name: str) -> object:
-    """Load a room when one of its names is first asked for (PEP 562)."""
-    if name not in _LOADED_WHEN_ASKED_FOR:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_LOADED_WHEN_ASKED_FOR[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})

@@ -16,23 +16,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import (
-    FORMS,
-    SOLVERS,
-    arithmetics,
-    caching,
-    cheapest,
-    closed_form,
-    curve_sampling,
-    eigen_solvers,
-    error_history,
-    extremes,
-    measure,
-    phase_errors,
-    timed,
-    work_precision,
-)
 from ramanujan.accuracy.__main__ import main
+from ramanujan.accuracy.choices import arithmetics, caching, closed_form, curve_sampling
+from ramanujan.accuracy.extremes import FORMS, extremes
+from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
+from ramanujan.accuracy.history import error_history
+from ramanujan.accuracy.measurement import measure
+from ramanujan.accuracy.phase import phase_errors
+from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
 from ramanujan.integrators import METHODS, trajectory
 
 MACHINE = Oscillator(m=1.3, m_prime=0.7, k=40.0)

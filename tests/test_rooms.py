@@ -45,9 +45,6 @@ ROOMS = {
 
 OTHER_PAGES = (
     "accuracy",
-    "integrators",
-    "contact",
-    "energy",
     "record",
     "table",
     "number_theory",

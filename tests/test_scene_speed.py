@@ -19,8 +19,11 @@ from hypothesis import strategies as strategy
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import FORMS, Timing, cheapest, error_history, extremes, phase_errors
-from ramanujan.accuracy.work_precision import WorkPrecision
+from ramanujan.accuracy.extremes import FORMS, extremes
+from ramanujan.accuracy.history import error_history
+from ramanujan.accuracy.measurement import Timing
+from ramanujan.accuracy.phase import phase_errors
+from ramanujan.accuracy.work_precision import WorkPrecision, cheapest
 from ramanujan.figures import speed as figures
 from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory

@@ -21,7 +21,7 @@ import sympy as sp
 
 import ramanujan
 from ramanujan import METHODS, InitialState, Oscillator, motion
-from ramanujan.accuracy import work_precision
+from ramanujan.accuracy.work_precision import work_precision
 from ramanujan.number_theory import BodyChoice
 from ramanujan.record import record
 from ramanujan.validation import coordinates, floats, integer, positive, rational, real, sequence, shown

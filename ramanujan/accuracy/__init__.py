@@ -13,31 +13,3 @@
 Every experiment is a plain function, which measures or computes every number when it is called. Results are frozen
 dataclasses.
 """
-
-from ramanujan.accuracy.choices import arithmetics, caching, closed_form, curve_sampling
-from ramanujan.accuracy.extremes import FORMS, extremes
-from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
-from ramanujan.accuracy.history import error_history
-from ramanujan.accuracy.measurement import Timing, measure
-from ramanujan.accuracy.phase import phase_errors
-from ramanujan.accuracy.runs import seconds_per_step
-from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
-
-__all__ = [
-    "FORMS",
-    "SOLVERS",
-    "Timing",
-    "arithmetics",
-    "caching",
-    "cheapest",
-    "closed_form",
-    "curve_sampling",
-    "eigen_solvers",
-    "error_history",
-    "extremes",
-    "measure",
-    "phase_errors",
-    "seconds_per_step",
-    "timed",
-    "work_precision",
-]

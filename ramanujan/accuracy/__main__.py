@@ -15,9 +15,11 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from ramanujan import accuracy
-from ramanujan.accuracy.choices import STATES
+from ramanujan.accuracy import choices, work_precision
+from ramanujan.accuracy.extremes import extremes
+from ramanujan.accuracy.general_solvers import eigen_solvers
 from ramanujan.accuracy.measurement import Timing
+from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import LONGEST_RUN, steps_within
 from ramanujan.accuracy.work_precision import DTYPES, SHOWN_STEPS, STEPS_PER_PERIOD, WorkPrecision
 from ramanujan.integrators import METHODS
@@ -59,12 +61,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
     # Bad settings are refused before the long work, not after it.
-    accuracy.cheapest([], options.tolerance)
+    work_precision.cheapest([], options.tolerance)
     n = options.periods
     shown = [steps_within(each, integer("periods", n, 1, LONGEST_RUN // 3)) for each in options.steps]
     searched = [*shown, *(each for each in STEPS_PER_PERIOD if each < max(shown))]
     pairs = [(method, dtype) for dtype in options.dtypes for method in METHODS]
-    curves = [accuracy.timed(accuracy.work_precision(*pair, n, searched)) for pair in pairs]
+    curves = [work_precision.timed(work_precision.work_precision(*pair, n, searched)) for pair in pairs]
     title = ngettext("Error and cost over {n} period", "Error and cost over {n} periods", n).format(n=n)
     yield title, (row for curve in curves for row in _runs(curve, shown))
     titles = {
@@ -72,7 +74,10 @@ def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iter
         "seconds": _("Fastest run of each method for errors of at most {tolerance}"),
     }
     for by, title in titles.items():
-        yield title.format(tolerance=_short(options.tolerance)), _rows(accuracy.cheapest(curves, options.tolerance, by))
+        yield (
+            title.format(tolerance=_short(options.tolerance)),
+            _rows(work_precision.cheapest(curves, options.tolerance, by)),
+        )
 
 
 def _runs(curve: WorkPrecision, shown: Sequence[int]) -> Iterator[Row]:
@@ -84,18 +89,18 @@ def _runs(curve: WorkPrecision, shown: Sequence[int]) -> Iterator[Row]:
 
 
 def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    yield _("Points of a curve 400 pixels high"), _rows(accuracy.curve_sampling())
-    yield _("Closed form"), _rows(accuracy.closed_form(oscillator))
-    yield _("Ω²m/k in several kinds of arithmetic"), _rows(accuracy.arithmetics(oscillator.mass_ratio))
+    yield _("Points of a curve 400 pixels high"), _rows(choices.curve_sampling())
+    yield _("Closed form"), _rows(choices.closed_form(oscillator))
+    yield _("Ω²m/k in several kinds of arithmetic"), _rows(choices.arithmetics(oscillator.mass_ratio))
     kept = _(
         "Ω and a state of a new machine (slow) and of the same one again (fast); {n} states singly (slow) and in one "
         "call (fast)"
     )
-    yield kept.format(n=STATES), _rows(accuracy.caching(oscillator), "ratio")
+    yield kept.format(n=choices.STATES), _rows(choices.caching(oscillator), "ratio")
 
 
 def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    sweeps = [sweep for sweep in accuracy.extremes(dtypes=options.dtypes) if sweep.along != "machines"]
+    sweeps = [sweep for sweep in extremes(dtypes=options.dtypes) if sweep.along != "machines"]
     of_form = ("form", "dtype", "along", "worst_right_ulp")
     yield (
         _("Forms of Ω² over the range of floating point"),
@@ -112,14 +117,14 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
                 "samples": sweep.error_ulp.size,
                 "without_frequency": sweep.without_frequency.sum(),
             }
-            for sweep in accuracy.eigen_solvers(dtypes=options.dtypes)
+            for sweep in eigen_solvers(dtypes=options.dtypes)
         ),
     )
 
 
 def _phase(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
     title = _("Phase error [rad] after many periods: of fl(Ω)·t in float32 and in float64, and of the reduced phase")
-    yield title, _rows(accuracy.phase_errors(oscillator))
+    yield title, _rows(phase_errors(oscillator))
 
 
 EXPERIMENTS: dict[str, Callable[[Oscillator, argparse.Namespace], Iterator[Table]]] = {

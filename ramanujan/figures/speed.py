@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,28 +39,8 @@ _STRIP = 62
 """Height [px] of the strip of a form, with its name above it."""
 
 
-@dataclass(frozen=True, eq=False)
-class Growth:
-    """Error curves of one method: name, numbers of periods, |energy error| and |phase error| [rad]."""
-
-    name: str
-    look: int
-    reach: np.ndarray
-    energy: np.ndarray
-    phase: np.ndarray
-    chosen: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Cost:
-    """A curve of the work–precision diagram: cost, error and step size of each run."""
-
-    name: str
-    look: int
-    dtype: str
-    cost: np.ndarray
-    error: np.ndarray
-    steps: np.ndarray
+Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""What is drawn of one method, point by point."""
 
 
 @dataclass(frozen=True)
@@ -73,36 +53,36 @@ class Part:
     word: str
 
 
-def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray], colors: Colors) -> Drawn:
+def error_growth(
+    curves: Mapping[str, Curve], chosen: str, exact: tuple[np.ndarray, np.ndarray], colors: Colors
+) -> Drawn:
     """Draw the energy error above, the phase error below, against the number of periods; all axes logarithmic.
 
     Parameters
     ----------
-    curves : one for each method, the chosen one drawn strongly
+    curves : name of each method → numbers of periods, |energy error| and |phase error| [rad]
+    chosen : the name of the method that is drawn strongly
     exact : numbers of periods and the closed form's phase error there [rad]
     colors : the theme's
     """
     hover = AFTER.format(periods="%{x:.4g}", error="%{customdata:.3g}") + EXTRA
+    tones = {name: look_of(number, colors)[0] for number, name in enumerate(curves)}
     # The chosen one is drawn last, on top.
-    curves = sorted(curves, key=lambda curve: curve.chosen)
+    ordered = sorted(curves, key=lambda name: name == chosen)
     closed = (_("closed form"), colors["ink"], exact[0], exact[1], {"width": 2, "dash": "dash"}, 1.0)
-    ends = np.log10([exact[0][0], exact[0][-1], *(end for curve in curves for end in curve.reach[[0, -1]])])
+    ends = np.log10(
+        [exact[0][0], exact[0][-1], *(end for reach, *_errors in curves.values() for end in reach[[0, -1]])]
+    )
     x_range = float(ends.min()), float(ends.max())
     traces, notes, shapes, axes = [], [], [], {}
-    for axis, place, title, most, several in (
-        ("y", UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, [c.energy for c in curves]),
-        ("y2", LOWER, _("phase error [rad]"), _PHASE_MOST, [c.phase for c in curves]),
+    for axis, place, title, most, kind in (
+        ("y", UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
+        ("y2", LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
     ):
         drawn = [
-            (
-                c.name,
-                look_of(c.look, colors)[0],
-                c.reach,
-                values,
-                {"width": 4 if c.chosen else 2},
-                1.0 if c.chosen else 0.8,
-            )
-            for c, values in zip(curves, several, strict=True)
+            (name, tones[name], curves[name][0], curves[name][kind], {"width": width}, opacity)
+            for name in ordered
+            for width, opacity in [(4, 1.0) if name == chosen else (2, 0.8)]
         ]
         drawn += [closed] if axis == "y2" else []
         drawn_axis, scale, low = axis_with_room(title, [curve[3] for curve in drawn], most)
@@ -138,7 +118,7 @@ def error_growth(curves: Iterable[Growth], exact: tuple[np.ndarray, np.ndarray],
 
 
 def work_precision(
-    curves: Iterable[Cost],
+    curves: Mapping[tuple[str, str], Curve],
     *,
     cost_title: str,
     tolerance: float,
@@ -150,35 +130,35 @@ def work_precision(
 
     Parameters
     ----------
-    curves : one for each method and precision
+    curves : name of the method and its precision → cost, error and steps per period of each run
     cost_title : title of the cost axis
     tolerance : the largest error allowed
     cheapest : cost and error of the cheapest run
     exact : cost and error of the closed form
     colors : the theme's
     """
-    curves, traces, named = list(curves), [], []
+    traces, named, methods = [], [], list(dict.fromkeys(name for name, _dtype in curves))
     hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + EXTRA
     marked = [np.array([tolerance])] + [np.array([point[1]]) for point in (cheapest, exact) if point]
-    shown = shown_range([curve.error for curve in curves] + marked, (1e-17, 1e3))
-    for curve in curves:
-        color, symbol = look_of(curve.look, colors)
-        double = curve.dtype == "float64"
+    shown = shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
+    for (name, dtype), (cost, error, steps) in curves.items():
+        color, symbol = look_of(methods.index(name), colors)
+        double = dtype == "float64"
         traces.append(
             {
                 "type": "scatter",
-                "x": curve.cost.astype(np.float32),
-                "y": within(curve.error, shown),
-                "text": [_steps(curve.dtype, int(n)) for n in curve.steps],
+                "x": cost.astype(np.float32),
+                "y": within(error, shown),
+                "text": [_steps(dtype, int(n)) for n in steps],
                 "mode": "lines+markers",
                 "line": {"color": color, "width": 2.5 if double else 1.5, "dash": "solid" if double else "dot"},
                 "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8},
-                "name": curve.name,
+                "name": name,
                 "hovertemplate": f"%{{text}}<br>{hover}",
             }
         )
         if double:
-            named.append((curve.name, color, logarithm(curve.cost), logarithm(within(curve.error, shown))))
+            named.append((name, color, logarithm(cost), logarithm(within(error, shown))))
     marks = ((cheapest, _("cheapest"), "circle-open", 22, "primary"), (exact, _("closed form"), "star", 15, "ink"))
     for point, name, symbol, size, color in marks:
         if point is not None:
@@ -196,7 +176,7 @@ def work_precision(
             named.append(
                 (name, colors[color], *(logarithm(np.array([each])) for each in (point[0], max(point[1], shown[0]))))
             )
-    reached = [cost for curve in curves for cost in (curve.cost[0], curve.cost[-1])]
+    reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
     reached += [point[0] for point in (cheapest, exact) if point]
     ends = min(reached), max(reached)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))

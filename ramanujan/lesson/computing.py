@@ -9,7 +9,7 @@ from itertools import islice
 
 import numpy as np
 
-from ramanujan.accuracy import FORMS
+from ramanujan.accuracy.extremes import FORMS
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import released

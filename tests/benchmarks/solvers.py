@@ -22,8 +22,8 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from ramanujan import Oscillator, normalized_frequency_squared
-from ramanujan.accuracy import Timing, measure, timed, work_precision
-from ramanujan.accuracy.work_precision import DTYPES
+from ramanujan.accuracy.measurement import Timing, measure
+from ramanujan.accuracy.work_precision import DTYPES, timed, work_precision
 from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.motion import InitialState, motion

@@ -15,25 +15,14 @@ from functools import partial
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import (
-    FORMS,
-    Timing,
-    arithmetics,
-    caching,
-    closed_form,
-    curve_sampling,
-    eigen_solvers,
-    error_history,
-    extremes,
-    phase_errors,
-    seconds_per_step,
-    work_precision,
-)
-from ramanujan.accuracy.choices import ClosedForm
-from ramanujan.accuracy.extremes import Sweep
-from ramanujan.accuracy.general_solvers import EigenSweep
-from ramanujan.accuracy.phase import PhaseErrors
-from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision
+from ramanujan.accuracy.choices import ClosedForm, arithmetics, caching, closed_form, curve_sampling
+from ramanujan.accuracy.extremes import FORMS, Sweep, extremes
+from ramanujan.accuracy.general_solvers import EigenSweep, eigen_solvers
+from ramanujan.accuracy.history import error_history
+from ramanujan.accuracy.measurement import Timing
+from ramanujan.accuracy.phase import PhaseErrors, phase_errors
+from ramanujan.accuracy.runs import seconds_per_step
+from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision, work_precision
 from ramanujan.figures import MASS_RATIO, Drawn
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS

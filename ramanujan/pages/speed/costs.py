@@ -8,8 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import streamlit as st
 
-from ramanujan.accuracy import cheapest
-from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD
+from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, cheapest
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number, percent
@@ -100,7 +99,7 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     st.markdown(sentence)
     drawings.plot(
         figures.work_precision(
-            [downsampling.costs(curve, by) for curve in curves],
+            {(METHODS[c.method].title, c.dtype): downsampling.costs(c, by) for c in curves},
             cost_title=COST_WORDS[by],
             tolerance=tolerance,
             cheapest=(getattr(best, by), best.error) if best else None,

@@ -10,8 +10,6 @@ import numpy as np
 from ramanujan import Oscillator
 from ramanujan.accuracy.history import History
 from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
-from ramanujan.figures import speed as figures
-from ramanujan.integrators import METHODS
 from ramanujan.motion import released
 
 SAMPLES_PER_PERIOD = 32
@@ -78,18 +76,11 @@ def samples(run: Run, machine: Oscillator, compression: float, most: float) -> t
     return {"step": machine.period / run.per_period, **rounded}, first, last, leaves
 
 
-def growth(run: Run, chosen: bool) -> figures.Growth:
-    """Return a run's error curves for the figure."""
-    look_ = list(METHODS).index(run.method)
-    return figures.Growth(METHODS[run.method].title, look_, run.reach, run.energy, run.phase, chosen)
-
-
-def costs(curve: WorkPrecision, by: str) -> figures.Cost:
-    """Return a curve of the diagram for the figure."""
+def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return cost, error and steps per period of the runs that the diagram shows."""
     at = np.isin(curve.steps_per_period, SHOWN_STEPS)
     error = np.where(np.isfinite(curve.error), curve.error, np.nan)
-    title, look_ = METHODS[curve.method].title, list(METHODS).index(curve.method)
-    return figures.Cost(title, look_, curve.dtype, getattr(curve, by)[at], error[at], curve.steps_per_period[at])
+    return getattr(curve, by)[at], error[at], curve.steps_per_period[at]
 
 
 def downsampled(history: History, steps: int, periods: int) -> Run:

@@ -6,7 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy import FORMS
+from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import number
 from ramanujan.pages.speed import cache, own_choices, verdicts

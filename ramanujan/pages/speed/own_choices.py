@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ramanujan.accuracy import FORMS
 from ramanujan.accuracy.choices import HEIGHT, STATES, Arithmetic, ClosedForm, Comparison, CurveSampling
-from ramanujan.accuracy.extremes import RIGHT, Sweep
+from ramanujan.accuracy.extremes import FORMS, RIGHT, Sweep
 from ramanujan.numerals import duration, number
 from ramanujan.pages.speed.downsampling import SCREEN_HEIGHT
 from ramanujan.translation import _

@@ -122,7 +122,8 @@ def growing_errors(run: downsampling.Run) -> None:
     found = [_found(r) for r in runs]
     drawings.plot(
         figures.error_growth(
-            [downsampling.growth(r, chosen=r.method == run.method) for r in runs],
+            {METHODS[r.method].title: (r.reach, r.energy, r.phase) for r in runs},
+            METHODS[run.method].title,
             (exact[:, 0], exact[:, 1]),
             theme.colors(),
         ),

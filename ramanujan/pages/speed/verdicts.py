@@ -9,10 +9,9 @@ from itertools import pairwise
 import numpy as np
 import streamlit as st
 
-from ramanujan.accuracy import FORMS, SOLVERS
 from ramanujan.accuracy.choices import ClosedForm
-from ramanujan.accuracy.extremes import INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
-from ramanujan.accuracy.general_solvers import EigenSweep
+from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
+from ramanujan.accuracy.general_solvers import SOLVERS, EigenSweep
 from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
 from ramanujan.figures.speed import Part
