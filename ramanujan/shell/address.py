@@ -198,8 +198,11 @@ def held(parameter: URLParameter) -> Any:
     return st.session_state.get(parameter.name, parameter.default)
 
 
-def keep(*parameters: URLParameter) -> None:
-    """Write into the address what is chosen; a default is left out, and so is what a bound widget cannot use."""
+def keep(*parameters: URLParameter) -> Any:
+    """Write into the address what is chosen, and return the last of it.
+
+    A default is left out, and so is what a bound widget cannot use.
+    """
     for parameter in parameters:
         if parameter.bound:
             if not fits(parameter):
@@ -211,6 +214,7 @@ def keep(*parameters: URLParameter) -> None:
             st.query_params.pop(parameter.name, None)
         elif st.query_params.get(parameter.name) != text:
             st.query_params[parameter.name] = text
+    return held(parameters[-1])
 
 
 def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:

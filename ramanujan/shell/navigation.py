@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 from importlib import import_module
+from typing import Any
 
 import streamlit as st
 
@@ -48,22 +49,22 @@ class Page:
     @property
     def url_parameters(self) -> tuple[URLParameter, ...]:
         """What the page keeps in the address beside the machine."""
-        return import_module(f"ramanujan.pages.{self.name}.page").URL_PARAMETERS
+        return self._says("URL_PARAMETERS")
 
     def uses_sidebar(self) -> bool:
         """Tell whether what the sidebar sets matters on the page as it is now; else the sidebar is folded."""
-        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), "uses_sidebar", lambda: True)()
+        return self._says("uses_sidebar", lambda: True)()
 
     def withheld(self) -> Collection[str]:
         """Return the presets of the sidebar that would tell what the page asks."""
-        return self._offers("withheld")
+        return self._says("withheld", tuple)()
 
     def lead(self) -> Collection[str]:
         """Draw what stands above the page's machine with sliders in it, and return their keys."""
-        return self._offers("lead")
+        return self._says("lead", tuple)()
 
-    def _offers(self, name: str) -> Collection[str]:
-        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, tuple)()
+    def _says(self, name: str, *otherwise: Any) -> Any:
+        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, *otherwise)
 
 
 PAGES = {

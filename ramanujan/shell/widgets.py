@@ -5,6 +5,7 @@ from __future__ import annotations
 import string
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 import streamlit as st
@@ -18,63 +19,38 @@ Words = Mapping[Any, str]
 """Option → what the person reads."""
 
 
-def _said(words: Words) -> Callable[[Any], str]:
-    """Return what Streamlit asks for the words of an option; a page that was left open may name one that is gone."""
-    return lambda option: words.get(option, str(option))
-
-
 def chips(key: Choice, label: str, words: Words, **more: Any) -> Any:
     """Draw the options side by side; exactly one of them is chosen."""
-    st.segmented_control(
-        label,
-        key.options,
-        format_func=_said(words),
-        default=key.default,
-        required=True,
-        key=key.name,
-        persist_state="session",
-        **more,
-    )
-    address.keep(key)
-    return address.held(key)
+    return _choice(st.segmented_control, key, label, words, default=key.default, required=True, **more)
 
 
 def pills(key: Choice, label: str, words: Words, **more: Any) -> Any:
     """Draw the options side by side; one of them may be chosen."""
-    st.pills(label, key.options, format_func=_said(words), key=key.name, persist_state="session", **more)
-    address.keep(key)
-    return address.held(key)
+    return _choice(st.pills, key, label, words, **more)
 
 
 def menu(key: Choice, label: str, words: Words, **more: Any) -> Any:
     """Draw the options as a menu."""
-    st.selectbox(
-        label,
-        key.options,
-        index=key.options.index(key.default),
-        format_func=_said(words),
-        key=key.name,
-        persist_state="session",
-        **more,
-    )
-    address.keep(key)
-    return address.held(key)
+    return _choice(st.selectbox, key, label, words, index=key.options.index(key.default), **more)
 
 
-def ladder(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def ladder(key: Choice, label: str, words: Words = MappingProxyType({}), **more: Any) -> Any:
     """Draw the options as the marks of a slider."""
-    said = _said(words or {})
-    st.select_slider(label, key.options, key.default, format_func=said, key=key.name, persist_state="session", **more)
-    address.keep(key)
-    return address.held(key)
+    return _choice(st.select_slider, key, label, words, value=key.default, **more)
+
+
+def _choice(draw: Callable, key: Choice, label: str, words: Words, **more: Any) -> Any:
+    # A page that was left open may name an option that is gone.
+    options = {"options": key.options, "format_func": lambda option: words.get(option, str(option))}
+    draw(label, **options, key=key.name, persist_state="session", **more)
+    return address.keep(key)
 
 
 def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
     """Draw a box for a whole number, with the range that Streamlit's own box keeps to itself until it is left."""
     label = _("{label} ({least} to {most})").format(label=label, least=key.least, most=key.most)
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
-    address.keep(key)
-    return address.held(key)
+    return address.keep(key)
 
 
 def plain(text: str) -> str:
