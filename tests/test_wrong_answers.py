@@ -105,7 +105,6 @@ def factor_of(text: str) -> sp.Expr:
         return sp.sympify(words[text])
     text = text.removesuffix(" times").replace("−", "-").replace("m′", "mp")
     text = text.replace("²", "**2").replace("³", "**3")
-    text = re.sub(r"√([0-9]+)", r"sqrt(\1)", text)
     text = re.sub(r"(?<=[0-9mpkR)])(?=[Rkms])", "*", text)
     return sp.sympify(text, locals={"m": m, "mp": mp, "R": R, "k": k})
 
@@ -208,6 +207,8 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
     """Whether a verdict names a term and says rightly how its coefficient, ratio times the right one, differs."""
     place = r"(?: in the (?:numerator|denominator))?"
     of_term = rf"Your coefficient of {re.escape(term)}{place}"
+    if ratio.has(sp.sqrt(2)):
+        return message.startswith("Your answer contains a root. The right one has none.")
     if ratio == 0:
         return bool(re.search(rf"The term with {re.escape(term)}{place} is missing\.", message))
     sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 import sympy as sp
+from sympy.polys.fields import FracElement
 
 from ramanujan.answers import terms
 from ramanujan.answers.formulas import leaves
@@ -16,6 +17,7 @@ from ramanujan.answers.values import (
     POINTS,
     Values,
     agree,
+    alike,
     decimals,
     depends_on,
     evaluate,
@@ -35,34 +37,44 @@ def depends(typed: sp.Expr, name: str, ratio_is_masses: bool = True) -> bool:
     return (symbol in present or through) and depends_on(typed, symbol)
 
 
-def differences(question: str, typed: sp.Expr, given: Values, exact: terms.Exact) -> tuple[str | None, list[str]]:
-    """Return the term that differs, if there is only one, and sentences about the difference."""
+def differences(question: str, typed: sp.Expr, given: Values) -> tuple[str | None, list[str]]:
+    """Return the term that differs, if there is only one, and sentences about the difference.
+
+    Raises
+    ------
+    terms.NotComparableError : the answer cannot be written out term by term.
+    """
     it = asked(question)
     if it.kind == NUMBER:
-        return None, [*_as_number(question, given, exact), *_as_mass_ratio(exact, given[0])]
+        return None, [*_as_number(question, given), *_as_mass_ratio(typed, given[0])]
+    exact, right = compared(question, typed), right_terms(question)
     if it.kind == EQUATION:
-        if exact.irrational:
-            return None, [_("Your equation contains a root. The right one has none.")]
-        differences = terms.as_equation(exact, right_terms(question), it.variables)
+        differences = terms.as_equation(exact, right, it.variables)
         if not differences:
             return None, [_("No term of your equation is in the right ratio to another one.")]
-        compared = _("Bring all terms to the left side and compare them.")
-        return None, [compared, *terms.in_short(differences)]
-    ratio = exact.over(right_terms(question))
+        return None, [_("Bring all terms to the left side and compare them."), *terms.in_short(differences)]
+    ratio = exact / right
     if it.kind == POLYNOMIAL:
-        differences = terms.term_by_term(exact, right_terms(question), it.variables)
+        differences = terms.term_by_term(exact, right, it.variables)
         if differences is None:
             if it.variables == MOTION:
-                return "", [_("In your answer a velocity or an angle is below a fraction line or under a root.")]
-            return "", [_("In your answer a mass or a length is below a fraction line or under a root.")]
-        if len(differences) > 1 and not ratio.names.intersection(MOTION) and (multiple := terms.multiple(ratio)):
-            return None, multiple
+                return "", [_("In your answer a velocity or an angle is below a fraction line.")]
+            return "", [_("In your answer a mass or a length is below a fraction line.")]
+        if len(differences) > 1 and not terms.names_in(ratio).intersection(MOTION) and (of := terms.multiple(ratio)):
+            return None, of
         return differences[0][0] if len(differences) == 1 else None, terms.in_short(differences)
-    if multiple := terms.multiple(ratio):
-        return None, multiple
-    if exact.irrational:
-        return None, [_("Your answer contains a root. The right one has none.")]
-    return None, terms.as_fraction(exact.rational, right_terms(question)) or _for_special_masses(question, typed)
+    return None, terms.multiple(ratio) or terms.as_fraction(exact, right) or _for_special_masses(question, typed)
+
+
+def compared(question: str, typed: sp.Expr) -> FracElement:
+    """Return a formula in lowest terms, in the names of the answer.
+
+    Raises
+    ------
+    terms.NotComparableError : as `terms.exact` does.
+    """
+    is_of_ratio = SYMBOLS["eps"] in leaves(answer(question))
+    return terms.exact(typed, terms.OF_RATIO if is_of_ratio else terms.GENERATORS)
 
 
 def _for_special_masses(question: str, typed: sp.Expr) -> list[str]:
@@ -92,22 +104,24 @@ def _for_special_masses(question: str, typed: sp.Expr) -> list[str]:
     return [] if decimals(typed) else [_("Your answer is wrong even for equal masses, m′ = m.")]
 
 
-def _as_number(question: str, given: Values, exact: terms.Exact) -> list[str]:
+def _as_number(question: str, given: Values) -> list[str]:
     """Return how many times the right number the given one is, or which of its parts is right."""
-    times = rational_ratio(given, right_values(question))
+    right = right_values(question)
+    times = rational_ratio(given, right)
     if times is not None:
-        return terms.multiple(terms.Exact(terms.number(times)))
-    right = terms.exact(answer(question))
-    if (exact.irrational, exact.radicand) == (right.irrational, right.radicand):
+        return terms.multiple(terms.number(times))
+    rational = Fraction(str(answer(question).expand().as_independent(sp.Pow)[0]))
+    (yours, theirs, without), one = alike(given[0], right[0], rational), (Fraction(1),)
+    if rational_ratio((yours - theirs,), one) is not None:
         return [_("The part of your answer with the root is right. The part without the root is not.")]
-    if exact.rational == right.rational:
+    if not isinstance(given[0], Fraction) and rational_ratio(((yours - without) ** 2,), one) is not None:
         return [_("The part of your answer without the root is right. The part with the root is not.")]
     return []
 
 
-def _as_mass_ratio(exact: terms.Exact, ratio: object) -> Iterator[str]:
+def _as_mass_ratio(typed: sp.Expr, ratio: object) -> Iterator[str]:
     """Yield the frequency of the machine with the given mass ratio."""
-    if exact.names:
+    if any(depends(typed, name) for name in SYMBOLS):
         return
     if ratio <= 0:
         yield _("A ratio of two masses is positive.")

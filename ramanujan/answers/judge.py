@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.answers import terms
-from ramanujan.answers.differences import depends, differences
+from ramanujan.answers.differences import compared, depends, differences
 from ramanujan.answers.formulas import leaves, replaced
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import (
@@ -119,16 +119,11 @@ def _has_denominator(question: str, typed: sp.Expr) -> bool:
     if asked(question).kind != EQUATION:
         return False
     try:
-        exact = _exact(question, typed)
+        numerator = terms.FIELD(compared(question, typed).numer)
     except terms.NotComparableError:
         return False
-    right = terms.Exact(terms.FIELD(exact.rational.numer) / right_terms(question))
-    return bool(exact.rational) and not exact.irrational and right.names.isdisjoint(asked(question).variables)
-
-
-def _exact(question: str, typed: sp.Expr) -> terms.Exact:
-    is_of_ratio = SYMBOLS["eps"] in leaves(answer(question))
-    return terms.exact(typed, terms.OF_RATIO if is_of_ratio else terms.GENERATORS)
+    factor = terms.names_in(numerator / right_terms(question))
+    return bool(numerator) and factor.isdisjoint(asked(question).variables)
 
 
 def _advice(question: str, typed: sp.Expr, given: Values) -> Iterator[str]:
@@ -155,13 +150,9 @@ def _advice(question: str, typed: sp.Expr, given: Values) -> Iterator[str]:
     if foreign:
         yield _depends_on(question, foreign)
     try:
-        exact = _exact(question, typed)
-    except terms.NotComparableError:
-        if not (wrong_unit or foreign):
-            yield _("Your answer differs from the right one. It cannot be compared term by term.")
-        yield leads_on
-        return
-    term, sentences = differences(question, typed, given, exact)
+        term, sentences = differences(question, typed, given)
+    except terms.NotComparableError as error:
+        term, sentences = None, [str(error)]
     # If the unit is wrong as a whole, every term is wrong, and a list of them says nothing.
     if term is not None or not (wrong_unit or foreign):
         yield from sentences

@@ -1,28 +1,24 @@
 """What typical mistakes give as the answer to each question, each with a hint and the question that leads on.
 
 A mistake is a slip in a formula, an altered procedure (an acceleration dropped, a sign lost), or an altered machine.
-Machines and procedures go through one elimination, in exact numbers at the points of `values`. Slips come first, exotic
+Machines and procedures go through one elimination, in exact numbers and the mass ratio. Slips come first, exotic
 machines last: the first mistake that gives a result is the one that is named.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
-from functools import cache, partial
-from typing import Any
+from functools import cache
 
 import sympy as sp
 
 from ramanujan.answers import machines
-from ramanujan.answers.procedures import Row, conditions, equations, mass_matrix, through
-from ramanujan.answers.values import POINTS, Values
+from ramanujan.answers.procedures import conditions, eliminated, mass_matrix
 from ramanujan.derivation.elimination import Elimination, UnitCondition, eliminate, phi_ddot, unit_condition
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
     COORDINATES,
     VELOCITIES,
-    Machine,
     R,
     epsilon,
     k,
@@ -34,8 +30,8 @@ from ramanujan.derivation.symbols import (
 )
 from ramanujan.translation import _
 
-Variants = Iterator[tuple[str, sp.Expr | Values | None]]
-"""Hints, and the results of the mistakes: formulas, or their values at the points; None where there is no solution."""
+Variants = Iterator[tuple[str, sp.Expr | None]]
+"""Hints, and the results of the mistakes; None where there is no solution."""
 
 
 @cache
@@ -192,15 +188,10 @@ def _first_row(states: tuple[sp.Expr, ...]) -> Iterator[tuple[str, sp.Expr]]:
 # The elimination
 
 
-@cache
-def _at_point(i: int, bodies: Machine) -> tuple[list[Row], Any, Any]:
-    return equations(bodies, POINTS[i], Fraction)
-
-
 def _eliminated(name: str) -> Variants:
-    for each in zip(*(through(name, partial(_at_point, i)) for i in range(len(POINTS))), strict=True):
-        values = tuple(value for _hint, value in each)
-        yield each[0][0], None if None in values else values
+    unit = {"block_coupling": R, "phi_equation": m * R, "natural_frequency_squared": k / m}.get(name, 1)
+    for hint, result in eliminated(name):
+        yield hint, result and unit * result.as_expr()
 
 
 def coupling(name: str, right: sp.Expr) -> Variants:

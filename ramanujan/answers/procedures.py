@@ -1,21 +1,21 @@
-"""The elimination of two coordinates by altered procedures and for altered machines, in any kind of exact number."""
+"""The elimination of two coordinates by altered procedures and for altered machines, exactly, for any mass ratio."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache
-from itertools import chain
-from typing import Any
 
 import sympy as sp
 from sympy.polys.fields import FracElement, field
 
 from ramanujan.answers import machines
 from ramanujan.answers.values import evaluate, square_root
-from ramanujan.derivation.symbols import COORDINATES, Machine, R, k, m, m_prime
+from ramanujan.derivation.symbols import COORDINATES, Machine, R, epsilon, k, m, m_prime
 from ramanujan.translation import _
 
-Row = list[Any]
+_RATIOS, _epsilon = field(epsilon, sp.ZZ)
+_UNITS = {m: _RATIOS.one, k: _RATIOS.one, R: _RATIOS.one, m_prime: _epsilon}
+"""An answer has a unit, and in that unit it is a quotient of polynomials in the mass ratio."""
 
 
 @cache
@@ -27,31 +27,22 @@ def mass_matrix(bodies: Machine) -> tuple[tuple[sp.Expr, ...], ...]:
     return tuple(tuple(sp.Add(*(mass * v[i] * v[j] for mass, v in moving + turning)) for j in places) for i in places)
 
 
-def equations(
-    bodies: Machine, values: Mapping[sp.Expr, Any], number: Callable[[Any], Any]
-) -> tuple[list[Row], Any, Any]:
-    """Return the mass matrix of a machine, its stiffness ∂²U/∂φ², and the question's 4kR.
-
-    Parameters
-    ----------
-    bodies : a machine
-    values : symbol → its value, in any kind of number
-    number : how to make such a number of a fraction
-    """
-
-    def worth(expression: sp.Expr) -> Any:
-        return evaluate(expression, values, square_root, number)
-
-    matrix = [list(map(worth, row)) for row in mass_matrix(bodies)]
-    return matrix, worth(k * _rates_of(bodies.deformation)[1] ** 2), worth(4 * k * R)
-
-
 @cache
 def _rates_of(path: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(sp.diff(path, q) for q in COORDINATES)
 
 
-def solved(name: str, matrix: list[Row], stiffness: Any, last_factor: Any) -> Any:
+def _equations(bodies: Machine) -> tuple[list[list[FracElement]], FracElement]:
+    """Return the mass matrix of a machine and its stiffness ∂²U/∂φ², in units of m, k and R."""
+
+    def worth(expression: sp.Expr) -> FracElement:
+        return evaluate(expression, _UNITS, square_root, lambda number: _RATIOS(number.numerator) / number.denominator)
+
+    matrix = [list(map(worth, row)) for row in mass_matrix(bodies)]
+    return matrix, worth(k * _rates_of(bodies.deformation)[1] ** 2)
+
+
+def _solved(name: str, matrix: list[list[FracElement]], stiffness: FracElement) -> FracElement | None:
     """Return the answer to a question from the three equations of motion, None if it divides by zero.
 
     The X and Φ equations, rows 0 and 2, give Ẍ and Φ̈, which go into the φ equation. The question about the φ equation
@@ -66,7 +57,7 @@ def solved(name: str, matrix: list[Row], stiffness: Any, last_factor: Any) -> An
     above, below = {
         "block_coupling": (block, determinant),
         "top_coupling": (top, determinant),
-        "phi_equation": (e * last_factor, stiffness),
+        "phi_equation": (4 * e, stiffness),
         "natural_frequency_squared": (stiffness * determinant, e * determinant + d * block + f * top),
     }[name]
     return above / below if below else None
@@ -109,30 +100,22 @@ PROCEDURES = (
 """Hints at slips in the elimination: which entry of the three equations is multiplied by 0 or −1."""
 
 
-def through(name: str, system: Callable[[Machine], tuple[list[Row], Any, Any]]) -> Iterator[tuple[str, Any]]:
-    """Yield what altered procedures give, then what altered machines give; `system` returns a machine's equations."""
+@cache
+def eliminated(name: str) -> tuple[tuple[str, FracElement | None], ...]:
+    """Return hints, and what altered procedures and then altered machines give, in units of m, k and R."""
+    matrix, stiffness = _equations(machines.right())
+    found = []
     for hint, (row, column), factor in PROCEDURES:
-        matrix, *rest = system(machines.right())
-        altered = [
-            [x * factor if (i, j) == (row, column) else x for j, x in enumerate(r)] for i, r in enumerate(matrix)
-        ]
-        yield hint, solved(name, altered, *rest)
-    for mistake in chain(machines.common(), machines.exotic()):
-        yield mistake.hint, solved(name, *system(mistake.bodies))
-
-
-_EPSILON, _e = field("e", sp.ZZ)
+        altered = [list(each) for each in matrix]
+        altered[row][column] *= factor
+        found.append((hint, _solved(name, altered, stiffness)))
+    everyone = (*machines.common(), *machines.exotic())
+    return (*found, *((mistake.hint, _solved(name, *_equations(mistake.bodies))) for mistake in everyone))
 
 
 def conditions() -> Iterator[tuple[str, tuple[int, int, int]]]:
     """Yield the quadratics aε² + bε + c for Ω² = k/m of altered procedures and machines, as a, b and c."""
-    one = _EPSILON.one
-    units = {m: one, k: one, R: one, m_prime: _e}
-    for hint, squared in through("natural_frequency_squared", lambda bodies: equations(bodies, units, _number)):
+    for hint, squared in eliminated("natural_frequency_squared"):
         if squared and squared.denom.degree() <= 2:
             condition = (squared.denom - squared.numer).as_expr()
-            yield hint, tuple(int(condition.coeff("e", n)) for n in (2, 1, 0))
-
-
-def _number(value: Any) -> FracElement:
-    return _EPSILON(value.numerator) / value.denominator
+            yield hint, tuple(int(condition.coeff(epsilon, n)) for n in (2, 1, 0))

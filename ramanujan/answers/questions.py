@@ -148,7 +148,7 @@ def values_of(question: str, formula: sp.Expr) -> Values:
 def right_terms(question: str) -> FracElement:
     """Return the right answer in lowest terms; only for those without a root."""
     right = answer(question)
-    return exact(right, OF_RATIO if epsilon in leaves(right) else GENERATORS).rational
+    return exact(right, OF_RATIO if epsilon in leaves(right) else GENERATORS)
 
 
 @cache
@@ -157,7 +157,7 @@ def wrong_values(question: str) -> tuple[tuple[str, Values], ...]:
     found = []
     for hint, result in _wrong_results(question):
         try:
-            values = values_of(question, result) if isinstance(result, sp.Expr) else result
+            values = result and values_of(question, result)
         except ArithmeticError:
             continue
         if values and any(values) and not agree(values, right_values(question)):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, isqrt, prod
 
@@ -46,7 +45,10 @@ Differences = list[tuple[str, str]]
 
 
 class NotComparableError(ValueError):
-    """The formula is too large to be written out, or has roots other than that of one whole number."""
+    """The formula cannot be written out; the message tells the student."""
+
+
+_TOO_LARGE = _("Your answer differs from the right one. It cannot be compared term by term.")
 
 
 def _check_size(expression: sp.Expr) -> None:
@@ -60,7 +62,7 @@ def _check_size(expression: sp.Expr) -> None:
         else:
             degrees.update(dict.fromkeys((m, m_prime) if leaf == epsilon else (leaf,), times))
     if counted.total() > _MAX_WEIGHT or bits * prod(n + 1 for n in degrees.values()) > _MAX_BITS:
-        raise NotComparableError
+        raise NotComparableError(_TOO_LARGE)
 
 
 def _terms(expression: sp.Expr) -> float:
@@ -77,37 +79,33 @@ def _terms(expression: sp.Expr) -> float:
     return 1
 
 
-@dataclass(frozen=True)
-class Exact:
-    """rational + irrational·√radicand, both in lowest terms; the radicand is a whole number without squares."""
-
-    rational: FracElement
-    irrational: FracElement = FIELD.zero
-    radicand: int = 1
-
-    def over(self, other: FracElement) -> Exact:
-        """Return the quotient of this and a formula without roots."""
-        return Exact(self.rational / other, self.irrational / other, self.radicand)
-
-    @property
-    def names(self) -> frozenset[str]:
-        """The names on which the formula depends."""
-        parts = [p for f in (self.rational, self.irrational) for p in (f.numer, f.denom)]
-        return frozenset(name for i, name in enumerate(NAMES) if any(powers[i] for p in parts for powers in p))
+def names_in(formula: FracElement) -> frozenset[str]:
+    """Return the names on which a formula depends."""
+    return frozenset(
+        name for i, name in enumerate(NAMES) if any(powers[i] for p in (formula.numer, formula.denom) for powers in p)
+    )
 
 
-def exact(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> Exact:
+def exact(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> FracElement:
     """Return a formula in lowest terms, in these generators of the field.
 
     Raises
     ------
-    NotComparableError : it is too large, or has other roots than that of one whole number.
+    NotComparableError : it is too large, or has a root.
     ZeroDivisionError : it divides by zero.
     """
     value, radicand = with_root(expression, generators)
-    (a, b), (c, d) = (_parts(p, radicand) for p in (value.numer, value.denom))
-    norm = c**2 - radicand * d**2
-    return Exact((a * c - radicand * b * d) / norm, (b * c - a * d) / norm, radicand)
+    return _without_root(value.numer, radicand) / _without_root(value.denom, radicand)
+
+
+def _without_root(polynomial: PolyElement, radicand: int) -> FracElement:
+    """Return a polynomial with the radicand for every square of the root."""
+    found = FIELD.ring.zero
+    for powers, c in polynomial.items():
+        if powers[-1] % 2:
+            raise NotComparableError(_("Your answer contains a root. The right one has none."))
+        found += FIELD.ring({(*powers[:-1], 0): c * radicand ** (powers[-1] // 2)})
+    return FIELD(found)
 
 
 def with_root(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> tuple[FracElement, int]:
@@ -117,32 +115,23 @@ def with_root(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = G
 
     def root(value: FracElement) -> FracElement:
         if not (value.numer.is_ground and value.denom.is_ground):
-            raise NotComparableError
+            raise NotComparableError(_TOO_LARGE)
         p, q = int(value.numer.LC), int(value.denom.LC)
         if not 0 < p * q < MAX_RADICAND:
-            raise NotComparableError
+            raise NotComparableError(_TOO_LARGE)
         radicand = int(core(p * q))
         radicands.add(radicand)
         return FIELD(isqrt(p * q // radicand)) / q * (_ROOT if radicand > 1 else 1)
 
     value = evaluate(expression, generators, root, number)
     if len(radicands) > 2:
-        raise NotComparableError
+        raise NotComparableError(_TOO_LARGE)
     return value, max(radicands)
 
 
 def number(value: Fraction) -> FracElement:
     """Return a number as an element of the field."""
     return FIELD(value.numerator) / value.denominator
-
-
-def _parts(polynomial: PolyElement, radicand: int) -> list[FracElement]:
-    """Return what a polynomial in the root is without it, and what multiplies it."""
-    parts = [FIELD.ring.zero, FIELD.ring.zero]
-    for powers, c in polynomial.items():
-        n = powers[-1]
-        parts[n % 2] += FIELD.ring({(*powers[:-1], 0): c * radicand ** (n // 2)})
-    return [FIELD(part) for part in parts]
 
 
 # In words
@@ -167,13 +156,12 @@ def _shown_product(powers: tuple[int, ...]) -> str:
     )
 
 
-def shown_factor(factor: Exact) -> str | None:
-    """Return a factor that is one term over one term, such as 3m′/(2m) or √2, as a sentence shows it; else None."""
-    part, root = (factor.rational, "") if not factor.irrational else (factor.irrational, f"√{factor.radicand}")
-    if (root and factor.rational) or len(part.numer) != 1 or len(part.denom) != 1:
+def shown_factor(factor: FracElement) -> str | None:
+    """Return a factor that is one term over one term, such as 3m′/(2m), as a sentence shows it; else None."""
+    if len(factor.numer) != 1 or len(factor.denom) != 1:
         return None
-    (above, p), (below, q) = next(iter(part.numer.items())), next(iter(part.denom.items()))
-    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + root + _shown_product(above)
+    (above, p), (below, q) = next(iter(factor.numer.items())), next(iter(factor.denom.items()))
+    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _shown_product(above)
     denominator = (str(int(q)) if q != 1 else "") + _shown_product(below)
     shown = ("−" if p < 0 else "") + (numerator or "1")
     if not denominator:
@@ -199,7 +187,7 @@ def in_short(differences: Differences) -> list[str]:
     ]
 
 
-def multiple(ratio: Exact) -> list[str]:
+def multiple(ratio: FracElement) -> list[str]:
     """Return the ratio of the given answer to the right one in a sentence, if the ratio is simple."""
     factor = shown_factor(ratio)
     if factor is None:
@@ -216,7 +204,7 @@ def multiple(ratio: Exact) -> list[str]:
 
 
 def term_by_term(
-    given: Exact, right: FracElement, variables: tuple[str, ...], place: str = "{term}"
+    given: FracElement, right: FracElement, variables: tuple[str, ...], place: str = "{term}"
 ) -> Differences | None:
     """Return the products of names whose coefficients differ, and a sentence about each.
 
@@ -228,15 +216,13 @@ def term_by_term(
     variables : the names in whose products both are written; the coefficients may contain the others
     place : a template that says where these terms are, such as "{term} in the numerator"
     """
-    yours, roots, theirs = (_coefficients(f, variables) for f in (given.rational, given.irrational, right))
-    if yours is None or roots is None:
+    yours, theirs = (_coefficients(formula, variables) for formula in (given, right))
+    if yours is None:
         return None
     found = []
-    for powers in sorted(yours.keys() | roots.keys() | theirs.keys(), reverse=True):
-        coefficient = Exact(*(each.get(powers, FIELD.zero) for each in (yours, roots)), given.radicand)
-        term = _shown_product(powers)
-        sentence = _coefficient(term and place.format(term=term), coefficient, theirs.get(powers, FIELD.zero))
-        if sentence:
+    for powers in sorted(yours.keys() | theirs.keys(), reverse=True):
+        term, pair = _shown_product(powers), (each.get(powers, FIELD.zero) for each in (yours, theirs))
+        if sentence := _coefficient(term and place.format(term=term), *pair):
             found.append((term, sentence))
     return found
 
@@ -254,18 +240,18 @@ def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tupl
     return found
 
 
-def _coefficient(term: str, yours: Exact, right: FracElement) -> str | None:
+def _coefficient(term: str, yours: FracElement, right: FracElement) -> str | None:
     """Return how a coefficient differs, None if it does not."""
-    if yours.rational == right and not yours.irrational:
+    if yours == right:
         return None
     if not right:
         if not term:
             return _("Your answer contains a constant term. The right answer has none.")
         return _("Your answer contains a term with {term}. The right answer has none.").format(term=term)
-    if not yours.rational and not yours.irrational:
+    if not yours:
         missing = _("The term with {term} is missing.") if term else _("The constant term is missing.")
         return missing.format(term=term)
-    ratio = yours.over(right)
+    ratio = yours / right
     factor = shown_factor(ratio)
     if not term:
         return _constant(factor)
@@ -293,29 +279,28 @@ def _constant(factor: str | None) -> str:
     return _("Your constant term is {times} the right one.").format(times=how_many_times(factor))
 
 
-def _names_off(term: str, ratio: Exact, right: FracElement) -> str | None:
+def _names_off(term: str, ratio: FracElement, right: FracElement) -> str | None:
     """Return which names differ, if the two coefficients differ by names alone."""
-    above, below = ratio.rational.numer, ratio.rational.denom
-    if ratio.irrational or not ratio.names or above.LC * below.LC != 1:
+    above, below = ratio.numer, ratio.denom
+    if not names_in(ratio) or above.LC * below.LC != 1:
         return None
     if below == 1:
         extra = _("Your coefficient of {term} contains an extra factor {factor}.")
         return extra.format(term=term, factor=shown_factor(ratio))
     if above == 1:
         lacks = _("Your coefficient of {term} lacks a factor {factor}.")
-        return lacks.format(term=term, factor=shown_factor(Exact(1 / ratio.rational)))
+        return lacks.format(term=term, factor=shown_factor(1 / ratio))
     for yours, theirs in (("m", "m'"), ("m'", "m")):
-        quotient = GENERATORS[SYMBOLS[yours]] / GENERATORS[SYMBOLS[theirs]]
-        has_it = {theirs} <= Exact(right).names and yours not in Exact(right).names
-        if has_it and ratio.rational == quotient:
+        has_it = theirs in names_in(right) and yours not in names_in(right)
+        if has_it and ratio == GENERATORS[SYMBOLS[yours]] / GENERATORS[SYMBOLS[theirs]]:
             instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
             return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
     return None
 
 
-def as_equation(given: Exact, right: FracElement, variables: tuple[str, ...]) -> Differences | None:
+def as_equation(given: FracElement, right: FracElement, variables: tuple[str, ...]) -> Differences | None:
     """Return how “given = 0” differs from “right = 0”, multiplied such that as few terms as possible differ."""
-    yours, theirs = (_coefficients(each, variables) or {} for each in (given.rational, right))
+    yours, theirs = (_coefficients(each, variables) or {} for each in (given, right))
     factors = (yours[powers] / theirs[powers] for powers in yours.keys() & theirs.keys())
     compared = [term_by_term(given, right * factor, variables) for factor in factors]
     return min(filter(None, compared), key=len, default=None)
@@ -330,11 +315,11 @@ def as_fraction(given: FracElement, right: FracElement) -> list[str]:
     With the right denominator D the given numerator is given·D; with the right numerator N the denominator is N/given.
     """
     above, below = FIELD(right.numer), FIELD(right.denom)
-    numerator = term_by_term(Exact(given * below), above, NAMES, _("{term} in the numerator"))
-    if numerator and not Exact(FIELD(given.denom) / below).names:
+    numerator = term_by_term(given * below, above, NAMES, _("{term} in the numerator"))
+    if numerator and not names_in(FIELD(given.denom) / below):
         return [_("Written as one fraction, your answer has the right denominator."), *in_short(numerator)]
-    denominator = term_by_term(Exact(above / given), below, NAMES, _("{term} in the denominator"))
-    if denominator and not Exact(FIELD(given.numer) / above).names:
+    denominator = term_by_term(above / given, below, NAMES, _("{term} in the denominator"))
+    if denominator and not names_in(FIELD(given.numer) / above):
         return [_("Written as one fraction, your answer has the right numerator."), *in_short(denominator)]
     # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
     if numerator and len(numerator) == 1:

@@ -55,7 +55,7 @@ def evaluate(
     if expression.is_Add or expression.is_Mul:
         # A zero that is added has any unit.
         added = [part for part in expression.args if part != 0 or not expression.is_Add] or expression.args
-        parts = _alike(*(evaluate(part, values, root, number) for part in added))
+        parts = alike(*(evaluate(part, values, root, number) for part in added))
         total = reduce(add if expression.is_Add else mul, parts)
         vanishes = isinstance(total, _MP.mpf) and any(abs(total) < _VANISHING * abs(part) for part in parts)
         return Fraction(0) if expression.is_Add and vanishes else total
@@ -67,7 +67,7 @@ def evaluate(
     return number(Fraction(str(expression)))
 
 
-def _alike(*values: Any) -> tuple[Any, ...]:
+def alike(*values: Any) -> tuple[Any, ...]:
     """Return values of one kind: mpmath's do not mix with fractions."""
     return tuple(map(_MP.convert, values)) if any(isinstance(value, _MP.mpf) for value in values) else values
 
@@ -139,7 +139,7 @@ def up_to_a_factor(expression: sp.Expr, names: tuple[str, ...]) -> Values:
     ArithmeticError : as `at_points` does.
     """
     here, there = at_points(expression), at_points(expression, moved_points(names))
-    pairs = (_alike(*pair) for pair in zip(here, there, strict=True))
+    pairs = (alike(*pair) for pair in zip(here, there, strict=True))
     return tuple(a / b if b else Fraction(0) for a, b in pairs)
 
 
@@ -147,7 +147,7 @@ def agree(left: Values, right: Values) -> bool:
     """Tell whether two formulas have the same values; fractions are compared exactly."""
     return all(
         a == b or (isinstance(a, _MP.mpf) and abs(a - b) <= _AGREEING * abs(a))
-        for a, b in (_alike(*pair) for pair in zip(left, right, strict=True))
+        for a, b in (alike(*pair) for pair in zip(left, right, strict=True))
     )
 
 
@@ -155,7 +155,7 @@ def rational_ratio(left: Values, right: Values) -> Fraction | None:
     """Return the rational number that is the quotient of two formulas, None if there is none."""
     if 0 in right:
         return None
-    quotients = tuple(a / b for a, b in (_alike(*pair) for pair in zip(left, right, strict=True)))
+    quotients = tuple(a / b for a, b in (alike(*pair) for pair in zip(left, right, strict=True)))
     first = quotients[0]
     if not isinstance(first, Fraction):
         first = Fraction(str(_MP.nstr(first, 40))).limit_denominator(10**6)
