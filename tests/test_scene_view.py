@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
+from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
 from ramanujan.shell.display_mode import PARTS
@@ -108,3 +109,8 @@ def test_reset_does_not_return_to_what_the_link_got_wrong(app):
     app.slider(key="m").set_value(3.0).run()
     app.pills(key="preset").set_value("reset").run()
     assert values(sound(app)) == {**DEFAULTS, "k": 20.0}
+
+
+def test_a_sentence_that_describes_a_constant_is_not_drawn():
+    app = AppTest.from_string('WIDTH = 1\n"""Of what is drawn."""\n').run()
+    assert not app.markdown

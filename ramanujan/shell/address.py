@@ -271,5 +271,6 @@ def _strangers(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
 
 def _goes_back() -> bool:
     """Tell whether the browser's back or forward button has led here; then the address decides."""
+    # Streamlit documents this function, for threads; nothing that is documented says how a page was reached.
     context = get_script_run_ctx()
     return context is not None and context.is_history_navigation
