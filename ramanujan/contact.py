@@ -37,20 +37,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import InitialState
 from ramanujan.numerals import quantity
-from ramanujan.oscillator import GRAVITY, Oscillator, drawn_spacing
+from ramanujan.oscillator import GRAVITY, Oscillator
 from ramanujan.rounding import in_range, nearest, product, scaled, square_root
 from ramanujan.translation import _
 from ramanujan.validation import coordinates, instance, positive, real
-
-__all__ = [
-    "contact_forces",
-    "drawn_spacing",
-    "first_to_slip",
-    "largest_compression",
-    "normal_forces",
-    "required_friction",
-    "travel_amplitude",
-]
 
 
 def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
@@ -280,14 +270,10 @@ def _shares(oscillator: Oscillator) -> dict[str, Fraction]:
     """Return each contact's force on its roller divided by m·Rφ̈, dimensionless."""
     m, m_prime = oscillator.exact[:2]
     kappa, half = Fraction(*oscillator.coupling_ratio), m_prime / m / 2
-    hoop, cylinder = Fraction(1), Fraction(1, 2)
-    return {
-        "hoop_slab": half * (1 + hoop - kappa),
-        "cylinder_slab": half * (1 + cylinder - kappa),
-        "hoop_block": half * (1 - hoop - kappa),
-        "cylinder_block": half * (1 - cylinder - kappa),
-        "top_block": -kappa / 3,
-    }
+    shape_factors = {"hoop": Fraction(1), "cylinder": Fraction(1, 2)}
+    at_slab = {f"{roller}_slab": half * (1 + beta - kappa) for roller, beta in shape_factors.items()}
+    at_block = {f"{roller}_block": half * (1 - beta - kappa) for roller, beta in shape_factors.items()}
+    return at_slab | at_block | {"top_block": -kappa / 3}
 
 
 def _loads(oscillator: Oscillator, on_roller: Fraction) -> dict[str, Fraction]:

@@ -242,7 +242,7 @@ def test_the_explanations_quote_the_right_numbers():
 def test_the_samples_of_a_wrong_motion_are_those_of_its_run():
     for method, steps in computing.STEPS.items():
         shown = computing.samples(method)
-        q, _v = computing.computed(method)
+        q = computing.computed(method).q
         stride = round(shown["step"] / (Oscillator(k=K).period / steps))
         assert np.allclose(shown["phi"], q[::stride] * 0.2, rtol=1e-5, atol=1e-9)
         assert len(shown["X"]) == len(shown["phi"]) == len(shown["Phi"]) <= 1100

@@ -5,7 +5,7 @@ These are four small experiments; `work_precision` compares the integrators.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import count
@@ -187,7 +187,15 @@ def caching(oscillator: Oscillator) -> list[Comparison]:
     'frequency'
     """
     instance("oscillator", oscillator, Oscillator)
-    return [compare(oscillator) for compare in (_frequency_again, _state_again, _states_at_once)]
+    initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, STATES)
+    # The spring of each new machine is softer by one part in 1e12.
+    new = (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))
+    ways = {
+        "frequency": (lambda: next(new).natural_frequency, lambda: oscillator.natural_frequency),
+        "state": (lambda: motion(next(new), initial, 1.0), lambda: motion(oscillator, initial, 1.0)),
+        "states": (lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)),
+    }
+    return [Comparison(name, measure(slow), measure(fast)) for name, (slow, fast) in ways.items()]
 
 
 def _sampled(name: str, curve: Callable, end: float, points: int) -> CurveSampling:
@@ -242,26 +250,3 @@ def _fraction(value: Value) -> Fraction:
         mantissa, exponent = value.man_exp
         return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
     return value if isinstance(value, Fraction) else Fraction(float(value))
-
-
-def _frequency_again(oscillator: Oscillator) -> Comparison:
-    new = _new_machines(oscillator)
-    cold = measure(lambda: next(new).natural_frequency)
-    return Comparison("frequency", cold, measure(lambda: oscillator.natural_frequency))
-
-
-def _state_again(oscillator: Oscillator) -> Comparison:
-    new, initial = _new_machines(oscillator), InitialState(phi=1.0)
-    cold = measure(lambda: motion(next(new), initial, 1.0))
-    return Comparison("state", cold, measure(lambda: motion(oscillator, initial, 1.0)))
-
-
-def _states_at_once(oscillator: Oscillator) -> Comparison:
-    initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, STATES)
-    singly = measure(lambda: [motion(oscillator, initial, t) for t in times])
-    return Comparison("states", singly, measure(lambda: motion(oscillator, initial, times)))
-
-
-def _new_machines(oscillator: Oscillator) -> Iterator[Oscillator]:
-    """Yield new machines: the spring of each is softer by one part in 1e12."""
-    return (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))

@@ -102,26 +102,17 @@ def _dotted(derivative: sp.Derivative) -> str:
     return VectorLatexPrinter().doprint(derivative)
 
 
-def latex(expression: sp.Basic, highlight: Mapping[sp.Basic, str] | None = None) -> str:
+@lru_cache(maxsize=2048)
+def latex(expression: sp.Basic) -> str:
     """Return the LaTeX of an expression or relation: primes and dots as physicists write them.
 
     A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal that ends in dots.
-
-    Parameters
-    ----------
-    expression : what is written
-    highlight : symbol, or function of time, in the expression → its colour, #rrggbb
 
     >>> from ramanujan.derivation.symbols import X, m_prime
     >>> latex(m_prime * X.diff().diff())
     "m'\\\\,\\\\ddot{X}"
     """
-    return _printed(expression, tuple((highlight or {}).items()))
-
-
-@lru_cache(maxsize=2048)
-def _printed(expression: sp.Basic, highlight: tuple[tuple[sp.Basic, str], ...]) -> str:
-    return LatexPrinter(dict(highlight)).doprint(expression)
+    return LatexPrinter({}).doprint(expression)
 
 
 def colored(formula: str, color: str | None) -> str:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 import re
 from functools import cache, partial
-from itertools import islice
 
 import numpy as np
 
 from ramanujan.accuracy.extremes import FORMS
-from ramanujan.integrators import METHODS, trajectory
+from ramanujan.accuracy.history import History, error_history
+from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import released
 from ramanujan.numerals import power_of_ten
@@ -31,30 +31,20 @@ _SHOWN = 50
 
 
 @cache
-def computed(method: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return φ/φ₀ and φ̇/(Ωφ₀) after every step of the method, the release included."""
-    steps = STEPS[method]
-    run = trajectory(METHODS[method], lambda q: -q, 1.0, 0.0, 2 * math.pi / steps)
-    states = np.array([(1.0, 0.0), *islice(run, PERIODS * steps)])
-    return states[:, 0], states[:, 1]
+def computed(method: str) -> History:
+    """Return the run of one of the two methods."""
+    return error_history(method, STEPS[method], PERIODS)
 
 
 def energy_factor(method: str) -> float:
     """Return the energy after the run divided by that at the release; it is 1 for the exact motion."""
-    q, v = computed(method)
-    return float(q[-1] ** 2 + v[-1] ** 2)
-
-
-def phase_error(method: str) -> float:
-    """Return by how many turns the run is ahead of the exact motion at its end."""
-    q, v = computed(method)
-    return float(np.unwrap(np.arctan2(-v, q))[-1] / (2 * math.pi) - PERIODS)
+    return 1 + float(computed(method).energy_error[-1])
 
 
 def samples(method: str) -> dict[str, object]:
     """Return the computed motion as the stage draws it: X and Φ follow φ as in the mode shape."""
     every = max(STEPS[method] // _SHOWN, 1)
-    phi = computed(method)[0][::every] * released(EQUAL, COMPRESSION).phi
+    phi = computed(method).q[::every] * released(EQUAL, COMPRESSION).phi
     block, _phi, top = EQUAL.mode_shape
     follow = {"X": block * (phi - phi[0]), "phi": phi, "Phi": top * (phi - phi[0])}
     return {
@@ -76,7 +66,7 @@ def _errors() -> dict[str, object]:
         "grown": energy_factor("explicit_euler"),
         "kept": energy_factor("velocity_verlet"),
         "off": abs(energy_factor("velocity_verlet") - 1),
-        "turns": abs(phase_error("velocity_verlet")),
+        "turns": abs(float(computed("velocity_verlet").phase_error[-1])) / math.tau,
     }
 
 

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ramanujan.contact import drawn_spacing, first_to_slip, normal_forces, required_friction
+from ramanujan.contact import first_to_slip, normal_forces, required_friction
 from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import InitialState, released
-from ramanujan.oscillator import Oscillator
+from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.translation import _
 
 _CONTACTS = {

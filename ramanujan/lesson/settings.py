@@ -7,12 +7,13 @@ from fractions import Fraction
 
 import numpy as np
 
-from ramanujan.contact import drawn_spacing, first_to_slip, largest_compression
+from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
 from ramanujan.motion import ground_positions, ground_velocities, motion, released, with_initial_velocities
 from ramanujan.numerals import filled, number
+from ramanujan.oscillator import drawn_spacing
 from ramanujan.translation import _
 
 IN_STEP = 1e-3

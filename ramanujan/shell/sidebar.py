@@ -76,7 +76,7 @@ def draw(withheld: Collection[str] = (), drawn: Collection[str] = ()) -> None:
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:
                 st.markdown(cache.symbols())
-        page.publish("boxes_published", _boxes())
+        page.publish("boxes_published", followed())
         page.link(address.PRIVATE)
         display_mode.switch()
         pending_updates.draw()
@@ -96,10 +96,6 @@ def follow(*fragments: str) -> None:
 
 def followed() -> dict[str, object]:
     """Return what the sliders’ boxes are told: topics of the page’s bus."""
-    return _boxes()
-
-
-def _boxes() -> dict[str, object]:
     judged = st.session_state.get(_JUDGED, 0)
     held = {key: parameter.present for key, parameter in PARAMETERS.items()}
     return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}

@@ -12,9 +12,9 @@ from functools import partial
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
-from ramanujan import Oscillator
+from ramanujan import Oscillator, drawn_spacing
 from ramanujan.browser import page, stage
-from ramanujan.contact import drawn_spacing, first_to_slip
+from ramanujan.contact import first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.lesson.classes import Phase
 from ramanujan.number_theory import BODIES

@@ -9,7 +9,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import streamlit as st
@@ -30,27 +30,13 @@ from ramanujan.pages.speed import downsampling, verdicts
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _
 
-
-@dataclass(frozen=True)
-class Along:
-    """One of the sweeps: what is varied, in which precision, its symbol, and what the axis says."""
-
-    along: str
-    dtype: str
-    symbol: str
-    quantity: str
-
-
-SWEEPS = {
-    f"{along}_{dtype}": Along(along, dtype, symbol, quantity)
-    for along, symbol, quantity in (
-        ("ratio", "ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)),
-        ("scale", "s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
-    )
-    for dtype in ("float64", "float32")
+ALONG = {
+    "ratio": ("ε", _("{mass_ratio}, with <i>m</i> = 1 kg and <i>k</i> = 1 N/m").format(mass_ratio=MASS_RATIO)),
+    "scale": ("s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
 }
-"""The sweeps by their ids."""
-
+"""What is varied in a sweep → its symbol, and what the axis says."""
+SWEEPS = tuple(f"{along}_{dtype}" for along in ALONG for dtype in DTYPES)
+"""The ids of the sweeps."""
 
 PERIODS = (1, 3, 10, 30, 100, 300)
 """The numbers of periods that a person can choose."""
@@ -149,7 +135,7 @@ def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
 def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> Drawn:
     """Return the figure of one of the SWEEPS in the given colours."""
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in _shown}
-    return figures.forms(strips, quantity=SWEEPS[name].quantity, colors=colors)
+    return figures.forms(strips, quantity=ALONG[name.partition("_")[0]][1], colors=colors)
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)

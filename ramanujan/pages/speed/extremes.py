@@ -13,7 +13,7 @@ from ramanujan.pages.speed import cache, own_choices, verdicts
 from ramanujan.shell import address, display_mode, drawings, theme, widgets
 from ramanujan.translation import _
 
-SWEEP = address.Choice("sweep", tuple(cache.SWEEPS), next(iter(cache.SWEEPS)))
+SWEEP = address.Choice("sweep", cache.SWEEPS, cache.SWEEPS[0])
 SWEEP_WORDS = {
     "ratio_float64": _("mass ratio, float64"),
     "ratio_float32": _("mass ratio, float32"),
@@ -37,9 +37,9 @@ def forms_at_extremes() -> str:
     )
     swept, _solvers = cache.sweeps()
     name = widgets.chips(SWEEP, _("What is varied, and the precision"), SWEEP_WORDS, label_visibility="collapsed")
-    sweep = cache.SWEEPS[name]
-    shown = [s for s in swept if (s.along, s.dtype) == (sweep.along, sweep.dtype)]
-    sentence = verdicts.where_forms_fail(shown, sweep.symbol)
+    along, _between, dtype = name.partition("_")
+    shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
+    sentence = verdicts.where_forms_fail(shown, cache.ALONG[along][0])
     drawings.plot(
         cache.forms_figure(name, theme.colors(), shown),
         "forms",
