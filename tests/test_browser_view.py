@@ -190,7 +190,7 @@ SHEETS = {
     "derivation?route=newton&step=4": 4,
     "motion?spin=3&mu=0.01": 6,
     "1729?left=sphere&top=shell": 8,
-    "speed?periods=1": 9,
+    "speed?periods=1": 7,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
     "worksheet?paper=key": 11,
@@ -206,19 +206,7 @@ def projected(visit, path: str, **more):
     return page
 
 
-CROWDED = ("motion", "1729", "speed")
-"""Pages with a figure whose labels touch one another on a projector; still to be mended."""
-
-
-@pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(
-            path, marks=[pytest.mark.xfail(reason="labels of a figure touch")] if path.startswith(CROWDED) else []
-        )
-        for path in SHEETS
-    ],
-)
+@pytest.mark.parametrize("path", SHEETS)
 def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrolling(visit, path):
     page = projected(visit, path)
     titles = page.locator(".st-key-pager select option").all_inner_texts()

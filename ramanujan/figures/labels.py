@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-_WIDTH, _LETTER, _LINE, _GAP, _FAR = 260, 6.2, 26, 3, 24
+_WIDTH, _LETTER, _LINE, _GAP, _FAR = 260, 6.2, 36, 3, 24
 """Pixels: the narrowest plotting area, a letter and a line of a name, from curve to name, and what counts as far.
-A line is as high as on a large screen, whose words are larger."""
+A line is as high as on a projector, whose words are larger."""
 _POINTS, _EVERY = 180, 7
 """Points of a curve that a name must keep clear of; it stands at every so many of them at most."""
 

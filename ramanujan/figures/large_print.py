@@ -31,13 +31,14 @@ def in_large_print(figure: BaseFigure) -> Drawn:
 
 
 def _axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
-    text = axis.get("title", {}).get("text", "")
     # The first label of one axis must not touch that of the other.
     axis = {**axis, "ticklabelstandoff": 6}
-    if upright and text:
-        # Plotly measures a power of ten as if its exponent were not there.
+    if text := axis.get("title", {}).get("text", ""):
+        lines = _in_lines(text) if upright else text
+        # Plotly measures a power of ten as if its exponent were not there, and a second line in the size of other screens.
         powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
-        axis["title"] = {**axis["title"], "text": _in_lines(text), "standoff": 30 if powers else 12}
+        standoff = 12 + (18 if upright and powers else 0) + (20 if "<br>" in lines else 0)
+        axis["title"] = {**axis["title"], "text": lines, "standoff": standoff}
     return axis
 
 

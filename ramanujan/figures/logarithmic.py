@@ -83,9 +83,9 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
         return np.where(exponent < low, low + (exponent - low) / _SQUEEZED, exponent).astype(np.float32)
 
     bottom = float(place(np.array([10.0**least]))[0])
-    step = max(1, round((high - low) / 5))
-    decades = [*range(int(low), int(np.ceil(high)) + 1, step)]
+    step = max(1, round((high - low) / 3))
     below = [int(least)] if least < low - 3 else []
+    decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]
     ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
     axis = {"title": axis_title(title), "range": [bottom - 0.2, high + 0.2], "fixedrange": True, **ticks, **TICKS}
     return axis, place, low

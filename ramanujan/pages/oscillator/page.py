@@ -156,9 +156,10 @@ def on_sheets(steps: list[cache.SummaryStep]) -> None:
     for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
         with sheet(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
             for number, step in enumerate(steps[first:end], start=first + 1):
-                st.markdown(f"### {number}. {step.heading}\n{step.reason}")
-                for column, part in zip(st.columns(len(step.parts) or 1), step.parts or (step.equations,), strict=True):
-                    column.latex(part)
+                with st.container(horizontal=True, vertical_alignment="center", key=f"spread_{number}"):
+                    st.markdown(f"### {number}. {step.heading}\n{step.reason}")
+                    for part in step.parts or (step.equations,):
+                        st.latex(part)
 
 
 if __name__ == "__main__":

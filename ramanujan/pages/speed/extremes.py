@@ -10,7 +10,7 @@ from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import number
 from ramanujan.pages.speed import cache, own_choices, verdicts
-from ramanujan.shell import address, display_mode, drawings, theme, widgets
+from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.translation import _
 
 SWEEP = address.Choice("sweep", cache.SWEEPS, cache.SWEEPS[0])
@@ -59,9 +59,8 @@ def forms_at_extremes() -> str:
 def where_forms_fail(sentence: str) -> None:
     """Say where each form fails, and which formulas they are."""
     st.markdown(sentence)
-    if not display_mode.is_projector():
-        item = _("- **{name}**: Ω² = {formula}")
-        st.markdown("\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values()))
+    item = _("- **{name}**: Ω² = {formula}")
+    st.markdown("\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values()))
 
 
 def many_periods(machine: Oscillator) -> None:
@@ -78,7 +77,7 @@ def many_periods(machine: Oscillator) -> None:
 
 
 def general_solver() -> None:
-    """Say what a general eigen-solver makes of the zero modes."""
+    """Say what general eigen-solvers make of the zero modes, and list them."""
     _forms, sweeps = cache.sweeps()
     st.markdown(
         _(
@@ -88,11 +87,6 @@ def general_solver() -> None:
         )
     )
     st.markdown(verdicts.zero_modes(sweeps))
-
-
-def solvers() -> None:
-    """Draw the table of the general solvers."""
-    _forms, sweeps = cache.sweeps()
     verdicts.show_table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 

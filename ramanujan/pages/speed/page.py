@@ -39,15 +39,13 @@ def show() -> None:
         costs_on_this_server = costs(periods)
     with sheet("forms", _("Extreme values")):
         failures = extremes.forms_at_extremes()
-    with folded("failures", _("Where each form fails, and the formulas")):
-        extremes.where_forms_fail(failures)
+    if not display_mode.is_projector():
+        with st.expander(_("Where each form fails, and the formulas")):
+            extremes.where_forms_fail(failures)
     with sheet("periods", _("Very many periods")):
         extremes.many_periods(sidebar.oscillator())
-    place = folded("solver", _("A general eigen-solver, which does not know this machine"))
-    with place:
+    with folded("solver", _("A general eigen-solver, which does not know this machine")):
         extremes.general_solver()
-    with sheet("solvers", _("The solvers compared")) if display_mode.is_projector() else place:
-        extremes.solvers()
     with folded("choices", _("What this app uses, and why")):
         extremes.what_the_app_uses()
     # What may take long comes when all else is drawn.
@@ -89,16 +87,16 @@ def two_stages(method: str, steps: int, periods: int, precision: str) -> downsam
     left, right = st.columns(2, gap="small")
     with left:
         stages.mount(stage.payload(machine, compression), key="exact", label=_("Exact: the closed form"), **shared)
+        st.markdown(verdicts.method_facts(METHODS[method], steps))
     with right:
         run = cache.run(method, steps, periods, precision)
         played, first, last, leaves = downsampling.samples(run, machine, compression, stages.LIMITS[1])
         payload = stage.payload(machine, compression, samples=played)
         stages.mount(payload, key="stepped", label=_("Computed step by step"), **shared)
-    said = [_what_is_shown(run, first + 1, last), verdicts.errors_of(run)]
-    if leaves:
-        said.insert(1, _("Soon after, the slab leaves the picture."))
-    facts = verdicts.method_facts(METHODS[method], steps)
-    st.markdown(f"{' '.join(said)}  \n:small[{facts}]")
+        said = [_what_is_shown(run, first + 1, last), verdicts.errors_of(run)]
+        if leaves:
+            said.insert(1, _("Soon after, the slab leaves the picture."))
+        st.markdown(" ".join(said))
     return run
 
 

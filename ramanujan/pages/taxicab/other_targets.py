@@ -121,8 +121,11 @@ def open_question(facts: cache.Condition) -> None:
     paper = pairs.index(BodyChoice().bodies[:2])
     with sheet("counts", _("A count")):
         tallies = _counted(pairs)
-        count_of_cubes(tallies, paper)
-        what_stays(facts.number, tallies[paper])
+        figure, words = st.columns([3, 2]) if display_mode.is_projector() else (st.container(), st.container())
+        with figure:
+            count_of_cubes(tallies, paper)
+        with words:
+            what_stays(facts.number, tallies[paper])
 
 
 def what_has_a_reason() -> None:
