@@ -35,7 +35,7 @@ def _axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
     axis = {**axis, "ticklabelstandoff": 6}
     if text := axis.get("title", {}).get("text", ""):
         lines = _in_lines(text) if upright else text
-        # Plotly measures a power of ten as if its exponent were not there, and a second line in the size of other screens.
+        # Plotly measures a power of ten as if its exponent were not there, and a second line as small.
         powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
         standoff = 12 + (18 if upright and powers else 0) + (20 if "<br>" in lines else 0)
         axis["title"] = {**axis["title"], "text": lines, "standoff": standoff}
