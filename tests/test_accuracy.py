@@ -20,9 +20,9 @@ from ramanujan.accuracy.__main__ import main
 from ramanujan.accuracy.choices import arithmetics, caching, closed_form, curve_sampling
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
-from ramanujan.accuracy.history import error_history
 from ramanujan.accuracy.measurement import measure
 from ramanujan.accuracy.phase import phase_errors
+from ramanujan.accuracy.runs import error_history
 from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
 from ramanujan.integrators import METHODS, trajectory
 

@@ -20,9 +20,9 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.extremes import FORMS, extremes
-from ramanujan.accuracy.history import error_history
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import phase_errors
+from ramanujan.accuracy.runs import error_history
 from ramanujan.accuracy.work_precision import WorkPrecision, cheapest
 from ramanujan.figures import speed as figures
 from ramanujan.frequency import frequency_squared

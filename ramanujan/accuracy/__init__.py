@@ -1,8 +1,7 @@
 """Experiments on the accuracy and the cost of each method to compute the machine.
 
-    runs             runs of the integrators and their errors
+    runs             runs of the integrators, and one of them with its errors as they grow
     work_precision   error of the integrators against evaluations and seconds; the cheapest one for a tolerance
-    history          one run, with its errors as they grow
     choices          the choices of the app itself: points of a curve, closed form, kind of arithmetic, caching
     extremes         the forms of Ω² for very large and very small numbers
     general_solvers  eigenvalue solvers that know only the machine's matrices

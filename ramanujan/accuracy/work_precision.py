@@ -7,14 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.accuracy.measurement import Timing, float_type
-from ramanujan.accuracy.runs import LONGEST_RUN, blocks, method_named, seconds_per_step, steps_within
-from ramanujan.integrators import METHODS, trajectory
+from ramanujan.accuracy.runs import LONGEST_RUN, blocks, evaluations_of, method_named, seconds_per_step, steps_within
 from ramanujan.translation import _
 from ramanujan.validation import function, instance, integer, one_of, positive, sequence
 
@@ -185,32 +182,3 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
             costs = int(curve.evaluations[run]), float(curve.seconds[run])
             found.append(Choice(curve.method, curve.dtype, int(n[run]), float(curve.error[run]), *costs))
     return sorted(found, key=lambda choice: getattr(choice, by))
-
-
-def evaluations_of(method: str, steps: ArrayLike) -> NDArray[np.int64]:
-    """Return how often so many steps evaluate the acceleration, from counting the first two steps.
-
-    The second step may use what the first has evaluated; for a linear acceleration every later one does the same.
-
-    >>> evaluations_of("velocity_verlet", [1, 2, 100])
-    array([  2,   3, 101])
-    """
-    first, second = _counted(method)
-    return first + (np.asarray(steps) - 1) * second
-
-
-@cache
-def _counted(method: str) -> tuple[int, int]:
-    """Return the evaluations of the first and of the second step."""
-    calls = 0
-
-    def acceleration(q: float) -> float:
-        nonlocal calls
-        calls += 1
-        return -q
-
-    states, counted = trajectory(METHODS[method], acceleration, 1.0, 0.0, 0.1), []
-    for _step in range(2):
-        next(states)
-        counted.append(calls)
-    return counted[0], counted[1] - counted[0]

@@ -9,7 +9,7 @@ from functools import cache, partial
 import numpy as np
 
 from ramanujan.accuracy.extremes import FORMS
-from ramanujan.accuracy.history import History, error_history
+from ramanujan.accuracy.runs import History, error_history
 from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import released

@@ -6,19 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from ramanujan.answers.machines import CALLED
 from ramanujan.contact import first_to_slip, normal_forces, required_friction
 from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Run, Stop
 from ramanujan.motion import InitialState, released
 from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.translation import _
 
-_CONTACTS = {
-    "hoop_slab": _("the hoop on the slab"),
-    "cylinder_slab": _("the lower cylinder on the slab"),
-    "hoop_block": _("the hoop on the block"),
-    "cylinder_block": _("the lower cylinder on the block"),
-    "top_block": _("the top cylinder on the block"),
-}
 _SPEED = COMPRESSION / 2 / EQUAL.period
 """Of gliding and rolling [m/s], slow enough to watch."""
 
@@ -37,14 +31,19 @@ def _first(ratio: float) -> str:
     return first_to_slip(replace(EQUAL, m_prime=ratio * EQUAL.m), COMPRESSION, _spacing())
 
 
+def _called(contact: str) -> str:
+    roller, other = contact.split("_")
+    return _("{roller} on {other}").format(roller=CALLED[roller], other=CALLED[other])
+
+
 def _friction() -> dict[str, object]:
     """Return μ at each contact, which two need most, the slab's weight on the hoop, ε below which the top slips."""
     needed = required_friction(EQUAL, COMPRESSION, spacing=_spacing())
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_spacing())
     return needed | {
-        "first": _CONTACTS[first],
-        "second": _CONTACTS[second],
+        "first": _called(first),
+        "second": _called(second),
         "most": needed[first],
         "next": needed[second],
         "load": float(loads["hoop_slab"] / (loads["hoop_slab"] + loads["cylinder_slab"])),

@@ -10,6 +10,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
+from ramanujan.derivation.shares import PARTS
 from ramanujan.figures import Drawn
 from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
@@ -24,37 +25,17 @@ PERIODS = 2
 POINTS = points_for_half_pixel(2 * PERIODS)
 """An energy goes up and down twice in a period; and any figure can be opened to fill the screen."""
 
-NAMES = {
-    "block": _("block"),
-    "hoop": _("hoop"),
-    "cylinder": _("lower cylinder"),
-    "slab": _("slab"),
-    "top": _("top cylinder"),
-    "spring": _("spring"),
-}
-"""Body → what a figure calls it."""
 CONTACTS = {
-    "hoop_slab": _("hoop and slab"),
-    "cylinder_slab": _("lower cylinder and slab"),
-    "hoop_block": _("hoop and block"),
-    "cylinder_block": _("lower cylinder and block"),
-    "top_block": _("top cylinder and block"),
+    f"{body}_{other}": _("{body} and {other}").format(body=PARTS[body], other=PARTS[other])
+    for other, bodies in (("slab", ("hoop", "cylinder")), ("block", ("hoop", "cylinder", "top")))
+    for body in bodies
 }
 """Contact → the two bodies that touch there."""
 _CM = 100.0
 # Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it.
 _LINES = {"hoop": {"width": 5.0}, "cylinder": {"dash": "6px 6px"}}
-_ENERGIES = {
-    "spring": _("spring"),
-    "block_translation": _("block, translation"),
-    "hoop_translation": _("hoop, translation"),
-    "hoop_rotation": _("hoop, rotation"),
-    "cylinder_translation": _("lower cylinder, translation"),
-    "cylinder_rotation": _("lower cylinder, rotation"),
-    "slab_translation": _("slab, translation"),
-    "top_translation": _("top cylinder, translation"),
-    "top_rotation": _("top cylinder, rotation"),
-}
+_ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
+"""Kind of energy → what a figure calls that of a body."""
 
 
 @st.cache_resource(show_spinner=False, max_entries=128)
@@ -109,10 +90,9 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the energies of all bodies by kind, one upon the other, below their constant sum."""
     curves = []
     for key, values in motion.energies.items():
-        body = key.partition("_")[0]
-        turns = key.endswith("_rotation")
-        curve = _of_body(body, values * 1e3, colors, stacked=True, hatched=turns)
-        curves.append(replace(curve, name=_ENERGIES[key]))
+        body, _between, kind = key.partition("_")
+        curve = _of_body(body, values * 1e3, colors, stacked=True, hatched=kind == "rotation")
+        curves.append(replace(curve, name=_ENERGIES[kind].format(body=PARTS[body])))
     total = 1e3 * motion.total_energy
     curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), colors["ink"], width=3))
     # A sixth above the total is room for the names of the periods.
@@ -160,12 +140,12 @@ def contact_color(contact: str, colors: Mapping[str, str]) -> str:
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> Curve:
     body, _between, other = contact.partition("_")
     dash = "solid" if other == "slab" or body == "top" else "7px 5px"
-    label = _("{body}–{other}").format(body=NAMES[body], other=NAMES[other])
+    label = _("{body}–{other}").format(body=PARTS[body], other=PARTS[other])
     return replace(_of_body(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
 
 
 def _of_body(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
-    return Curve(NAMES[body], values, colors[body], NAMES[body], colors[f"{body}_ink"], **look)
+    return Curve(PARTS[body], values, colors[body], PARTS[body], colors[f"{body}_ink"], **look)
 
 
 def _panel(title: str, unit: str, curves: list[Curve], short: str = "") -> Panel:

@@ -9,6 +9,7 @@ import streamlit as st
 
 from ramanujan.contact import required_friction
 from ramanujan.derivation.printers import latex
+from ramanujan.derivation.shares import PARTS
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.numerals import number, quantity
@@ -32,7 +33,7 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     time, plane = st.columns([3, 2])
     farthest = {
         body: 100 * abs(motion.over_ground[body] - motion.over_ground[body][0]).max()
-        for body in cache.NAMES
+        for body in PARTS
         if body != "spring"
     }
     sees = (
@@ -47,7 +48,7 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
         )
     )
     with time:
-        chart(drawn[0], "displacements", sees.format(distances=listed(cache.NAMES, farthest, "cm")))
+        chart(drawn[0], "displacements", sees.format(distances=listed(PARTS, farthest, "cm")))
     with plane:
         chart(
             drawn[1],
@@ -93,7 +94,7 @@ def show_energy(motion: Record, drawn: tuple) -> None:
         _(
             "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
             "{total}. The largest single share belongs to this body: {body}."
-        ).format(total=whole, body=cache.NAMES[greatest.partition("_")[0]]),
+        ).format(total=whole, body=PARTS[greatest.partition("_")[0]]),
     )
     sentences = [
         _(

@@ -18,10 +18,9 @@ from ramanujan import Oscillator
 from ramanujan.accuracy.choices import ClosedForm, arithmetics, caching, closed_form, curve_sampling
 from ramanujan.accuracy.extremes import FORMS, Sweep, extremes
 from ramanujan.accuracy.general_solvers import EigenSweep, eigen_solvers
-from ramanujan.accuracy.history import error_history
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import PhaseErrors, phase_errors
-from ramanujan.accuracy.runs import seconds_per_step
+from ramanujan.accuracy.runs import error_history, seconds_per_step
 from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision, work_precision
 from ramanujan.figures import MASS_RATIO, Drawn
 from ramanujan.figures import speed as figures

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.history import History
+from ramanujan.accuracy.runs import History
 from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
 from ramanujan.motion import released
 
