@@ -120,6 +120,7 @@ def test_what_axe_is_asked_to_find_it_finds(visit):
     """Negative control."""
     page = visit("worksheet", width=390, height=844)
     page.evaluate(AXE.read_text(encoding="utf-8"))
+    page.wait_for_function(REACHED)
     page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
     rules = {each.partition(":")[0] for each in page.evaluate(FOUND)}
     assert rules == {"color-contrast", "heading-order", "image-alt"}
