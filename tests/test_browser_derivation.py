@@ -121,15 +121,21 @@ def test_three_machines_run_side_by_side(visit):
 
 def test_the_route_as_it_stands_can_be_taken_home(visit):
     page = visit("derivation?route=energy&values=numbers")
+    assert press(page, "ArrowRight") == "2"
+    seen = page.locator(STEP).inner_text().partition(". ")[2].partition("’")[0]
     page.locator(".st-key-files button").first.click()
-    for kind, suffix in (("latex", "tex"), ("slides", "slides.tex"), ("markdown", "md"), ("notebook", "ipynb")):
+    settle(page)
+    suffixes = {"latex": "tex", "slides": "slides.tex", "step": "step.tex", "markdown": "md", "notebook": "ipynb"}
+    for kind, suffix in suffixes.items():
         page.wait_for_selector(f".st-key-file_{kind} button")
         sent = len(page.frames_sent)
         with page.expect_download() as download:
             page.locator(f".st-key-file_{kind} button").click()
         assert download.value.suggested_filename == f"ramanujan-energy-numbers.{suffix}"
         text = Path(download.value.path()).read_text(encoding="utf-8")
-        assert ROUTES["energy"]["spring_mass"].heading in text
+        assert seen in text
+        assert (ROUTES["energy"]["spring_mass"].heading in text) == (kind != "step")
+        assert ("tikzpicture" in text) == (kind in ("slides", "step"))
         if kind == "notebook":
             assert json.loads(text)["nbformat"] == 4
         settle(page)

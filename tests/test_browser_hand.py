@@ -61,6 +61,10 @@ def scale(page) -> float:
     return inside(page, "root.querySelector('.machine').getScreenCTM().a")
 
 
+HINT = "getComputedStyle(root.querySelector('.slab .handle text')).display !== 'none'"
+"""Whether the slab shows that it can be dragged."""
+
+
 def take_slab(page, centimetres: float) -> tuple[float, float]:
     """Press on the slab and drag it; return where the pointer is."""
     x, y = centre(page)
@@ -200,6 +204,7 @@ def test_no_message_moves_the_slab_while_it_is_held(slowly):
     page.mouse.down()
     page.mouse.move(x + 40, y, steps=4)
     page.mouse.up()
+    assert inside(page, HINT)
     take_slab(page, -3)
     page.wait_for_timeout(200)  # the last jump has faded
     watch(page, "places", "root.querySelector('.moving .slab').transform.baseVal[0].matrix.e")
@@ -212,6 +217,7 @@ def test_no_message_moves_the_slab_while_it_is_held(slowly):
     page.wait_for_timeout(900)
     settle(page)
     assert set(page.evaluate("window.bent")) == {0.05}
+    assert not inside(page, HINT), "it goes with the first drag"
     assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
 
 

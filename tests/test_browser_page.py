@@ -15,7 +15,7 @@ from playwright.sync_api import expect
 from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import STAGE, inside, module, next_frame, settle
 from tests.test_browser_access import switch
-from tests.test_export import environments_nest
+from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "1"))
@@ -477,17 +477,24 @@ def test_the_picture_is_saved_as_svg_png_and_tikz(visit, tmp_path):
     assert tikz.count("\\begin{tikzpicture}") == tikz.count("\\clip (0pt,0pt)") == 1
     assert tikz.count("svg {") > 15
     for d in re.findall(r"svg \{(.*?)\}", tikz):
-        assert re.fullmatch(r"[MLHVAhvlmz\d\s.e,-]+", d), d
+        assert re.fullmatch(r"[MLHVChvlmz\d\s.e,-]+", d), d
     assert "$m'$" in tikz
     assert tikz.isascii()
+    if ENGINE:
+        document = (
+            r"\documentclass{standalone}\usepackage{tikz}\usetikzlibrary{svg.path}\begin{document}%s\end{document}"
+        )
+        assert "Overfull" not in typeset(document % tikz, tmp_path)
     # Plotly itself saves a figure.
-    page.locator(".st-key-curve .modebar-btn").wait_for(state="attached")
+    page.locator(".st-key-curve .modebar-btn", has_text="PNG").wait_for(state="attached")
     page.locator(".st-key-curve .js-plotly-plot").hover()
-    with page.expect_download() as download:
-        page.locator(".st-key-curve .modebar-btn").click()
-    assert download.value.suggested_filename == "ramanujan-curve.svg"
-    download.value.save_as(tmp_path / "curve.svg")
-    figure = (tmp_path / "curve.svg").read_text(encoding="utf-8")
+    for format in ("SVG", "PNG"):
+        with page.expect_download() as download:
+            page.locator(".st-key-curve .modebar-btn", has_text=format).click()
+        assert download.value.suggested_filename == f"ramanujan-curve.{format.lower()}"
+        download.value.save_as(tmp_path / download.value.suggested_filename)
+    assert Image.open(tmp_path / "ramanujan-curve.png").width > 2000
+    figure = (tmp_path / "ramanujan-curve.svg").read_text(encoding="utf-8")
     assert ElementTree.fromstring(figure).get("viewBox")
     assert set(re.findall(r"https?://[^\"')]+", figure)) <= {
         "http://www.w3.org/1999/xlink",

@@ -173,6 +173,33 @@ def check_weights(picture: Picture, drawn: dict) -> None:
             x, y = drawn["rollers"][contact.split("_")[0]]["centre"]
             R = drawn["rollers"]["hoop"]["radius"]
             assert [middle(arrow), arrow[5]] == pytest.approx([x, y + sides[contact] * R], abs=2 * HALF_A_PIXEL), name
+    check_floor(picture, drawn, masses, g)
+
+
+def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: float) -> None:
+    """The floor's force acts where its torque and the weights' turn the machine as it moves: Mg(x_N − x) = −dL/dt."""
+    machine, left, riser, right = picture.machine, drawn["block"][0], drawn["spring"][2], drawn["block"][2]
+    floor, upper = drawn["block"][3], drawn["block"][1]
+    deck = drawn["rollers"]["hoop"]["centre"][1] + drawn["rollers"]["hoop"]["radius"]
+    steps = np.array([[(left + riser) / 2, (floor - deck) / 2], [(riser + right) / 2, (floor - upper) / 2]])
+    areas = np.array([(riser - left) * (floor - deck), (right - riser) * (floor - upper)])
+    places = {name: (roller["centre"][0], floor - roller["centre"][1]) for name, roller in drawn["rollers"].items()}
+    places["block"] = areas @ steps / areas.sum()
+    places["slab"] = (drawn["slab"][0] + drawn["slab"][2]) / 2, floor - (drawn["slab"][1] + drawn["slab"][3]) / 2
+    q_ddot = -machine.natural_frequency_squared * picture.q[1] * machine.mode_shape
+    along = ground_velocities(machine, q_ddot)
+    rate = sum(mass * places[name][1] / picture.pixels * along[name] for name, mass in masses.items())
+    R = machine.radius
+    spins = {
+        "hoop": machine.m_prime * q_ddot[1],
+        "cylinder": machine.m_prime * q_ddot[1] / 2,
+        "top": machine.m * q_ddot[2] / 2,
+    }
+    rate += R**2 * sum(spins.values())
+    total = sum(masses.values())
+    centre = sum(mass * places[name][0] for name, mass in masses.items()) / total
+    expected = centre - picture.pixels * rate / (g * total)
+    assert middle(drawn["weights"]["floor block"]) == pytest.approx(expected, abs=3 * HALF_A_PIXEL)
 
 
 def test_seen_from_the_block_it_stands_still_and_rolling_is_seen(picture):

@@ -14,7 +14,7 @@ import sympy as sp
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
 from ramanujan.derivation.numbers import stated
-from ramanujan.derivation.rows import Row, rows
+from ramanujan.derivation.rows import Row, rows, widest
 from ramanujan.derivation.steps import Route, Step
 from ramanujan.translation import _
 
@@ -37,13 +37,9 @@ _SLIDES = r"""\documentclass[aspectratio=169,10pt]{beamer}
 \usepackage{amsmath,tikz}
 \usetikzlibrary{svg.path}
 \setbeamertemplate{navigation symbols}{}
+\setlength{\jot}{6pt}
 """
-_ONE_STEP = _(
-    "For one step alone, name its frames in a line \\includeonlyframes{{{frames}}} before \\begin{{document}}."
-)
-_PICTURE = "ramanujan-machine.tex"
-"""The file as which a stage saves its picture as TikZ."""
-_NO_PICTURE = _("Save the picture of the machine as TikZ, and put the file {file} beside this one.")
+_ANY_PICTURE = _("A stage of the app saves its own picture as TikZ: put it here instead of this one.")
 
 _IN_PROSE = {
     "\\": r"\textbackslash{}",
@@ -60,7 +56,7 @@ _IN_PROSE = {
     "·": r"$\cdot$",
     "…": r"\dots{}",
 }
-_LINE_WIDTH = 66
+_LINE_WIDTH = 60
 """Characters of a formula that fit on one line of the article; found by typesetting all routes with TeX."""
 _SLIDE_WIDTH, _SLIDE_LINES = 50, 5
 """Characters of a formula that fit on one line of a slide, and such lines on a slide."""
@@ -87,26 +83,24 @@ def to_latex(route: Route, values: Values | None = None) -> str:
     return f"{_PREAMBLE}{title}{opening}{body}\\end{{document}}\n"
 
 
-def to_beamer(route: Route, values: Values | None = None) -> str:
+def to_beamer(route: Route, values: Values | None = None, picture: str = "", step: int | None = None) -> str:
     """Return the route as slides for LaTeX's beamer, in ASCII: the machine, then a frame or more for each step.
-
-    The machine is the picture that a stage of the app saves as TikZ, in a file beside this one.
 
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
     values : the machine whose numbers are put in; none for the symbols
+    picture : of the machine, as TikZ
+    step : the one that is wanted, counted from 1; none for all
     """
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
-    missing = prose_to_latex(_NO_PICTURE.format(file=_PICTURE))
-    picture = f"\\centering\\IfFileExists{{{_PICTURE}}}{{\\input{{{_PICTURE}}}}}{{{missing}}}\n"
-    picture += f"\n{prose_to_latex(stated(values))}\n" if values else ""
-    frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), picture)]
-    for step in route.steps:
-        frames += _slides(step, values)
-    said = _ONE_STEP.format(frames=",".join(label for label, *_rest in frames if label.startswith(route.steps[0].key)))
+    said = f"\n{prose_to_latex(stated(values))}\n" if values else ""
+    machine = f"\\centering\n% {_ANY_PICTURE}\n{picture}{said}"
+    frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), machine)]
+    for each in route.steps if step is None else route.steps[step - 1 : step]:
+        frames += _slides(each, values)
     body = "".join(f"\\begin{{frame}}[label={label}]{{{head}}}\n{text}\\end{{frame}}\n" for label, head, text in frames)
-    return f"{_SLIDES}% {said}\n{title}\\begin{{document}}\n{body}\\end{{document}}\n"
+    return f"{_SLIDES}{title}\\begin{{document}}\n{body}\\end{{document}}\n"
 
 
 def to_markdown(route: Route, values: Values | None = None) -> str:
@@ -160,35 +154,41 @@ def prose_to_latex(text: str) -> str:
 
 
 def _latex_section(step: Step, values: Values | None) -> str:
-    said = step.about(values) if values else step
+    said, shown = step.about(values) if values else step, rows(step, values)
     heading, reason = prose_to_latex(said.heading), prose_to_latex(said.reason)
-    equations = " \\\\\n".join(f"  {_aligned(row)}" for row in rows(step, values))
-    return f"\\section{{{heading}}}\n{reason}\n\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
+    return f"\\section{{{heading}}}\n{reason}\n{_display(shown, _broken(shown, _LINE_WIDTH))}"
 
 
 def _slides(step: Step, values: Values | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
-    said = step.about(values) if values else step
-    parts: list[list[str]] = [[]]
-    for each in rows(step, values):
-        lines = each.lines(_SLIDE_WIDTH)
-        if parts[-1] and sum(len(equation.split("\\\\\n")) for equation in parts[-1]) + len(lines) > _SLIDE_LINES:
+    said, shown = step.about(values) if values else step, rows(step, values)
+    broken = _broken(shown, _SLIDE_WIDTH)
+    count = max(1, -(-sum(map(len, broken)) // _SLIDE_LINES))
+    parts: list[list[int]] = [[]]
+    for place, lines in enumerate(broken):
+        used = sum(len(broken[each]) for each in parts[-1])
+        if used and used + len(lines) > -(-sum(map(len, broken)) // count):
             parts.append([])
-        parts[-1].append(_aligned(each, _SLIDE_WIDTH))
+        parts[-1].append(place)
     frames = []
     for number, part in enumerate(parts, start=1):
         label = step.key if number == 1 else f"{step.key}-{number}"
         reason = f"{prose_to_latex(said.reason)}\n" if number == 1 else ""
-        equations = " \\\\\n".join(f"  {equation}" for equation in part)
-        text = f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n" if part else ""
+        text = _display([shown[each] for each in part], [broken[each] for each in part]) if part else ""
         frames.append((label, prose_to_latex(said.heading), f"{reason}{text}"))
     return frames
 
 
-def _aligned(row: Row, width: int = _LINE_WIDTH) -> str:
-    """Return left &= right, a long sum broken into lines."""
-    first, *others = row.lines(width)
-    return f"{row.left} &= {first}" + "".join(f" \\\\\n  &\\quad {other}" for other in others)
+def _broken(shown: list[Row], width: int) -> list[list[str]]:
+    """Return the right sides of rows that are aligned with each other, each in lines."""
+    return [each.lines(width, widest(shown)) for each in shown]
+
+
+def _display(shown: list[Row], broken: list[list[str]]) -> str:
+    """Return rows as left &= right, a long sum broken into lines."""
+    made = (f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) for row, lines in zip(shown, broken, strict=True))
+    equations = " \\\\\n".join(made)
+    return f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
 
 
 def _markdown_section(number: int, step: Step, values: Values | None) -> str:

@@ -216,10 +216,10 @@ def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
 
 
 def _by_powers_of_p_phi(form: sp.Expr) -> sp.Expr:
-    """Return a form in the momenta with one term each for p_φ², p_φ and the rest."""
+    """Return a form in the momenta with one term each for p_φ², p_φ and the products of the others."""
     gathered = gather(form, MOMENTA)
     square, linear, rest = (gathered.coeff(p_phi, power) for power in (2, 1, 0))
-    return square * p_phi**2 + sp.factor(linear) * p_phi + _one_fraction(rest)
+    return square * p_phi**2 + sp.factor(linear) * p_phi + rest
 
 
 def _one_fraction(form: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:

@@ -175,6 +175,29 @@ def normal_forces(bodies: Machine, spacing: sp.Expr, g: sp.Expr) -> dict[str, sp
     return {contact.name: sp.factor(loads[contact.roller] + own[contact.name]) for contact in CONTACTS}
 
 
+def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
+    """Return how far right of the centre of mass the floor's normal forces act on the block, taken together [m].
+
+    The floor has no friction. Counted clockwise about a point of the floor, its torque and the weights' change the
+    angular momentum:
+
+        −lever · Σ mg = Σ (m · height · ẍ + I θ̈)
+
+    The heights of the bodies' centres over the floor are the symbols height_block, … [m].
+
+    Parameters
+    ----------
+    bodies : the machine
+    g : gravitational acceleration [m/s²]
+    """
+    height = {body.name: sp.Symbol(f"height_{body.name}", positive=True) for body in bodies.bodies}
+    rate = sum(
+        body.mass * height[body.name] * body.displacement.diff(t, 2) + body.moment_of_inertia * body.angle.diff(t, 2)
+        for body in bodies.bodies
+    )
+    return -rate / (g * sum(body.mass for body in bodies.bodies))
+
+
 @ROUTES.add("newton")
 def build() -> Route:
     """Return the route: balances, rolling, solution, contact forces, Ω²."""

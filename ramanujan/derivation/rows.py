@@ -23,6 +23,8 @@ _UNITS = {
 """The unit of a left side whose right side may become a number."""
 
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
+_SHORT, _SHORTEST = 8, 20
+"""Characters of a left side that take no room from the right one, and of the shortest line of a right side."""
 _INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
 
 
@@ -51,8 +53,15 @@ class Row:
         """The equation in one line."""
         return f"{self.left} = {self.right}"
 
-    def lines(self, width: int) -> list[str]:
-        """Return the right side in lines of about so many characters; each but the first begins with a sign."""
+    def lines(self, width: int, beside: int = 0) -> list[str]:
+        """Return the right side in lines of about so many characters; each but the first begins with a sign.
+
+        Parameters
+        ----------
+        width : of a line whose left side is short
+        beside : characters of the longest left side with which this row is aligned
+        """
+        width = max(width - max(beside - _SHORT, 0), _SHORTEST)
         found = [self.terms[0]]
         for term in self.terms[1:]:
             if extent(found[-1] + term) > width:
@@ -137,12 +146,18 @@ def aligned(blocks: Iterable[Iterable[Row]], width: int, gap: str = ".5em") -> s
     """
     made = [list(block) for block in blocks]
     to_zero = any(each.right == "0" for block in made for each in block)
-    shown = (rf" \\[{gap}] ".join(_marked(each, to_zero, width) for each in block) for block in made if block)
+    beside = widest(each for block in made for each in block)
+    shown = (rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside) for each in block) for block in made if block)
     return r"\begin{aligned}" + r" \\[1.6em] ".join(shown) + r"\end{aligned}"
 
 
-def _marked(shown: Row, to_zero: bool, width: int) -> str:
+def widest(shown: Iterable[Row]) -> int:
+    """Return about how many characters the longest left side has."""
+    return max((extent(each.left) for each in shown), default=0)
+
+
+def _marked(shown: Row, to_zero: bool, width: int, beside: int) -> str:
     if to_zero:
         return f"&{shown.latex}"
-    first, *others = shown.lines(width)
+    first, *others = shown.lines(width, beside)
     return rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)

@@ -28,7 +28,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
 
     Parameters
     ----------
-    colors : ink, faint and paper
+    colors : ink, faint, paper and primary
     hover : the text for a point under the pointer, unless a trace has its own
     """
     axis = {
@@ -48,6 +48,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "margin": {"l": 56, "r": 16, "t": 12, "b": 48},
         "xaxis": axis,
         "yaxis": axis,
+        "modebar": {"bgcolor": colors["paper"], "color": colors["ink"], "activecolor": colors["primary"]},
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
     }
     # A click on one point must not dim the others.

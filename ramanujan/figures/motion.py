@@ -119,7 +119,7 @@ def phase_plane(
             "y": velocity.astype(np.float32),
             "name": orbit.name,
             "mode": "lines",
-            "line": {"color": orbit.color, "width": orbit.width, "dash": orbit.dash},
+            "line": {"color": orbit.color, "width": orbit.width, "dash": orbit.dash, "shape": "spline"},
             "hovertemplate": "%{x:.3~g} cm, %{y:.3~g} cm/s",
         }
         for orbit, velocity in zip(orbits, velocities, strict=True)
@@ -255,7 +255,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "yaxis": axis,
         "name": curve.name,
         "mode": "lines",
-        "line": {"color": curve.color, "width": curve.width, "dash": curve.dash},
+        "line": {"color": curve.color, "width": curve.width, "dash": curve.dash, "shape": "spline"},
         "hovertemplate": hover.format(value="%{y:.3~g}", unit=panel.unit, panel=panel.short or panel.title),
     }
     if curve.stacked:

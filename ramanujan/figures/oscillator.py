@@ -68,7 +68,7 @@ def frequency_curve(
         x=ratios,
         y=values,
         mode="lines",
-        line={"color": colors["primary"], "width": 3},
+        line={"color": colors["primary"], "width": 3, "shape": "spline"},
         name=_("any machine"),
     )
     figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")

@@ -44,7 +44,7 @@ def level_crossing(
             "x": np.float32(ratios),
             "y": np.float32(values),
             "mode": "lines",
-            "line": {"color": colors["primary"], "width": 3},
+            "line": {"color": colors["primary"], "width": 3, "shape": "spline"},
         },
         {
             "x": [present[0]],

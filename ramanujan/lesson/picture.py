@@ -1,7 +1,9 @@
-"""The machine as a still picture for paper: an SVG of its release, to scale, drawn from the core's geometry."""
+"""The machine as a still picture: its release, to scale, drawn from the core's geometry, as SVG or as TikZ."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from itertools import pairwise
 from xml.sax.saxutils import escape
 
 from ramanujan.motion import ground_positions, motion, released
@@ -12,6 +14,19 @@ _CM = 100.0
 _DECK, _THICK, _STEP, _GAP = 8.0, 4.5, 3.0, 2.5
 """Heights of the block's lower step and of the slab, the upper step over the slab, the gaps [cm]; as on the stage."""
 _COLORS = {"block": "#d9dce0", "hoop": "#e19c19", "cylinder": "#9dbdd6", "slab": "#9ad0bb", "top": "#e4a3a7"}
+_LETTER = 5.0
+"""Size of a letter [cm of the picture]."""
+_TIKZ_WIDTH = 340.0
+"""Width of the picture as TikZ [pt]; a slide of beamer, 16:9, has 398 for its content."""
+
+
+@dataclass(frozen=True)
+class _Picture:
+    """Outlines, each with its body or "", and letters, each with its place; x to the right and y downwards [cm]."""
+
+    view: tuple[float, float, float, float]
+    outlines: list[tuple[str, str]]
+    letters: list[tuple[str, float, float]]
 
 
 def machine_svg(machine: Oscillator, compression: float) -> str:
@@ -22,6 +37,42 @@ def machine_svg(machine: Oscillator, compression: float) -> str:
     machine : the machine
     compression : x₀ [m]
     """
+    drawn, title = _drawn(machine, compression), escape(_("The machine at its release"))
+    view = " ".join(f"{each:g}" for each in drawn.view)
+    parts = [
+        f'<path d="{d}" fill="{_COLORS.get(body, "none")}" fill-rule="evenodd" stroke="#000" stroke-width=".4" '
+        f'data-body="{body}"/>'
+        for d, body in drawn.outlines
+    ]
+    parts += [
+        f'<text x="{x:g}" y="{y:g}" font-size="{_LETTER:g}" font-style="italic" font-family="serif" '
+        f'text-anchor="middle" dominant-baseline="central">{text}</text>'
+        for text, x, y in drawn.letters
+    ]
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" role="img"><title>{title}</title>'
+    return "".join((head, *parts, "</svg>"))
+
+
+def machine_tikz(machine: Oscillator, compression: float) -> str:
+    r"""Return the same picture as TikZ, for a document with \usepackage{tikz} and \usetikzlibrary{svg.path}.
+
+    Parameters
+    ----------
+    machine : the machine
+    compression : x₀ [m]
+    """
+    drawn = _drawn(machine, compression)
+    scale = _TIKZ_WIDTH / drawn.view[2]
+    lines = [f"\\begin{{tikzpicture}}[xscale={scale:.4f}, yscale=-{scale:.4f}, line join=round]"]
+    for d, body in drawn.outlines:
+        channels = (int(_COLORS[body][at : at + 2], 16) for at in (1, 3, 5)) if body else ()
+        fill = body and ", fill={{rgb,255:red,{};green,{};blue,{}}}".format(*channels)
+        lines.append(f"  \\path[draw, line width=0.5pt, even odd rule{fill}] svg {{{d}}};")
+    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text}$}};".replace("′", "'") for text, x, y in drawn.letters]
+    return "\n".join([*lines, "\\end{tikzpicture}\n"])
+
+
+def _drawn(machine: Oscillator, compression: float) -> _Picture:
     start = motion(machine, released(machine, compression), 0.0)[0]
     at = {name: float(x) * _CM for name, x in ground_positions(machine, start).items()}
     R, x0 = machine.radius * _CM, compression * _CM
@@ -34,45 +85,41 @@ def machine_svg(machine: Oscillator, compression: float) -> str:
     right = top + R + _GAP
     ceiling = upper + 2 * R + 3
     spring = (slab[1] + at["slab"], riser + at["block"], deck + _THICK / 2)
-    parts = [
-        f'<path d="M-6 0H{right + 6:g}" stroke="#000" stroke-width=".5"/>',
-        _shape(f"M{at['block']:g} 0V{-_DECK:g}H{riser:g}V{-upper:g}H{right:g}V0z", "block"),
-        _letter("m", (riser + right) / 2, upper / 2),
-        *_roller("hoop", hoop + at["hoop"], _DECK + R, R, "m′"),
-        *_roller("cylinder", lower + at["cylinder"], _DECK + R, R, "m′"),
-        *_roller("top", top + at["top"], upper + R, R, "m"),
-        _shape(
-            f"M{slab[0] + at['slab']:g} {-deck:g}h{slab[1] - slab[0]:g}v{-_THICK:g}H{slab[0] + at['slab']:g}z", "slab"
-        ),
-        _letter("m", sum(slab) / 2 + at["slab"], deck + _THICK / 2),
-        f'<path d="{_coil(*spring)}" fill="none" stroke="#000" stroke-width=".4"/>',
-        _letter("k", (spring[0] + spring[1]) / 2, spring[2] + 4.5),
-    ]
-    view = f"-8 {-ceiling:g} {right + 16:g} {ceiling + 3:g}"
-    title = escape(_("The machine at its release"))
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" role="img"><title>{title}</title>'
-    return "".join((head, *parts, "</svg>"))
-
-
-def _shape(d: str, body: str) -> str:
-    return (
-        f'<path d="{d}" fill="{_COLORS[body]}" fill-rule="evenodd" stroke="#000" stroke-width=".4" data-body="{body}"/>'
+    block = f"M{at['block']:g} 0V{-_DECK:g}H{riser:g}V{-upper:g}H{right:g}V0z"
+    lying = f"M{slab[0] + at['slab']:g} {-deck:g}h{slab[1] - slab[0]:g}v{-_THICK:g}H{slab[0] + at['slab']:g}z"
+    rollers = {
+        "hoop": (hoop + at["hoop"], -_DECK - R),
+        "cylinder": (lower + at["cylinder"], -_DECK - R),
+        "top": (top + at["top"], -upper - R),
+    }
+    rims = {body: _circle(*centre, R) for body, centre in rollers.items()}
+    rims["hoop"] += _circle(*rollers["hoop"], 0.78 * R)
+    return _Picture(
+        view=(-8, -ceiling, right + 16, ceiling + 3),
+        outlines=[
+            (f"M-6 0H{right + 6:g}", ""),
+            (block, "block"),
+            *((rim, body) for body, rim in rims.items()),
+            (lying, "slab"),
+            (_coil(*spring), ""),
+        ],
+        letters=[
+            ("m", (riser + right) / 2, -upper / 2),
+            *((letter, *rollers[body]) for body, letter in (("hoop", "m′"), ("cylinder", "m′"), ("top", "m"))),
+            ("m", sum(slab) / 2 + at["slab"], -deck - _THICK / 2),
+            ("k", (spring[0] + spring[1]) / 2, -spring[2] - 4.5),
+        ],
     )
 
 
-def _roller(body: str, x: float, y: float, R: float, letter: str) -> list[str]:
-    def circle(r: float) -> str:
-        return f"M{x:g} {-y - r:g}a{r:g} {r:g} 0 1 1 0 {2 * r:g}a{r:g} {r:g} 0 1 1 0 {-2 * r:g}z"
-
-    rim = circle(R) + (circle(0.78 * R) if body == "hoop" else "")
-    return [_shape(rim, body), _letter(letter, x, y)]
-
-
-def _letter(text: str, x: float, y: float) -> str:
-    return (
-        f'<text x="{x:g}" y="{-y:g}" font-size="5" font-style="italic" font-family="serif" text-anchor="middle" '
-        f'dominant-baseline="central">{text}</text>'
+def _circle(x: float, y: float, r: float) -> str:
+    # Four curves of Bézier, 0.03 % beside the circle: TikZ draws an arc of SVG with too few digits.
+    ends, k = ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)), 0.5522847 * r
+    quarters = (
+        f"c{k * a:g} {k * b:g} {r * (a + c) - k * c:g} {r * (b + d) - k * d:g} {r * (a + c):g} {r * (b + d):g}"
+        for (a, b), (c, d) in pairwise(ends)
     )
+    return f"M{x:g} {y - r:g}{''.join(quarters)}z"
 
 
 def _coil(start: float, end: float, y: float) -> str:

@@ -16,7 +16,7 @@ STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": Fa
 
 
 def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
-    """Put a figure on the page, which Plotly saves as SVG; on a projector it grows with the screen.
+    """Put a figure on the page, which can be saved as SVG or PNG; on a projector it grows with the screen.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     height = "content"
     if display_mode.is_projector():
         figure, height = in_large_print(figure), "stretch"
-    saved = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}"}}
+    saved = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
     st.plotly_chart(figure, key=key, theme=None, height=height, config=saved | config, alt=alt, **options)
 
 

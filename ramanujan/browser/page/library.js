@@ -9,6 +9,7 @@ const fitPaper = () => document.documentElement.style.setProperty("--printed", M
 window.addEventListener("resize", fitPaper);
 fitPaper();
 dom.keepOneEntry();
+dom.watchGraphs(dom.offerFormats, new AbortController().signal);
 setTimeout(reportBroken, 10_000); // by then a page is drawn
 
 const rooms = new WeakMap(); // parentElement → part → its room

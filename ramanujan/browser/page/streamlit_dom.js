@@ -114,6 +114,24 @@ export const dom = {
     look();
   },
 
+  /** Plotly's button saves a graph in one format, SVG: put another beside it, for PNG. */
+  offerFormats(graph) {
+    const svg = graph.querySelector(".modebar-btn[data-title^='Download plot']");
+    if (!svg || svg.nextSibling) return;
+    const png = svg.cloneNode(true);
+    png.addEventListener("click", () => {
+      const options = graph._context.toImageButtonOptions;
+      options.format = "png";
+      svg.click();
+      options.format = "svg";
+    });
+    svg.after(png);
+    for (const [button, format] of [[svg, "SVG"], [png, "PNG"]]) {
+      button.append(format);
+      button.dataset.title = button.ariaLabel += ` (${format})`;
+    }
+  },
+
   /** The graph that contains a node. */
   graphOf: (node) => node.closest?.(".js-plotly-plot"),
 
@@ -215,6 +233,10 @@ export const ASSUMPTIONS = {
   "a graph is of the class js-plotly-plot, with data, layout and events": [
     "ring and time cursor over the figures",
     () => each(".js-plotly-plot", (graph) => graph.data && graph.layout && graph.on && graph.removeListener),
+  ],
+  "a graph has a button Download plot, which saves it in the format of its options": [
+    "a figure as SVG and as PNG",
+    () => each(".js-plotly-plot .modebar-btn[data-title^='Download plot']", (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
   ],
   "a rectangle of the class nsewdrag covers each panel of a graph": [
     "where ring and time cursor are drawn",

@@ -1,7 +1,7 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and what the lower rollers share. Lengths in centimetres
 // of the picture, y UP.
 
-import { CM, ROLLERS, headOf, velocityArrow } from "./drawing.js";
+import { CM, ROLLERS, arc, headOf, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, mapValues } from "./motion.js";
 import { element, set } from "./svg.js";
@@ -40,14 +40,14 @@ function angleMarks(name, angle, moved, g) {
   const point = (radii, at) => `${x + radii * R * Math.sin(at)} ${-y0 - radii * R * Math.cos(at)}`;
   const turn = ((angle % TURN) + TURN) % TURN, signed = turn > Math.PI ? turn - TURN : turn;
   const [from, to, beside] = [SENSE.from, SENSE.to, SENSE.label].map((degrees) => (degrees * TURN) / 360);
-  const arc = `M${x} ${-y0}L${point(ARC, 0)}A${ARC * R} ${ARC * R} 0 0 ${signed > 0 ? 1 : 0} ${point(ARC, signed)}z`;
+  const value = `M${x} ${-y0}L${point(ARC, 0)}${arc(x, -y0, ARC * R, ARC * R, 0, signed)}z`;
   const along = 1.8 / (SENSE.at * R); // the angle that the head takes
   const head = `M${point(SENSE.at + 0.9 / R, to - along)}L${point(SENSE.at, to)}L${point(SENSE.at - 0.9 / R, to - along)}`;
   return {
     [`${name}_guide`]: { d: `M${x} ${-y0}L${point(1, 0)}` },
-    [`${name}_value`]: { d: Math.abs(signed) < 1e-3 ? "" : arc },
+    [`${name}_value`]: { d: Math.abs(signed) < 1e-3 ? "" : value },
     [`${name}_radius`]: { d: `M${x} ${-y0}L${point(1, signed)}` },
-    [`${name}_sense`]: { d: `M${point(SENSE.at, from)}A${SENSE.at * R} ${SENSE.at * R} 0 0 1 ${point(SENSE.at, to)}${head}` },
+    [`${name}_sense`]: { d: `M${point(SENSE.at, from)}${arc(x, -y0, SENSE.at * R, SENSE.at * R, from, to)}${head}` },
     [`${name}_label`]: { x: x + (SENSE.at * R + 1.2) * Math.sin(beside), y: -y0 - (SENSE.at * R + 1.2) * Math.cos(beside) },
   };
 }

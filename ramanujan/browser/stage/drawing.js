@@ -116,7 +116,8 @@ export function forcesOn(known, g, shift) {
   // Beside the line of a roller's normal forces, which would hide its weight.
   for (const name of BODIES) upright[`weight ${name}`] = [name, home[name] + over[name] + (ROLLERS.includes(name) ? beside : 0), g.middle[name], -weights[name]];
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
-  upright["floor block"] = ["block", centreOfMass(known, g, shift), 0, total];
+  const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.middle[name] / CM]));
+  upright["floor block"] = ["block", centreOfMass(known, g, shift) + FORMULAS.floor_lever({ ...known, ...heights }) * CM, 0, total];
   return { forces, weights: upright };
 }
 
@@ -134,12 +135,22 @@ export const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 /** What a roller of shape factor β = I/(mass·R²) is. */
 export const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
 
+/**
+ * The way along an ellipse, between angles that count clockwise from the top: curves of Bézier, 0.03 % beside it, since TikZ draws
+ * an arc of SVG with too few digits.
+ */
+export function arc(x, y, across, upright, from, to) {
+  const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces, k = (4 / 3) * Math.tan(step / 4);
+  const at = (angle, ahead) => `${x + across * (Math.sin(angle) + ahead * k * Math.cos(angle))} ${y - upright * (Math.cos(angle) - ahead * k * Math.sin(angle))}`;
+  return Array.from({ length: pieces }, (_, i) => `C${at(from + i * step, 1)} ${at(from + (i + 1) * step, -1)} ${at(from + (i + 1) * step, 0)}`).join("");
+}
+
 /** A roller's outline, and the marks that show how it turns. */
 export function rollerPaths(shape, R) {
-  const circle = (r, sweep = 1) => `M0 ${-r}A${r} ${r} 0 1 ${sweep} 0 ${r}A${r} ${r} 0 1 ${sweep} 0 ${-r}z`;
-  const meridian = `M0 ${-R}A${0.4 * R} ${R} 0 1 1 0 ${R}A${0.4 * R} ${R} 0 1 1 0 ${-R}z`;
+  const circle = (r, sense = 1) => `M0 ${-r}${arc(0, 0, r, r, 0, sense * TURN)}z`;
+  const meridian = `M0 ${-R}${arc(0, 0, 0.4 * R, R, 0, TURN)}z`;
   return {
-    hoop: { form: circle(R) + circle(RING * R, 0), mark: `M0 ${-RING * R}V${-R}` },
+    hoop: { form: circle(R) + circle(RING * R, -1), mark: `M0 ${-RING * R}V${-R}` },
     shell: { form: circle(R), mark: circle(0.9 * R) + meridian },
     cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}` },
     sphere: { form: circle(R), mark: meridian },

@@ -7,11 +7,25 @@ from typing import Any
 import sympy as sp
 
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.newton import contact_forces, normal_forces, spring_forces
+from ramanujan.derivation.newton import contact_forces, floor_lever, normal_forces, spring_forces
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import plain_text
 from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import HOOP, SOLID_CYLINDER, Machine, R, epsilon, k, m, m_prime, machine, phi, t
+from ramanujan.derivation.symbols import (
+    HOOP,
+    SOLID_CYLINDER,
+    Machine,
+    Phi,
+    R,
+    X,
+    epsilon,
+    k,
+    m,
+    m_prime,
+    machine,
+    phi,
+    t,
+)
 from ramanujan.oscillator import DRAWN_SPACING, GRAVITY
 
 SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
@@ -22,12 +36,15 @@ def formulas() -> dict[str, Any]:
     """Return every expression that the stage evaluates, by name, for rollers of any shape; `javascript` prints them."""
     shape_factors = {name: sp.Symbol(f"beta_{name}", positive=True) for name in SHAPE_FACTORS}
     bodies = machine(**shape_factors)
-    frequency_squared = eliminate(bodies).natural_frequency_squared
+    eliminated = eliminate(bodies)
+    frequency_squared = eliminated.natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
     per_radius, gap = map(sp.Rational, DRAWN_SPACING)
     spacing, g = per_radius * R + gap, sp.Rational(str(GRAVITY))
+    others = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
     # φ has no drift, so that φ̈ = −Ω²φ at every moment.
-    forces = {name: force.subs(phi.diff(t, 2), -(Omega**2) * phi) for name, force in contact_forces(bodies).items()}
+    own = {phi.diff(t, 2): -(Omega**2) * phi}
+    forces = {name: force.subs(own) for name, force in contact_forces(bodies).items()}
     return {
         "natural_frequency": sp.sqrt(frequency_squared),
         "plain_frequency": sp.sqrt(k / m),
@@ -51,6 +68,7 @@ def formulas() -> dict[str, Any]:
         "contact_force": forces,
         "spring_force": spring_forces(bodies),
         "normal_force": normal_forces(bodies, spacing, g),
+        "floor_lever": floor_lever(bodies, g).subs(others).subs(own),
         "weight": {body.name: body.mass * g for body in bodies.bodies},
     }
 

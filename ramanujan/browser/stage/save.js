@@ -73,20 +73,21 @@ function tikz(svg, { x, y, width, height }) {
   const inverse = svg.getScreenCTM().inverse();
   const lines = [...svg.querySelectorAll(SHAPES)].flatMap((node) => {
     const style = getComputedStyle(node);
-    if (node.closest("defs") || node.matches(".rim") || !isSeen(node, style)) return [];
+    if (node.closest("defs") || !isSeen(node, style)) return [];
     const { a, b, c, d, e, f } = inverse.multiply(node.getScreenCTM()), place = [a, b, c, d].map(rounded).join(",");
     const cm = `cm={${place},(${rounded(e - x)}pt,${rounded(f - y)}pt)}`;
     if (node.matches("text")) return node.textContent ? [label(node, style, cm)] : [];
     const fill = tikzColour(style.fill), stroke = tikzColour(style.stroke), opacity = Number(style.opacity);
+    const dash = style.strokeDasharray.match(/[\d.]+/g)?.map((length, i) => `${i % 2 ? "off" : "on"} ${length * 0.5}pt`);
     const options = [
       fill && `fill=${fill}, fill opacity=${style.fillOpacity * opacity}`,
       stroke && `draw=${stroke}, draw opacity=${opacity}, line width=${rounded(parseFloat(style.strokeWidth) * 0.5)}pt`,
-      style.strokeDasharray !== "none" && "dashed",
+      dash && `dash pattern=${dash.join(" ")}, line cap=${style.strokeLinecap}`,
     ].filter(Boolean);
     return options.length ? [`  \\path[${cm}, ${options.join(", ")}] ${outline(node)};`] : [];
   });
   const scale = rounded(TIKZ_WIDE / width);
-  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}\n\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}]\n  \\clip (0pt,0pt) rectangle (${rounded(width)}pt,${rounded(height)}pt);\n${lines.join("\n")}\n\\end{tikzpicture}\n`;
+  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}\n\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}, line join=round]\n  \\clip (0pt,0pt) rectangle (${rounded(width)}pt,${rounded(height)}pt);\n${lines.join("\n")}\n\\end{tikzpicture}\n`;
 }
 
 function outline(node) {
@@ -98,9 +99,12 @@ function outline(node) {
 }
 
 function label(node, style, cm) {
-  const of = (name) => rounded(Number(node.getAttribute(name) ?? 0)), anchor = { start: "west", end: "east" }[style.textAnchor] ?? "center";
+  const of = (name) => rounded(Number(node.getAttribute(name) ?? 0)), ends = { start: "west", end: "east" }[style.textAnchor];
+  const anchor = style.dominantBaseline === "auto" ? `base${ends ? ` ${ends}` : ""}` : ends ?? "center";
+  // A letter upon a line has a rim of paper.
+  const rim = style.paintOrder === "stroke" ? `fill=${tikzColour(style.stroke)}, fill opacity=0.6, text opacity=1, ` : "";
   const text = style.fontStyle === "italic" ? `$${inTex(node.textContent)}$` : inTex(node.textContent);
-  return `  \\begin{scope}[${cm}]\\node[anchor=${anchor}, inner sep=1pt, text=${tikzColour(style.fill)}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
+  return `  \\begin{scope}[${cm}]\\node[anchor=${anchor}, ${rim}inner sep=1pt, text=${tikzColour(style.fill)}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
 }
 
 // ----

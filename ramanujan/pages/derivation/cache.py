@@ -9,6 +9,7 @@ from itertools import zip_longest
 import streamlit as st
 import sympy as sp
 
+from ramanujan import Oscillator
 from ramanujan.answers import Verdict, judge, shown_step
 from ramanujan.answers.formulas import typeset
 from ramanujan.answers.grammar import UnreadableError, parse, parse_equation
@@ -19,11 +20,12 @@ from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import Remark, conserved_momenta, remarks
-from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms
+from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms, widest
 from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.derivation.templates import Values
+from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell.cache import route
 
 LINE_WIDTH, BESIDE_MACHINE = 54, 44
@@ -138,9 +140,17 @@ def as_read(text: str, is_equation: bool = False) -> str | None:
 
 
 @st.cache_data(show_spinner=False, max_entries=64)
-def document(name: str, masses: Masses, kind: str) -> str:
-    """Return the route as LaTeX, slides, Markdown or a notebook, in symbols or with the present masses."""
-    write = {"latex": to_latex, "slides": to_beamer, "markdown": to_markdown, "notebook": to_notebook}[kind]
+def document(
+    name: str, masses: Masses, kind: str, drawn: tuple[float, float] | None = None, step: int | None = None
+) -> str:
+    """Return the route as LaTeX, Markdown or a notebook, or it or one step as slides, in symbols or with masses.
+
+    Slides show the machine that is `drawn`, of a radius and with a compression [m].
+    """
+    if drawn and kind in ("slides", "step"):
+        radius, compression = drawn
+        return to_beamer(route(name), _values(masses), machine_tikz(Oscillator(radius=radius), compression), step)
+    write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
     return write(route(name), _values(masses))
 
 
@@ -173,7 +183,7 @@ def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str |
 
 def _aligned(shown: list[Row], width: int = LINE_WIDTH) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    broken = [each.lines(width) for each in shown]
+    broken = [each.lines(width, widest(shown)) for each in shown]
     fits = all(len(right) == 1 and extent(right[0]) <= _HALF_WIDTH for right in broken)
     if len(shown) >= _MANY and fits and all(each.right != "0" for each in shown):
         return _block(_in_two_columns(shown), ".5em")

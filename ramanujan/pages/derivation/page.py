@@ -33,6 +33,7 @@ VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
     "slides": (_("LaTeX slides (beamer)"), "slides.tex", "application/x-tex"),
+    "step": (_("This step as slides"), "step.tex", "application/x-tex"),
     "markdown": ("Markdown", "md", "text/markdown"),
     "notebook": (_("Notebook"), "ipynb", "application/x-ipynb+json"),
 }
@@ -203,13 +204,19 @@ def explain(setting: Setting) -> None:
     st.expander(_("What the symbols of this route mean")).markdown(f":small[{cache.symbols(setting.route)}]")
 
 
+@st.fragment
 def take_home(setting: Setting) -> None:
-    """Offer the route as files; each is written when it is asked for."""
-    with st.popover(_("Download this route"), icon=":material/download:", key="files"):
+    """Offer the route as files, and the step that is seen; each is written when it is asked for."""
+    drawn = sidebar.oscillator().radius, sidebar.compression()
+    # When this opens, the server has heard which step is seen.
+    with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun"):
         for kind, (label, suffix, mime) in FILES.items():
+            if kind == "step" and not setting.is_lecture:
+                continue
+            step = address.held(STEP) if kind == "step" else None
             st.download_button(
                 label,
-                partial(cache.document, setting.route, setting.masses, kind),
+                partial(cache.document, setting.route, setting.masses, kind, drawn, step),
                 f"ramanujan-{setting.route}{'-numbers' if setting.masses else ''}.{suffix}",
                 mime,
                 key=f"file_{kind}",

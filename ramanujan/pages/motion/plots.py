@@ -191,10 +191,8 @@ def friction_needed(motion: Record, friction: Friction) -> None:
 
 
 def chart(figure: object, name: str, alt: str) -> None:
-    """Put a figure on the page, with Plotly's own legend, hover, zoom and PNG export."""
-    image = {"filename": f"ramanujan {name}", "scale": 2}
-    config = {"displaylogo": False, "toImageButtonOptions": image}
-    drawings.plot(figure, f"figure_{name}", alt, config=config)
+    """Put a figure on the page, with Plotly's own legend, hover and zoom."""
+    drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
 
 
 def note(text: str) -> None:
