@@ -116,8 +116,8 @@ export const dom = {
 
   /** Plotly's button saves a graph in one format, SVG: put another beside it, for PNG. */
   offerFormats(graph) {
-    const svg = graph.querySelector(".modebar-btn[data-title^='Download plot']");
-    if (!svg || svg.nextSibling) return;
+    const svg = graph.querySelector(".modebar-group:first-child > .modebar-btn:first-child");
+    if (!svg || svg.nextSibling?.textContent) return;
     const png = svg.cloneNode(true);
     png.addEventListener("click", () => {
       const options = graph._context.toImageButtonOptions;
@@ -234,9 +234,9 @@ export const ASSUMPTIONS = {
     "ring and time cursor over the figures",
     () => each(".js-plotly-plot", (graph) => graph.data && graph.layout && graph.on && graph.removeListener),
   ],
-  "a graph has a button Download plot, which saves it in the format of its options": [
+  "the first button over a graph saves it, in the format of its options": [
     "a figure as SVG and as PNG",
-    () => each(".js-plotly-plot .modebar-btn[data-title^='Download plot']", (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
+    () => each(".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child", (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
   ],
   "a rectangle of the class nsewdrag covers each panel of a graph": [
     "where ring and time cursor are drawn",
