@@ -156,7 +156,7 @@ MUTATIONS = [
     ),
     Mutation(
         "the slider of x₀ counts wrong",
-        "shell/parameters.py",
+        "../shell/parameters.py",
         '"scale": PARAMETERS[name].scale, "step"',
         '"scale": PARAMETERS[name].scale * 1.1, "step"',
         "thumb",
