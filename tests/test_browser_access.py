@@ -51,7 +51,9 @@ def switch(page, theme: str) -> None:
     page.emulate_media(color_scheme=theme, reduced_motion="reduce")
     paper = THEME[theme]["backgroundColor"]
     page.wait_for_function(
-        "(paper) => getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper", arg=paper
+        """([theme, paper]) => document.documentElement.dataset.theme === theme &&
+          getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper""",
+        arg=[theme, paper],
     )
 
 

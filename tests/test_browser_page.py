@@ -291,7 +291,7 @@ def test_a_stage_that_has_not_been_told_its_machine_names_nothing_without_a_valu
     unnamed = """async (begin) => {
       const root = document.body.appendChild(document.createElement("div"));
       const data = { stage: "untold", clock: "untold", layers: [], limits: { compression: [0, 0.1] }, watch: {} };
-      await (await begin).begin("stage/stage", { data, parentElement: root });
+      await (await begin).begin({ name: "stage/stage", data, parentElement: root });
       return root.querySelectorAll("[role=img]:not([aria-label]), [role=slider]:not([aria-valuenow])").length;
     }"""
     assert page.evaluate(f"({unnamed})({module('begin')})") == 0

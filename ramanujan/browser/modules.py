@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 from functools import cache
 from hashlib import sha256
 from html import escape
 from pathlib import Path
+from typing import Any
 
 import streamlit as st
 
@@ -21,7 +23,7 @@ from ramanujan.browser.stage import words
 from ramanujan.browser.stage.formulas import formulas, labels
 from ramanujan.derivation.printers import javascript
 
-__all__ = ["begin", "contents", "place"]
+__all__ = ["component", "contents", "place"]
 
 _HERE = Path(__file__).parent
 _MARKUP = {"turn": "steps"}
@@ -53,11 +55,13 @@ def place() -> str:
     return f"modules/{sha256(repr(sorted(contents().items())).encode()).hexdigest()[:12]}"
 
 
-def begin(name: str) -> str:
-    """Return the script of a component: it has begin.js load the module of this name."""
-    # Short, since Streamlit sends it with every run of the page; of one line alone it would think a file's name.
-    address = f'new URL("{place()}/begin.js", document.baseURI)'
-    return f'export default async (c) =>\n(await import({address})).begin("{name}", c)'
+@cache
+def component(name: str) -> Callable[..., Any]:
+    """Return the component of a module, such as page/link: its script has begin.js load that module."""
+    # All have one script, so that a browser reads it once. It is short, since Streamlit sends it with every run of the
+    # page; of one line alone it would think a file's name.
+    begin = f'new URL("{place()}/begin.js", document.baseURI)'
+    return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 
 
 def _markup(name: str, texts: dict[str, str]) -> str:

@@ -69,7 +69,9 @@ def waits() -> bool:
 
 
 def draw() -> None:
-    """Draw the hidden slider; call it after all widgets that are set."""
+    """Draw the hidden slider as soon as it has a number; call it after all widgets that are set."""
+    if not _updates().number:
+        return
     if waits():
         st.session_state[_SEEN] = _updates().number
     st.slider(_("Updates"), 0, 2**31, key=_SEEN, on_change="ignore")

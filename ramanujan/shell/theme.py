@@ -62,15 +62,8 @@ def apply_css(boxes: Mapping[str, Mapping[str, Any]]) -> None:
     ----------
     boxes : what the page must know of the sliders' boxes
     """
-    shown = current()
-    under = st.get_option(f"theme.{shown}.secondaryBackgroundColor")
-    kept = "".join(f"--{name}:{colors()[name]};" for name in ("paper", "faint", "primary"))
-    own = f":root{{{kept}--under:{under}}}"
-    rules = _PROJECTOR.read_text(encoding="utf-8") if display_mode.is_projector() else ""
-    # On paper, which is white, the light lines of a dark figure would not be seen.
-    printed = "@media print{.js-plotly-plot{filter:invert(1) hue-rotate(180deg)}}" if shown == "dark" else ""
-    # Markdown with HTML in it loads a script first, and comes later than the headings.
-    st.html(f"<style>{own}{rules}{printed}</style>")
-    page.bring(shown, boxes)
+    page.bring(current(), boxes)
     if display_mode.is_projector():
+        # Markdown with HTML in it loads a script first, and comes later than the headings.
+        st.html(f"<style>{_PROJECTOR.read_text(encoding='utf-8')}</style>")
         display_mode.pager()

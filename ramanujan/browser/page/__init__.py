@@ -24,7 +24,6 @@ The topics of the bus, where NAME is the name of a stage:
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
 from typing import Any
 
 import streamlit as st
@@ -54,7 +53,7 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
-    _component("library")(key="library", data=data, on_switched_change=lambda: None)
+    modules.component("page/library")(key="library", data=data, on_switched_change=lambda: None)
 
 
 def publish(key: str, topics: Mapping[str, Any]) -> Any:
@@ -65,7 +64,7 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     key : of the element
     topics : topic → value; a value that has not changed since the last run is not published again
     """
-    return _component("publish")(key=key, data=dict(topics))
+    return modules.component("page/publish")(key=key, data=dict(topics))
 
 
 def arrived(stage: str) -> bool:
@@ -75,7 +74,9 @@ def arrived(stage: str) -> bool:
     ----------
     stage : the name of the stage
     """
-    return bool(_component("arrival")(key="arrival", data={"stage": stage}, on_seen_change=lambda: None).seen)
+    return bool(
+        modules.component("page/arrival")(key="arrival", data={"stage": stage}, on_seen_change=lambda: None).seen
+    )
 
 
 def sweep(stage: str, slider: str, ratio: float, exactly: str) -> Any:
@@ -97,7 +98,9 @@ def sweep(stage: str, slider: str, ratio: float, exactly: str) -> Any:
         "hint": _("Move m′ slowly until both hands turn together"),
         "stop": _("Stop"),
     }
-    return _component("sweep")(key="sweep", data={"stage": stage, "slider": slider, "ratio": ratio, "said": said})
+    return modules.component("page/sweep")(
+        key="sweep", data={"stage": stage, "slider": slider, "ratio": ratio, "said": said}
+    )
 
 
 def cursor(stage: str) -> Any:
@@ -111,7 +114,7 @@ def cursor(stage: str) -> Any:
     stage : the name of the stage that shares the cursor's clock
     """
     place = _("t = {time}, {periods} periods")
-    return _component("cursor")(key="cursor", data={"stage": stage, "place": place})
+    return modules.component("page/cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
 def moment(stage: str) -> Any:
@@ -123,17 +126,17 @@ def moment(stage: str) -> Any:
     ----------
     stage : the name of the stage
     """
-    return _component("moment")(key="moment", data={"stage": stage})
+    return modules.component("page/moment")(key="moment", data={"stage": stage})
 
 
 def give_back(*keys: str) -> None:
     """After a click on one of these widgets, return the keyboard focus to the page."""
-    _component("keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+    modules.component("page/keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
 def sheet() -> Any:
     """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
-    return _component("sheet")(key="handle")
+    return modules.component("page/sheet")(key="handle")
 
 
 def link(private: Sequence[str] = ()) -> Any:
@@ -144,7 +147,7 @@ def link(private: Sequence[str] = ()) -> Any:
     private : keys of the address that are left out of the copy
     """
     told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    return _component("link")(key="link", data={**told, "private": list(private)})
+    return modules.component("page/link")(key="link", data={**told, "private": list(private)})
 
 
 def exact(key: str, on_typed: Callable[[str], None]) -> Any:
@@ -164,7 +167,7 @@ def exact(key: str, on_typed: Callable[[str], None]) -> Any:
         if (text := st.session_state[own].typed) is not None:
             on_typed(text)
 
-    return _component("exact")(key=own, data={"key": key}, on_typed_change=typed)
+    return modules.component("page/exact")(key=own, data={"key": key}, on_typed_change=typed)
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -181,7 +184,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
         if (point := st.session_state[key].picked) is not None:
             on_picked(point)
 
-    return _component("pick")(key=key, data={"figure": figure}, on_picked_change=picked)
+    return modules.component("page/pick")(key=key, data={"figure": figure}, on_picked_change=picked)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
@@ -201,7 +204,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
         on_turned(at["route"], at["step"])
 
     data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
-    return _component("steps")(key="steps", data=data, on_at_change=turned)
+    return modules.component("page/steps")(key="steps", data=data, on_at_change=turned)
 
 
 def turn(
@@ -227,7 +230,7 @@ def turn(
             on_turned(to)
 
     data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker}
-    return _component("turn")(key="turn", data=data, on_to_change=turned)
+    return modules.component("page/turn")(key="turn", data=data, on_to_change=turned)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -243,7 +246,7 @@ def pager(on_turned: Callable[[str], None]) -> Any:
     def turned() -> None:
         on_turned(st.session_state["pager"].at)
 
-    return _component("pager")(key="pager", data={"place": "{now} / {count}  {title}"}, on_at_change=turned)
+    return modules.component("page/pager")(key="pager", data={"place": "{now} / {count}  {title}"}, on_at_change=turned)
 
 
 def stopwatch(key: str) -> float | None:
@@ -254,10 +257,4 @@ def stopwatch(key: str) -> float | None:
     key : of the element
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
-    return _component("stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
-
-
-@cache
-def _component(name: str) -> Any:
-    """Return a component of this folder."""
-    return st.components.v2.component(f"ramanujan_{name}", js=modules.begin(f"page/{name}"))
+    return modules.component("page/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds

@@ -21,7 +21,7 @@ export default async (component) => {
     const own = ["theme", "voice", "reach", "ring", "connection"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
     rooms.set(parentElement, own);
   }
-  const parts = rooms.get(parentElement).map(([name, room]) => begin(`page/${name}`, { ...component, parentElement: room }));
+  const parts = rooms.get(parentElement).map(([name, room]) => begin({ ...component, name: `page/${name}`, parentElement: room }));
   const ends = await Promise.all(parts);
   return () => ends.forEach((end) => end());
 };

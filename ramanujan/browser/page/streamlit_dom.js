@@ -71,11 +71,13 @@ export const dom = {
   isConnected: () => document.querySelector("[data-testid=stApp]")?.dataset.testConnectionState === "CONNECTED",
   watchConnection: (observer) => observer.observe(document.querySelector("[data-testid=stApp]"), { attributeFilter: ["data-test-connection-state"] }),
 
+  /** A colour of the theme, as Streamlit gives it to a component. */
+  color: (parentElement, name) => getComputedStyle(parentElement.host ?? parentElement).getPropertyValue(`--st-${name}-color`).trim(),
+
   /** Whether a component's theme is light or dark, by the lightness of the colour that Streamlit gives it for the page. */
   theme(parentElement) {
-    const host = parentElement.host ?? parentElement;
     const canvas = document.createElement("canvas").getContext("2d");
-    canvas.fillStyle = getComputedStyle(host).getPropertyValue("--st-background-color").trim();
+    canvas.fillStyle = dom.color(parentElement, "background");
     const channels = canvas.fillStyle.match(/^#(..)(..)(..)$/)?.slice(1).map((channel) => parseInt(channel, 16));
     return channels && (channels[0] + channels[1] + channels[2] > 384 ? "light" : "dark");
   },

@@ -40,12 +40,9 @@ The page answers nothing: a slab that is let go moves its slider, see thumb.js.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict
-from functools import cache
 from typing import Any
-
-import streamlit as st
 
 from ramanujan.browser import modules, page
 from ramanujan.browser.stage.formulas import SHAPE_FACTORS
@@ -143,7 +140,6 @@ def mount(
     kept : prefix of the names under which the address keeps what is seen; one for each clock of a page
     hide : the parts that are hidden, of `PARTS`; another run may hide others
     """
-    stage = _component()
     name = name or key
     fixed = {
         "stage": name,
@@ -158,7 +154,7 @@ def mount(
         "label": label,
         "kept": kept,
     }
-    stage(key=key, data=fixed)
+    modules.component("stage/stage")(key=key, data=fixed)
     if data is not None:
         tell(data, key=key, name=name, hide=hide)
 
@@ -185,8 +181,3 @@ def tell(
     page.publish(
         f"{key}_published", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})}
     )
-
-
-@cache
-def _component() -> Callable[..., Any]:
-    return st.components.v2.component("ramanujan_stage", js=modules.begin("stage/stage"))

@@ -36,7 +36,6 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
   host.classList.toggle("narrow", Boolean(narrow));
   find(".label").textContent = label ?? "";
   if (label) set(host, { "aria-label": label });
-  sizes.observe(svg);
 
   /** Tell the style sheet how many picture units a pixel is. */
   function fitText() {
@@ -61,7 +60,9 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
     drawBodies(moving, place, parameters);
     layers.geometry(place, parameters);
     drawPlain();
-    fitText();
+    // Its size is told anew with the next layout, so that none is made for it alone.
+    sizes.unobserve(svg);
+    sizes.observe(svg);
   }
 
   function drawPlain() {
