@@ -46,14 +46,12 @@ class CurveSampling:
 
     curve : "cosine", one period of it, or "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO
     pixels : largest vertical distance between the curve and its chords, when the curve fills the figure's height
-    bytes : size of the samples' x and y in float64
     seconds : duration of computing y
     """
 
     curve: str
     points: int
     pixels: float
-    bytes: int
     seconds: Timing
 
 
@@ -205,9 +203,7 @@ def _sampled(name: str, curve: Callable, end: float, points: int) -> CurveSampli
     distance = np.abs(curve(between) - (y[:-1] + _BETWEEN * np.diff(y))).max()
     # The height of the curve, not of these samples: two samples may have equal values.
     extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
-    return CurveSampling(
-        name, points, float(distance / extent * HEIGHT), x.nbytes + y.nbytes, measure(lambda: curve(x))
-    )
+    return CurveSampling(name, points, float(distance / extent * HEIGHT), measure(lambda: curve(x)))
 
 
 def _closed_form(oscillator: Oscillator, periods: int) -> ClosedForm:

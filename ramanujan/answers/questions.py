@@ -81,11 +81,6 @@ class Question:
         """From the next question to ask to how it is done, Markdown with $…$; none contains the answer."""
         return (self.leads_on, *(_step(key).reason for key in self.steps))
 
-    @property
-    def is_equation(self) -> bool:
-        """Whether a whole equation is asked for."""
-        return self.kind == EQUATION
-
 
 def question(name: str) -> Question:
     """Return the question of that name.

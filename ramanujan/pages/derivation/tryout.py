@@ -10,6 +10,7 @@ import streamlit as st
 
 from ramanujan.answers import QUESTIONS, question
 from ramanujan.answers.grammar import MOST_TYPED
+from ramanujan.answers.questions import EQUATION
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import address, widgets
 from ramanujan.translation import _
@@ -87,14 +88,14 @@ def ask(name: str, with_step: bool = True) -> None:
         st.markdown(_(":small[You may use] {names}").format(names=names))
     with st.form("answer", border=False):
         text = st.text_input(
-            _("Your equation") if asked.is_equation else _("Your formula"),
+            _("Your equation") if asked.kind == EQUATION else _("Your formula"),
             key=f"answer_{name}",
             placeholder=_("For example {formula}").format(formula=asked.example),
             max_chars=MOST_TYPED,
         )
         st.form_submit_button(_("Check"), type="primary")
     if text:
-        verdict, read = cache.verdict(name, text), cache.as_read(text, asked.is_equation)
+        verdict, read = cache.verdict(name, text), cache.as_read(text, asked.kind == EQUATION)
         box, icon = VERDICTS[verdict.kind]
         if read:
             st.latex(read)
