@@ -161,7 +161,7 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
         with pytest.raises(ClassError, match="not been shown"):
             school.distribution(opened.code, "faster", number)
     with pytest.raises(ClassError, match="not been shown"):
-        school.comparison(opened.code, "faster", "plain")
+        school.changes(opened.code, "faster", "plain")
     assert school.asked(opened.key) == []
     # What everybody sees is the same for every answer that was given.
     before = school.question(opened.code)
@@ -176,7 +176,7 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
     assert school.distribution(opened.code, "faster", 1) == {"machine": 1, "plain": 0, "neither": 0}
     for refused in (
         lambda: school.distribution(opened.code, "faster", 2),
-        lambda: school.comparison(opened.code, "faster", "machine"),
+        lambda: school.changes(opened.code, "faster", "machine"),
     ):
         with pytest.raises(ClassError, match="not been shown"):
             refused()
@@ -211,10 +211,10 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
             if vote[round_]:
                 school.vote(seat, "faster", vote[round_], round_ + 1)
         school.ask_again(opened.key) if round_ == 0 else school.show(opened.key, Phase.REVEALED)
-    found = school.comparison(opened.code, "faster", "machine")
-    assert found.first == {"machine": 2, "plain": 4, "neither": 2}
-    assert found.second == {"machine": 5, "plain": 1, "neither": 2}
-    assert (found.to_right, found.to_wrong, found.stayed_right, found.stayed_wrong) == (3, 1, 1, 2)
+    assert school.distribution(opened.code, "faster", 1) == {"machine": 2, "plain": 4, "neither": 2}
+    assert school.distribution(opened.code, "faster", 2) == {"machine": 5, "plain": 1, "neither": 2}
+    changes = {(False, True): 3, (True, False): 1, (True, True): 1, (False, False): 2}
+    assert school.changes(opened.code, "faster", "machine") == changes
 
 
 def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_its_reason(school, opened):
@@ -357,7 +357,7 @@ def test_nothing_that_a_student_gets_holds_the_key_and_the_file_does_not_either(
     school.vote(seat, "faster", "plain")
     school.ask_again(opened.key)
     school.show(opened.key, Phase.REVEALED)
-    got += [school.distribution(opened.code, "faster"), school.comparison(opened.code, "faster", "plain")]
+    got += [school.distribution(opened.code, "faster"), school.changes(opened.code, "faster", "plain")]
     with pytest.raises(ClassError) as refused:
         school.vote(seat, "faster", "plain")
     got.append(refused.value)

@@ -59,23 +59,6 @@ class Question:
 
 
 @dataclass(frozen=True)
-class Comparison:
-    """First and second vote on one stop.
-
-    first, second : option → number of votes
-    to_right, to_wrong : of those who voted twice, how many changed to the right answer and away from it
-    stayed_right, stayed_wrong : how many were right, or wrong, both times
-    """
-
-    first: Mapping[str, int]
-    second: Mapping[str, int]
-    to_right: int
-    to_wrong: int
-    stayed_right: int
-    stayed_wrong: int
-
-
-@dataclass(frozen=True)
 class Asked:
     """A question that was asked, for the lecturer's file.
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import re
 import time
+from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -33,11 +34,11 @@ from ramanujan.lesson.class_codes import (
     parts_of,
     read_code,
 )
-from ramanujan.lesson.class_states import Asked, Class, Comparison, Phase, Question, Seat
+from ramanujan.lesson.class_states import Asked, Class, Phase, Question, Seat
 from ramanujan.lesson.class_store import ClassError, place, store_at
 from ramanujan.translation import _
 
-__all__ = ["Asked", "Class", "ClassError", "Classes", "Comparison", "Phase", "Question", "Seat", "shared"]
+__all__ = ["Asked", "Class", "ClassError", "Classes", "Phase", "Question", "Seat", "shared"]
 
 STUDENTS = 500
 """Most students in one class."""
@@ -277,26 +278,23 @@ class Classes:
         options, number = shown[0]
         return self._votes(code, stop, number, options)
 
-    def comparison(self, code: str, stop: str, right: str, round_: int = 2) -> Comparison:
-        """Return first and second vote on a stop, and how many have changed.
+    def changes(self, code: str, stop: str, right: str, round_: int = 2) -> Counter[tuple[bool, bool]]:
+        """Return how many of those who voted twice were right in the first vote and in the second.
 
         Parameters
         ----------
         code, stop : the class and the question
         right : id of the right option
         round_ : of the second vote
+
+        Returns
+        -------
+        whether they were right before, and after → their number
         """
-        first, second = (self.distribution(code, stop, number) for number in (round_ - 1, round_))
+        # Raises where the result has not been shown.
+        self.distribution(code, stop, round_)
         rows = self._store.read(_CHANGES, (right, right, code, stop, round_ - 1, round_))
-        people = {(bool(before), bool(after)): number for before, after, number in rows}
-        return Comparison(
-            first,
-            second,
-            to_right=people.get((False, True), 0),
-            to_wrong=people.get((True, False), 0),
-            stayed_right=people.get((True, True), 0),
-            stayed_wrong=people.get((False, False), 0),
-        )
+        return Counter({(bool(before), bool(after)): number for before, after, number in rows})
 
     # ---- inside
 

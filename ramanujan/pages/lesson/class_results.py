@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 
 import segno
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.classes import ClassError, Comparison, Question, shared
+from ramanujan.lesson.classes import ClassError, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
 from ramanujan.translation import _, ngettext
@@ -32,7 +33,7 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
         st.warning(str(error))
         return
     with st.container(key="class_result"):
-        if solved and changes and (said := _changes(changes)):
+        if solved and (said := _changes(changes)):
             with st.container(key="class_changes"):
                 st.markdown(said)
         right = stop.right if solved else None
@@ -51,12 +52,12 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def _result(access: str, stop: str, round_: int) -> tuple[list[Mapping[str, int]], Comparison | None]:
+def _result(access: str, stop: str, round_: int) -> tuple[list[Mapping[str, int]], Counter[tuple[bool, bool]]]:
     """Return the votes on a question, option → number, and the changes; what is revealed stays as it is."""
     if round_ % 2:
-        return [shared().distribution(access, stop, round_)], None
-    changes = shared().comparison(access, stop, lesson.stop(stop).right, round_)
-    return [changes.first, changes.second], changes
+        return [shared().distribution(access, stop, round_)], Counter()
+    votes = [shared().distribution(access, stop, number) for number in (round_ - 1, round_)]
+    return votes, shared().changes(access, stop, lesson.stop(stop).right, round_)
 
 
 def _label(label: str, right: bool, own: bool) -> str:
@@ -82,22 +83,23 @@ def _share(number: int, votes: int, share: float, people: int, total: int) -> st
     return words.format(people=people, total=total, share=quantity(round(100 * share), "%"))
 
 
-def _changes(changes: Comparison) -> str:
+def _changes(changes: Counter[tuple[bool, bool]]) -> str:
     """Return how many have changed their answers, a sentence for each kind of change; nothing if nobody voted twice."""
-    if not (changes.to_right or changes.to_wrong or changes.stayed_right or changes.stayed_wrong):
+    if not changes:
         return ""
+    up, down, right = (changes[each] for each in ((False, True), (True, False), (True, True)))
     to_right = ngettext(
         "**{n} student changed from a wrong answer to the right one.**",
         "**{n} students changed from a wrong answer to the right one.**",
-        changes.to_right,
+        up,
     )
     to_wrong = ngettext(
         "{n} student changed from the right answer to a wrong one.",
         "{n} students changed from the right answer to a wrong one.",
-        changes.to_wrong,
+        down,
     )
-    stayed = ngettext("{n} student was right both times.", "{n} students were right both times.", changes.stayed_right)
-    sentences = ((to_right, changes.to_right), (to_wrong, changes.to_wrong), (stayed, changes.stayed_right))
+    stayed = ngettext("{n} student was right both times.", "{n} students were right both times.", right)
+    sentences = ((to_right, up), (to_wrong, down), (stayed, right))
     return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)
 
 
