@@ -86,18 +86,10 @@ def build() -> Route:
     result = least_inertia(bodies)
     stiffness = sp.cancel(2 * bodies.potential_energy / (R * phi) ** 2)
     frequency = sp.factor(stiffness / result.least)
-    lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
-    spin = spin_of_lower_rollers(bodies)
-    return Route(
-        "energy",
-        _("Energy"),
-        (*_quotient_steps(bodies, result, stiffness), *_frequency_steps(result, stiffness, frequency, lever, spin)),
-        frequency,
-        CELLS,
-    )
+    return Route("energy", _("Energy"), _steps(bodies, result, stiffness, frequency), frequency, CELLS)
 
 
-def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -> tuple[Step, ...]:
+def _steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr, frequency: sp.Expr) -> tuple[Step, ...]:
     path, speed = R * phi, R * phi.diff(t)
     return (
         Step(
@@ -139,13 +131,6 @@ def _quotient_steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -
                 equation(sp.Determinant(result.curvature), sp.factor(result.curvature.det())),
             ),
         ),
-    )
-
-
-def _frequency_steps(
-    result: LeastInertia, stiffness: sp.Expr, frequency: sp.Expr, lever: sp.Expr, spin: sp.Expr
-) -> tuple[Step, ...]:
-    return (
         Step(
             "frequency",
             _("Read off the frequency"),
@@ -159,7 +144,7 @@ def _frequency_steps(
                 equation(Omega_squared, frequency),
             ),
         ),
-        _spring_mass_step(result, stiffness, lever, spin),
+        _spring_mass_step(bodies, result, stiffness),
         Step(
             "bound",
             _("Clamp the block for a lower bound"),
@@ -175,8 +160,9 @@ def _frequency_steps(
     )
 
 
-def _spring_mass_step(result: LeastInertia, stiffness: sp.Expr, lever: sp.Expr, spin: sp.Expr) -> Step:
+def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -> Step:
     """Return the step to M_x; with numbers its two terms merge, so the sentence about one of them is left out."""
+    lever, spin = sp.cancel(bodies.deformation / (R * phi)) ** 2, spin_of_lower_rollers(bodies)
     spring_mass = sp.factor(result.least / lever)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")
     spins = _("The term that contains $m'$ alone comes from the rotation of the lower rollers.")
