@@ -10,8 +10,6 @@ _NOTES = "messages_notes"
 _SHOWN = "messages_shown"
 _RUN_AGAIN = "run_again"
 
-Note = tuple[str, bool]
-
 
 def begin(sentences: list[str]) -> None:
     """Begin a run: say what is wrong with the address. A run that the page asked for itself repeats what was said."""
