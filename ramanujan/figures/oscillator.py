@@ -52,25 +52,15 @@ def frequency_curve(
     below = heavy_limit <= 0.75 * light_limit
     layout = {"template": template(colors, hover), "height": 340, "showlegend": False}
     figure = go.Figure(layout={**layout, "meta": {"ring": colors["primary"]}})
-    limit_line = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
-    figure.add_scatter(
-        x=[ratios[0], ratios[-1]], y=[light_limit] * 2, mode="lines", line=limit_line, hoverinfo="skip", name=_("limit")
+    limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
+    curve = {"color": colors["primary"], "width": 3, "shape": "spline"}
+    lines = (
+        ([ratios[0], ratios[-1]], [light_limit] * 2, limit, _("limit"), "skip"),
+        (ratios[below], heavy_limit[below], limit, _("limit"), "skip"),
+        (ratios, values, curve, _("any machine"), None),
     )
-    figure.add_scatter(
-        x=ratios[below],
-        y=heavy_limit[below],
-        mode="lines",
-        line=limit_line,
-        hoverinfo="skip",
-        name=_("limit"),
-    )
-    figure.add_scatter(
-        x=ratios,
-        y=values,
-        mode="lines",
-        line={"color": colors["primary"], "width": 3, "shape": "spline"},
-        name=_("any machine"),
-    )
+    for x, y, line, name, hoverinfo in lines:
+        figure.add_scatter(x=x, y=y, mode="lines", line=line, name=name, hoverinfo=hoverinfo)
     figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")
     shown = (
         (equal, _("equal masses"), "circle", 11, colors["marker"]),
@@ -89,29 +79,18 @@ def frequency_curve(
     # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
     figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=4, ay=-66, xanchor="left")
     figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-16, ay=62, xanchor="right")
-    beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left"}
+    beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left", "yanchor": "bottom", "xshift": 6}
     light_label, heavy_label = limit_labels
-    figure.add_annotation(beside, x=_log(ratios[0]), y=light_limit, text=light_label, yanchor="bottom", xshift=6)
-    figure.add_annotation(
-        beside,
-        x=_log(ratios[0]),
-        y=unit.value,
-        text=_("in step"),
-        yanchor="bottom",
-        xshift=6,
-        font={"color": colors["primary"]},
-    )
     # Here the space to the right of the asymptote is empty, above the line “in step”.
     there = int(np.argmin(np.abs(heavy_limit - 0.59 * light_limit)))
-    figure.add_annotation(
-        beside,
-        x=_log(ratios[there]),
-        y=heavy_limit[there],
-        text=heavy_label,
-        yanchor="bottom",
-        xshift=8,
-        align="left",
+    in_step = {"font": {"color": colors["primary"]}}
+    notes = (
+        (ratios[0], light_limit, light_label, {}),
+        (ratios[0], unit.value, _("in step"), in_step),
+        (ratios[there], heavy_limit[there], heavy_label, {"xshift": 8, "align": "left"}),
     )
+    for x, y, text, own in notes:
+        figure.add_annotation(beside | own, x=_log(x), y=y, text=text)
     figure.update_xaxes(
         type="log", title=MASS_RATIO, range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
     )
