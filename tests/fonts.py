@@ -51,8 +51,8 @@ def main() -> None:
 def promised(name: str) -> set[int]:
     """Return the characters that page.css promises of a font."""
     rules = (PAGE / "page.css").read_text(encoding="utf-8")
-    [ranges] = re.findall(rf"{name}\.woff2[^}}]*unicode-range: ([^;]+);", rules)
-    ends = (part.removeprefix("U+").partition("-") for part in ranges.split(", "))
+    ranges = re.findall(rf"{name}\.woff2[^}}]*unicode-range: ([^;]+);", rules)
+    ends = (part.removeprefix("U+").partition("-") for part in ", ".join(ranges).split(", "))
     return {code for first, _, last in ends for code in range(int(first, 16), int(last or first, 16) + 1)}
 
 

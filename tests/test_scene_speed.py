@@ -86,7 +86,7 @@ def test_phase_error_is_that_of_the_midpoint_rule(app):
     # One step turns by exactly 2·atan(hΩ/2).
     z = 2 * math.pi / 16
     late = abs(160 * (2 * math.atan(z / 2) - z))
-    assert f"**{number(late)} rad behind**" in words(app)
+    assert f"of a full turn behind** ({number(late)} rad)" in words(app)
 
 
 def test_bad_link_is_answered_with_a_sentence_and_ignored(app):

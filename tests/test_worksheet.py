@@ -233,7 +233,7 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert question.answer in key
         assert question.answer not in blank
         assert all(line in key for line in question.working)
-    assert "mass ratio is ε = m′/m" in blank
+    assert "mass ratio is ε = *m*′/*m*" in blank
 
 
 @pytest.mark.parametrize(

@@ -67,8 +67,14 @@ def component(name: str) -> Callable[..., Any]:
 def _markup(name: str, texts: dict[str, str]) -> str:
     """Return a component's style sheet and HTML, with texts in its slots; either may be missing."""
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
-    html = html.format(**{slot: escape(text) for slot, text in texts.items()})
+    html = html.format(**{slot: _italic(escape(text), slot) for slot, text in texts.items()})
     return f"<style>{style}</style>{html}" if style else html
+
+
+def _italic(text: str, slot: str) -> str:
+    """Return HTML in which a symbol such as *m* is italic; a caption stands in an SVG, which has no <i>."""
+    tag = "tspan" if slot.endswith("caption") else "i"
+    return re.sub(r"\*(.+?)\*", rf"<{tag}>\1</{tag}>", text)
 
 
 def _light() -> dict[str, str]:

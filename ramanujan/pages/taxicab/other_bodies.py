@@ -86,7 +86,7 @@ def told(story: cache.Story) -> None:
     st.latex(story.square)
     st.markdown(_about_cubes(story))
     with_your_masses(machine)
-    with st.expander(_("A number that no other unit for ε changes")):
+    with st.expander(_("The discriminant of the number field")):
         st.markdown(_about_field(machine))
     with st.container(horizontal=True):
         st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
@@ -174,8 +174,8 @@ def forty_machines(chosen: BodyChoice) -> None:
     )
     st.caption(
         _(
-            "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, {best} "
-            "in two ways, {one} and {other} in one. Click on a machine to build it."
+            "The discriminants of all {count} machines, for Ω² = *k*/*m*. Highlighted: a sum of two positive cubes, "
+            "{best} in two ways, {one} and {other} in one. Click on a machine to build it."
         ).format(**facts)
     )
 

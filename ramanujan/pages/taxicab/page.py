@@ -55,7 +55,7 @@ def exactly_in_step(facts: cache.Condition) -> None:
         st.markdown(
             _(
                 "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
-                "√(k/m). They stay in step for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
+                "$\\sqrt{{k/m}}$. They stay in step for ever if $\\Omega^2m/k=1$. Only the ratio $\\varepsilon=m'/m$ "
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )

@@ -102,19 +102,18 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style="width:560px;max-width:100%;background:#fff",
         )
-    words.markdown(
+    said = [
         _(
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
             "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is ε = m′/m. "
             "“Plain mass” means a mass m that oscillates on an equal spring, with the angular frequency √(k/m). The "
             "block is displaced by X to the left. The lower rollers turn clockwise by φ, the top cylinder by Φ."
-        )
-    )
-    words.markdown(
+        ),
         _("The machine of questions {first} to {last}: {values}.").format(
             first=calculations[0], last=calculations[-1], values=values
-        )
-    )
+        ),
+    ]
+    words.markdown(widgets.symbols("\n\n".join(said)))
 
 
 def draw(number: int, question: Question, with_key: bool) -> None:
