@@ -7,5 +7,3 @@
 
 from ramanujan.answers.judge import Verdict, judge
 from ramanujan.answers.questions import QUESTIONS, Question, question, shown_step
-
-__all__ = ["QUESTIONS", "Question", "Verdict", "judge", "question", "shown_step"]

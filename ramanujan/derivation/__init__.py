@@ -14,7 +14,5 @@ from ramanujan.derivation.steps import ROUTES, Route, Step
 
 # Each file adds its route to `ROUTES`, in the order in which a course would take them.
 # isort: off
-from ramanujan.derivation import euler_lagrange, hamilton, newton, rayleigh, matrix  # noqa: F401
+from ramanujan.derivation import euler_lagrange, hamilton, newton, rayleigh, matrix
 # isort: on
-
-__all__ = ["ROUTES", "Route", "Step"]

@@ -12,8 +12,6 @@ from typing import Any
 from ramanujan.figures.drawn import Drawn, drawn, kept
 from ramanujan.translation import _
 
-__all__ = ["MASS_RATIO", "NORMALIZED", "Drawn", "drawn", "kept", "template"]
-
 MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
 NORMALIZED = "Ω²<i>m</i>/<i>k</i>"
 """The axes of the curve of Ω². Symbols are italic, as in formulas: capital Greek letters and units are upright."""

@@ -29,20 +29,6 @@ STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter
 TASKS: tuple[Task, ...] = (*settings.TASKS, *answers.TASKS)
 """The tasks, the easier ones first."""
 
-__all__ = [
-    "CHAPTERS",
-    "SOURCES",
-    "STOPS",
-    "TASKS",
-    "Run",
-    "Setting",
-    "Stop",
-    "Task",
-    "Verdict",
-    "stop",
-    "task",
-]
-
 
 def stop(name: str) -> Stop:
     """Return the stop with this id; ValueError if there is none."""

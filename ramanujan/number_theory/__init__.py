@@ -28,23 +28,3 @@ from ramanujan.number_theory.integers import (
     sums_of_two_cubes,
 )
 from ramanujan.number_theory.survey import machines, one_change_away
-
-__all__ = [
-    "BODIES",
-    "BodyChoice",
-    "continued_fraction",
-    "convergents",
-    "discriminant",
-    "factorization",
-    "field_discriminant",
-    "machines",
-    "norm_form",
-    "normalized_frequency_squared_exact",
-    "one_change_away",
-    "positive_root_digits",
-    "represent_x2_plus_3y2",
-    "smallest_taxicab",
-    "squarefree_part",
-    "sums_of_two_cubes",
-    "unit_quadratic",
-]
