@@ -9,6 +9,7 @@ from ramanujan.shell import address as addresses
 from ramanujan.shell import class_keys, parameters, stages
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
+from tests.test_worksheet import key_of
 
 UNMEANT = {
     "empty": "",
@@ -59,7 +60,9 @@ DEFAULTS = {
     "level": 1,
     "exercise": (),
     "item": 1,
-    "key": None,
+    "key": "",
+    "exercise_number": 0,
+    "exercise_key": "",
     "part": "stops",
     "stop": "two-clocks",
     "chosen": {},
@@ -115,7 +118,7 @@ MEANT = {
         "tolerance": ("1e-6", 6),
         "sweep": ("scale_float32", "scale_float32"),
     },
-    "worksheet": {"paper": ("key", "key"), "seed": ("7", 7), "level": ("3", 3)},
+    "worksheet": {"paper": ("key", "key"), "seed": ("7", 7), "level": ("3", 3), "key": (key_of(7), key_of(7))},
     "lesson": {
         "part": ("tasks", "tasks"),
         "stop": ("radius", "radius"),
@@ -127,7 +130,8 @@ MEANT = {
         "task": ("top-at-rest", "top-at-rest"),
         "exercise": ("two-cubes,top-at-rest,block_momentum", ("two-cubes", "top-at-rest", "block_momentum")),
         "item": ("2", 2),
-        "key": ("on", "on"),
+        "exercise_key": (key_of(7), key_of(7)),
+        "exercise_number": ("7", 7),
         "task_x0": ("0.5", 0.5),
         "task_glide": ("-7.5", -7.5),
         "task_spin": ("1.25", 1.25),

@@ -9,6 +9,7 @@ import pytest
 from pypdf import PageObject, PdfReader
 
 from tests.browser import settle
+from tests.test_worksheet import key_of
 
 CONTROLS = (
     "Copy link",
@@ -51,7 +52,7 @@ def filled(sheet: PageObject) -> float:
     return 1 - min(height for height in heights if height > 42) / whole
 
 
-@pytest.mark.parametrize("query", ["seed=7", "seed=1&level=2", "seed=3&level=3", "seed=2&paper=key"])
+@pytest.mark.parametrize("query", ["seed=7", "seed=1&level=2", "seed=3&level=3", f"seed=2&paper=key&key={key_of(2)}"])
 def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
     page = visit(f"worksheet?{query}", theme="dark")
     page.wait_for_selector(".st-key-sheet_picture img")
@@ -68,7 +69,14 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
         assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
 
 
-SHEETS = {"": 4, "derivation?show=reading": 11, "motion": 3, "1729": 6, "speed": 4, "worksheet?paper=key": 6}
+SHEETS = {
+    "": 4,
+    "derivation?show=reading": 11,
+    "motion": 3,
+    "1729": 6,
+    "speed": 4,
+    f"worksheet?paper=key&key={key_of(1)}": 6,
+}
 """Page → how many sheets of A4 it takes at most."""
 
 

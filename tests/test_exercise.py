@@ -11,8 +11,10 @@ from ramanujan import lesson
 from ramanujan.answers import QUESTIONS, judge, question, shown_step
 from ramanujan.derivation.printers import latex
 from ramanujan.pages.derivation import cache
+from ramanujan.shell import sheet_keys
 from tests.test_answers import RIGHT
 from tests.test_scene_lesson import sent
+from tests.test_worksheet import key_of
 
 PAGE = "ramanujan/pages/lesson/page.py"
 WORKSHEET = "ramanujan/pages/worksheet/page.py"
@@ -87,14 +89,22 @@ def test_an_exercise_keeps_its_order_shows_no_key_and_ends_in_a_sheet(app):
     # Nothing that the page gets leads to a key.
     for item in range(1, 5):
         go(app, item)
-        assert "key=on" not in sent(app)
+        assert "_key=" not in sent(app)
         assert not [each for each in app.button if each.label == "Show me this step"]
         assert not [each for each in app.markdown if each.value.startswith("## 1.")]
 
 
 def test_the_lecturer_s_link_has_the_key(app):
-    opened(app, exercise="block_momentum", key="on")
+    asked = {"exercise": "block_momentum", "exercise_number": "7"}
+    opened(app, **asked, exercise_key=key_of(7))
     assert latex(shown_step("block_momentum")[0].rhs) in "".join(each.value for each in app.latex)
+
+
+@pytest.mark.parametrize("guess", [{}, {"exercise_key": "on"}, {"exercise_key": key_of(8)}, {"exercise_number": "8"}])
+def test_a_guessed_link_has_no_key(app, guess):
+    asked = {"exercise": "block_momentum", "exercise_number": "7"} | guess
+    opened(app, **asked | ({"exercise_key": key_of(7)} if "exercise_number" in guess else {}))
+    assert not app.latex
 
 
 @pytest.mark.parametrize("bad", ["phi_equation,nobody", "", "<b>", "Phi_equation", "x" * 5000])
@@ -112,8 +122,11 @@ def test_the_lecturer_composes_both_links_in_the_order_of_choice(app):
     app.multiselect(key="composed").set_value(["two-cubes", "block_momentum"])
     students, lecturers = (each.value for each in sound(app.run()).code)
     assert urlsplit(students).path.endswith("/lesson")
-    assert parse_qs(urlsplit(students).query) == {"k": ["33.5"], "exercise": ["two-cubes,block_momentum"]}
-    assert lecturers == f"{students}&key=on"
+    asked = parse_qs(urlsplit(students).query)
+    (number,) = asked.pop("exercise_number")
+    assert asked == {"k": ["33.5"], "exercise": ["two-cubes,block_momentum"]}
+    assert lecturers.startswith(f"{students}&exercise_key=")
+    assert sheet_keys.number(lecturers.rpartition("=")[2]) == int(number)
 
 
 def test_a_session_lists_what_has_been_solved(app):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import xml.etree.ElementTree as ET
 from fractions import Fraction
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,6 +16,7 @@ from streamlit.testing.v1 import AppTest
 from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_squared
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
+from ramanujan.shell import address, sheet_keys
 from tests.browser import ROOT
 
 MACHINES = [
@@ -215,6 +218,12 @@ def test_the_picture_is_to_scale(radius):
     assert float(slab[2]) == pytest.approx(float(hoop[2]), abs=1e-3)
 
 
+@cache
+def key_of(number: int) -> str:
+    """The first key, in their order, of the sheet with this number."""
+    return next(key for key in map("{:012x}".format, itertools.count()) if sheet_keys.number(key) == number)
+
+
 def sheet(**query: str) -> AppTest:
     app = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
     app.run()
@@ -225,7 +234,8 @@ def sheet(**query: str) -> AppTest:
 def test_questions_show_no_answer_and_the_key_shows_all():
     asked = questions(Oscillator(k=10.0), "5")
     blank = "\n".join(each.value for each in sheet(seed="5").markdown)
-    key = "\n".join(each.value for each in sheet(seed="5", paper="key").markdown)
+    app = sheet(seed="5", paper="key", key=key_of(5))
+    key = "\n".join(each.value for each in app.markdown)
     for question in asked:
         assert question.text in blank
         assert question.blanks in blank
@@ -234,6 +244,23 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert question.answer not in blank
         assert all(line in key for line in question.working)
     assert "mass ratio is ε = *m*′/*m*" in blank
+    # Only its own key leads to a sheet's answers.
+    other = app.number_input(key="seed").set_value(6).run()
+    for each in (other, sheet(seed="5", paper="key"), sheet(seed="5", paper="key", key=key_of(6))):
+        assert each.title[0].value.startswith("Ramanujan’s oscillator: worksheet")
+        assert "paper" not in {chips.key for chips in each.button_group}
+
+
+def test_who_makes_a_sheet_has_its_key():
+    app = sheet()
+    (make,) = (each for each in app.button if each.label == "New sheet with its key")
+    made = make.click().run()
+    number, key = made.session_state["seed"], made.query_params["key"]
+    assert sheet_keys.number(key) == number
+    assert made.query_params["seed"] == str(number)
+    assert made.title[0].value == f"Ramanujan’s oscillator: worksheet {number}"
+    assert sheet(seed=str(number), paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {number}"
+    assert "key" in address.PRIVATE
 
 
 @pytest.mark.parametrize(

@@ -22,8 +22,8 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from ramanujan.translation import _
 
-PRIVATE = ("lecturer",)
-"""URL parameters that say who somebody is in a class; *Copy link* leaves them out."""
+PRIVATE = ("lecturer", "key", "exercise_key")
+"""URL parameters of the lecturer alone, in a class or with a sheet; *Copy link* leaves them out."""
 
 _PLACE = "address_page"
 """Session state: the page whose address was read last."""

@@ -117,7 +117,8 @@ export function makeLayers(root) {
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
       const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
       rolling[point].line(velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0`);
-      set(rolling[point].label, { x: x + length + 1.2 * side, y: -y });
+      // A word that ends at an arrow to the left begins within the view.
+      set(rolling[point].label, { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
       // Where an arrow turns round, its letters would jump.
       const visibility = formula !== FORMULAS.rolling.contact && Math.abs(length) < 1.5 ? "hidden" : "";
       Object.assign(rolling[point].label.style, { textAnchor: side < 0 ? "end" : "start", visibility });
@@ -154,6 +155,7 @@ export function makeLayers(root) {
     find(".shared").hidden = !shown.has("coordinates");
     for (const name of ["arrows", "traces", "forces", "weights", "coordinates"]) see(`.${name}`, shown.has(name));
     see(".rolling", seenFrom === "block");
+    find(".machine").classList.toggle("from-block", seenFrom === "block");
     see(".speed", shown.has("arrows") || seenFrom === "block");
     see(".force", shown.has("forces"));
     see(".weight", shown.has("weights"));

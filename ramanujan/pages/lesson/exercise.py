@@ -1,7 +1,7 @@
 """An exercise by link: chosen questions and tasks, one at a time, and at the end a sheet to print or to save.
 
-The lecturer composes the link on the page Worksheet. The link for students leads to no key; the one with
-`key=on` is the lecturer's.
+The lecturer composes the link on the page Worksheet. The link for students has a number; the lecturer's has the key,
+too, to which the number belongs (`shell/sheet_keys.py`).
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from ramanujan.answers import QUESTIONS, question
 from ramanujan.browser import page
 from ramanujan.pages.derivation import cache, tryout
 from ramanujan.pages.lesson import tasks
-from ramanujan.shell import address, display_mode, widgets
+from ramanujan.shell import address, display_mode, sheet_keys, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
@@ -22,15 +22,16 @@ from ramanujan.translation import _
 ITEMS = (*QUESTIONS, *(task.id for task in lesson.TASKS))
 EXERCISE = address.Several("exercise", ITEMS)
 ITEM = address.Count("item", len(ITEMS) + 1)
-KEY = address.Choice("key", ("on",))
-URL_PARAMETERS = (EXERCISE, ITEM, KEY)
+SHEET = address.Count("exercise_number", sheet_keys.MOST, default=0)
+KEY = sheet_keys.parameter("exercise_key")
+URL_PARAMETERS = (EXERCISE, ITEM, SHEET, KEY)
 END = _("Your sheet")
 FILE = "exercise.md"
 
 
 def show(items: tuple[str, ...]) -> None:
     """Draw the present item of an exercise, or after the last one the sheet."""
-    headings, with_key = [*map(title, items), END], address.held(KEY) == "on"
+    headings, with_key = [*map(title, items), END], sheet_keys.fits(KEY, address.held(SHEET))
     now = min(address.held(ITEM), len(headings))
     with st.container(key="lesson_head"):
         page.turn(headings, now, turn, place=_("Part {now} of {count}: {heading}"))
@@ -100,9 +101,10 @@ def compose() -> None:
         if not chosen:
             return
         machine = {each.name: f"{each.present:g}" for each in PARAMETERS.values() if each.present != each.default}
-        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen))}
+        key = st.session_state.setdefault("composed_key", sheet_keys.new())
+        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), SHEET.name: sheet_keys.number(key)}
         link = address.link(asked, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)
         st.markdown(_("For you, with the key:"))
-        st.code(f"{link}&{KEY.name}=on", language=None, wrap_lines=True)
+        st.code(f"{link}&{KEY.name}={key}", language=None, wrap_lines=True)

@@ -10,15 +10,16 @@ from ramanujan import Oscillator
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
 from ramanujan.pages.lesson import exercise
-from ramanujan.shell import address, drawings, sidebar, widgets
+from ramanujan.shell import address, drawings, sheet_keys, sidebar, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 PAPER = address.Choice("paper", ("questions", "key"), "questions")
-SEED = address.Count("seed", 9999)
+SEED = address.Count("seed", sheet_keys.MOST)
+KEY = sheet_keys.parameter("key")
 LEVEL = address.Choice("level", (1, 2, 3), 1)
-URL_PARAMETERS = (PAPER, SEED, LEVEL)
+URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
 PAPER_WORDS = {"questions": _("Questions"), "key": _("Key")}
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 # Of a sheet on a projector: its lines, letters in a line, and letters of LaTeX in a row of formulas.
@@ -75,13 +76,24 @@ def uses_sidebar() -> bool:
 
 
 def choose() -> tuple[str, int, int]:
-    """Draw the choice between questions and key, the sheet number and the level; none of it is printed."""
+    """Draw the choice of number and level, and with a key between questions and key; none of it is printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
-        paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
+        has_key, paper = sheet_keys.fits(KEY, address.held(SEED)), "questions"
+        if has_key:
+            paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
         seed = widgets.count(SEED, _("Sheet number"), width=190)
         level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=230)
+        st.button(_("New sheet with its key"), on_click=make_sheet)
         st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
+        if has_key:
+            st.caption(_("The address of this page contains the key: keep it. *Copy link* leaves the key out."))
     return paper, seed, level
+
+
+def make_sheet() -> None:
+    """Take a new key and the sheet that belongs to it, in a callback."""
+    key = sheet_keys.new()
+    st.session_state.update({KEY.name: key, SEED.name: sheet_keys.number(key)})
 
 
 def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) -> None:
