@@ -226,10 +226,11 @@ def turn(
     """
 
     def turned() -> None:
-        if (to := st.session_state["turn"].to) is not None:
-            on_turned(to)
+        on_turned(st.session_state["turn"].to["stop"])
 
-    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker}
+    asked = st.session_state["turn"].to if "turn" in st.session_state else None
+    heard = asked and asked["press"]
+    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "heard": heard}
     return modules.component("page/turn")(key="turn", data=data, on_to_change=turned)
 
 
