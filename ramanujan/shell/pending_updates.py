@@ -69,9 +69,10 @@ def waits() -> bool:
 
 
 def draw() -> None:
-    """Draw the hidden slider as soon as it has a number; call it after all widgets that are set."""
-    if not _updates().number:
-        return
+    """Draw the hidden slider, from the first run on; call it after all widgets that are set.
+
+    A message that does not contain it would leave the number that the server has set itself.
+    """
     if waits():
         st.session_state[_SEEN] = _updates().number
     st.slider(_("Updates"), 0, 2**31, key=_SEEN, on_change="ignore")
