@@ -30,7 +30,7 @@ SENTENCES = {
     "in_slow_motion": _("Shown in slow motion."),
     "slowed": _("Shown at {factor} times its real speed, so that the eye can follow."),
     "start": _("Both hands start together."),
-    "close": _("The hands are less than {least} turns apart after {periods} periods of the plain mass."),
+    "close": _("The hands agree to {least} turns after {periods} periods of the plain mass."),
     "ahead": _("The machine is {turns} turns ahead after {periods} periods of the plain mass."),
     "behind": _("The machine is {turns} turns behind after {periods} periods of the plain mass."),
     "before": _("The hands are {turns} turns apart {periods} periods before the release."),
