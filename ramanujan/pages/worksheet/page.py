@@ -83,9 +83,10 @@ def choose() -> tuple[str, int, int]:
             paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
         seed = widgets.count(SEED, _("Sheet number"), width=190)
         level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=230)
-        st.button(_("New sheet with its key"), on_click=make_sheet)
+        if not is_projector():
+            st.button(_("New sheet with its key"), on_click=make_sheet)
         st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
-        if has_key:
+        if has_key and not is_projector():
             st.caption(_("The address of this page contains the key: keep it. *Copy link* leaves the key out."))
     return paper, seed, level
 
