@@ -19,7 +19,12 @@ _HEAD = 65536
 
 
 class Network:
-    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`."""
+    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`.
+
+    One after the other they have the same address: at another one a browser would load and compile all scripts again.
+    """
+
+    port = 0
 
     def __init__(self, server: str, seconds: float) -> None:
         self.lead_to(server)
@@ -31,11 +36,14 @@ class Network:
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
 
     def start(self) -> None:
-        """Begin to listen on a free port, at `address`."""
+        """Begin to listen on the port of the network before, or on a free one, at `address`."""
         self._thread.start()
-        self._listener = self._call(asyncio.start_server(self._serve, "127.0.0.1", 0, limit=_HEAD))
-        host, port = self._listener.sockets[0].getsockname()
-        self.address = f"http://{host}:{port}"
+        try:
+            self._listener = self._call(self._listen(Network.port))
+        except OSError:
+            self._listener = self._call(self._listen(0))
+        host, Network.port = self._listener.sockets[0].getsockname()
+        self.address = f"http://{host}:{Network.port}"
 
     def stop(self) -> None:
         """Close every connection and stop listening."""
@@ -56,6 +64,9 @@ class Network:
     def up(self) -> None:
         """Accept connections again."""
         self._up = True
+
+    async def _listen(self, port: int) -> asyncio.Server:
+        return await asyncio.start_server(self._serve, "127.0.0.1", port, limit=_HEAD)
 
     def _call(self, coroutine):
         return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(timeout=30)
