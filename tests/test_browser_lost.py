@@ -131,28 +131,3 @@ def test_one_visit_is_one_entry_of_the_history(profile, server):
         calm(page, 0)
         assert address(page) == {"m_prime": ["2.03"]}
         expect(page.locator(BOX)).to_have_value("2.03")
-
-
-def test_no_older_answer_takes_back_a_turn_of_the_lesson(profile, server):
-    with delayed(server, 0.4) as address:
-        page = profile.new_page()
-        listen(page)
-        page.goto(f"{address}/lesson")
-        place = page.locator(".st-key-turn output")
-        expect(place).to_have_text("1/18", timeout=60_000)
-        settle(page)
-        place.evaluate(
-            """(output) => {
-              window.places = [];
-              const note = () => places.push(parseInt(output.textContent));
-              new MutationObserver(note).observe(output, { childList: true });
-            }"""
-        )
-        for _ in range(3):
-            page.keyboard.press("ArrowRight")
-            page.wait_for_timeout(300)
-        calm(page, 0.4)
-        places = page.evaluate("places")
-        assert (places, places[-1]) == (sorted(places), 4)
-        expect(page.locator("h1")).to_contain_text("4.")
-        page.close()

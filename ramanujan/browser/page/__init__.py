@@ -226,11 +226,10 @@ def turn(
     """
 
     def turned() -> None:
-        on_turned(st.session_state["turn"].to["stop"])
+        if (to := st.session_state["turn"].to) is not None:
+            on_turned(to)
 
-    asked = st.session_state["turn"].to if "turn" in st.session_state else None
-    heard = asked and asked["press"]
-    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "heard": heard}
+    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker}
     return modules.component("page/turn")(key="turn", data=data, on_to_change=turned)
 
 

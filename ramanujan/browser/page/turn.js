@@ -1,29 +1,31 @@
 // Back and forward through the stops of a lesson, by two buttons, a slider and the keys. The server draws one stop at a time,
-// so that nothing of the others is on the page. Each press has a number, and each answer names the last one that the server
-// had heard of: an older answer cannot take back what was asked for since.
+// so that nothing of the others is on the page. Until it has answered, the stop that was asked for counts.
 
 import { bus, live } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 import { showPlace, turnOf } from "./turning.js";
 
-export default function ({ data, parentElement, setStateValue }) {
+const PATIENCE = 5000; // ms after which an answer that did not come is no longer waited for
+
+export default function ({ data, parentElement, setTriggerValue }) {
   const { begun, end } = live(parentElement, (signal) => turner(parentElement, signal));
-  begun.receive(data, (to) => setStateValue("to", to));
+  begun.receive(data, (to) => setTriggerValue("to", to));
   return end;
 }
 
 function turner(root, signal) {
   const slider = root.querySelector("input");
-  let data, send, now, presses = 0;
+  let data, send, now, asked = null;
 
   /** Go to a stop, and return whether there was one to go to. */
   const go = (stop) => {
     const to = Math.min(Math.max(stop, 1), data.headings.length);
     if (to === now) return false;
+    asked = { stop: to, at: performance.now() };
     bus.publish("turned", to);
     now = to;
     showPlace(root, data, now, true);
-    send({ stop: to, press: ++presses });
+    send(to);
     return true;
   };
 
@@ -43,9 +45,9 @@ function turner(root, signal) {
   const receive = (given, sender) => {
     [data, send] = [given, sender];
     slider.max = data.headings.length;
-    // A server that has just come back has heard of none.
-    if ((data.heard ?? presses) < presses) return;
-    presses = data.heard ?? presses;
+    // An older answer cannot take back what was asked for since.
+    if (asked && data.now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
+    asked = null;
     now = data.now;
     showPlace(root, data, now, false);
   };
