@@ -154,6 +154,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
         assert max(widths) <= 390
         assert secret not in wall.content() + wall.url + phone.content() + phone.url
     assert cut == []
+    assert not wall.locator("header a, .st-key-pager button").first.is_visible()
     # The clicker ends with the lesson.
     assert desk.locator(".st-key-class_desk [data-testid=stBaseButton-primary]").count() == 0
 

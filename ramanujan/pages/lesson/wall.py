@@ -20,6 +20,9 @@ from ramanujan.translation import _
 EVERY = 1.5
 """Seconds between two looks at what is new."""
 
+NOTHING_TO_TURN = "<style>#root#root :is(.st-key-pager, header) { visibility: hidden; }</style>"
+"""Address and code stand in the bar of pages. A rule with :has() would cost every page two seconds."""
+
 _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
 
@@ -39,6 +42,7 @@ def _draw(code: str) -> None:
         st.button(_("Leave this class"), key="class_leave", on_click=leave)
         return
     with st.container(key="class_wall"):
+        st.html(NOTHING_TO_TURN)
         if question.stop is None:
             with st.container(key="class_invitation"):
                 _how_to_join(code)
