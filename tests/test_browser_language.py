@@ -20,7 +20,7 @@ STREAMLITS_OWN = (
         f"aria-label: {label}"
         for label in ("Expand sidebar", "Decrement", "Increment", "Copy to clipboard", "Fullscreen")
     ),
-    *(f"aria-label: {label}" for label in ("Download plot", "Download plot as a PNG", "Autoscale", "Reset axes")),
+    *(f"aria-label: {label}" for label in ("Download plot (SVG)", "Download plot (PNG)", "Autoscale", "Reset axes")),
 )
 """What Streamlit and Plotly say by themselves, in English always; no setting changes it."""
 NAMES = ("float32", "float64", "Markdown")
