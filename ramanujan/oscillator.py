@@ -127,7 +127,7 @@ class Oscillator:
 
     @cached_property
     def coupling_ratio(self) -> tuple[int, int]:
-        """κ = 6(m + m′)/(7m + 6m′), exactly, as numerator and denominator: in the oscillating mode X = κRφ."""
+        """κ = 6(m + m′)/(7m + 6m′), dimensionless, exactly: its numerator and denominator."""
         m, m_prime, _unit = over_one_denominator(self.m, self.m_prime)
         return 6 * (m + m_prime), 7 * m + 6 * m_prime
 
@@ -176,6 +176,11 @@ class Oscillator:
         """Ω²m/k, dimensionless; it depends on ε alone and is 1 at ε = UNIT_MASS_RATIO."""
         m, m_prime, _unit = over_one_denominator(self.m, self.m_prime)
         return self._rounded("normalized_frequency_squared", *frequency_ratio(m, m_prime, m))
+
+    @property
+    def block_coupling(self) -> float:
+        """κ = 6(1 + ε)/(7 + 6ε), dimensionless: in the oscillating mode the block moves by X = κRφ."""
+        return self._rounded("block_coupling", *self.coupling_ratio)
 
     @property
     def mass_matrix(self) -> NDArray[np.float64]:
