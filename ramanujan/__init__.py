@@ -30,9 +30,8 @@ One motion with everything known of it, and as CSV: `ramanujan.record`.
 
 Reading order: `oscillator` and `frequency` (the numbers), `motion` (time), `energy` and `contact` (what it carries),
 `derivation` (where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing
-costs), `figures` and `browser` (how it looks), `pages` (one folder
-each), `shell` (what all pages share). `validation` says which arguments are accepted, and
-`rounding` how results keep their digits.
+costs), `figures` and `browser` (how it looks), `pages` (one folder each), `shell` (what all pages share). `validation`
+says which arguments are accepted, and `rounding` how results keep their digits.
 """
 
 from __future__ import annotations

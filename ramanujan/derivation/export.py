@@ -163,11 +163,13 @@ def _slides(step: Step, values: Values | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
     said, shown = step.about(values) if values else step, rows(step, values)
     broken = _broken(shown, _SLIDE_WIDTH)
-    count = max(1, -(-sum(map(len, broken)) // _SLIDE_LINES))
+    total = sum(map(len, broken))
+    count = max(1, -(-total // _SLIDE_LINES))
+    most = -(-total // count)
     parts: list[list[int]] = [[]]
     for place, lines in enumerate(broken):
         used = sum(len(broken[each]) for each in parts[-1])
-        if used and used + len(lines) > -(-sum(map(len, broken)) // count):
+        if used and used + len(lines) > most:
             parts.append([])
         parts[-1].append(place)
     frames = []
