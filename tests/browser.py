@@ -169,6 +169,8 @@ def rest(page: Page) -> None:
     """Leave a page after a test with nothing held and nothing that moves by itself."""
     with contextlib.suppress(Error):
         page.mouse.up()
+        if page.url.startswith("http"):
+            page.evaluate("localStorage.clear()")  # Streamlit keeps there whether a hand has folded the sidebar
         if not page.home or page.url.partition("?")[0] != page.home[1].partition("?")[0]:
             page.goto("about:blank")
         page.emulate_media(color_scheme="light", reduced_motion="reduce", media="null", forced_colors="none")

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from weakref import WeakKeyDictionary
 
 import pytest
+from hypothesis import settings
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from streamlit.runtime.scriptrunner import ScriptRunnerEvent
 from streamlit.testing.v1 import AppTest, app_test
@@ -25,6 +26,12 @@ IN_A_BROWSER = ("test_browser", "test_deployment")
 UNOPTIMIZED = "--js-flags=--no-opt --no-maglev"
 TABS = 3
 """How many tabs a worker keeps."""
+
+
+# In CI the same cases each time: a case that nobody has met yet is looked for on the machines of developers.
+settings.register_profile("ci", derandomize=True)
+if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
+    settings.load_profile("ci")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -259,7 +259,7 @@ FORCES = {
     "pendulum": lambda q: -np.sin(q),
     "hard spring": lambda q: -(q**3),
     "soft spring": lambda q: -np.tanh(5 * q),
-    "Toda": lambda q: 1 - np.exp(q),
+    "Toda": lambda q: -np.expm1(q),
     "off centre": lambda q: -100.0 * (q - 1e6),
 }
 

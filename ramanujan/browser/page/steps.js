@@ -25,8 +25,7 @@ function lecture(root, signal) {
 
   const show = (speak) => {
     // The server draws the steps; which one is seen is decided here alone.
-    sheet.textContent = `#root .st-key-lecture [class*="st-key-step_"] { display: none; }
-      #root .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex; }`;
+    sheet.textContent = `#root .st-key-lecture .st-key-step_${now}.st-key-step_${now} { display: flex; }`;
     showPlace(root, data, now, speak);
   };
 

@@ -170,11 +170,7 @@ def the_steps(setting: Setting, part: str | None) -> None:
         for number in range(1, setting.steps + 1):
             draw(setting, number, part)
         return
-    # Until the page decides which step is seen, it is the one of the address.
-    now = address.held(STEP)
-    others = f".st-key-lecture [class*=st-key-step_]:not(.st-key-step_{now})"
-    st.html(f"<style>{others}{{display:none}}</style>")
-    # The steps that are hidden leave no gaps.
+    # The steps that are hidden (page.css; steps.js shows one) leave no gaps.
     with st.container(border=True, key="lecture", gap=None):
         for number in range(1, setting.steps + 1):
             with st.container(key=f"step_{number}"):
