@@ -315,7 +315,7 @@ def test_controls_by_arrow_keys(visit):
     show.press("Enter")
     page.keyboard.press("Tab")
     page.keyboard.press("Space")
-    assert inside(page, "root.querySelector('.energy').hidden")
+    assert inside(page, "!root.querySelector('.energy').checkVisibility()")
     page.keyboard.press("Escape")
     expect(stage.get_by_role("checkbox", name="Energy")).to_be_hidden()
     scrub = stage.get_by_role("slider", name="Position in the period")

@@ -282,7 +282,7 @@ def test_layers(visit):
     # A click elsewhere closes what was opened.
     page.locator(".stMain h1").click()
     expect(page.get_by_role("checkbox", name="Energy")).to_be_hidden()
-    assert inside(page, "root.querySelector('.energy').hidden")
+    assert inside(page, "!root.querySelector('.energy').checkVisibility()")
 
 
 def test_reduced_motion_starts_with_a_still(visit):

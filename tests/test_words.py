@@ -272,6 +272,6 @@ def test_the_stage_says_what_words_py_holds_and_nothing_else():
     # Why a motion has ended is looked up by the reason.
     reasons = {"edge", "struck", "ended", "edge_ahead", "struck_ahead"}
     assert used | reasons == {*words.SENTENCES, "slips", "bodies", "rolling", "deformation"}
-    assert sorted(set(fields(texts["browser/stage/stage.html"]))) == sorted(words.TEXTS)
+    assert sorted(set(fields(texts["browser/stage/stage.html"]))) == sorted({*words.TEXTS, "layer_boxes"})
     assert "{animated}" in texts["browser/stage/stage.html"]
     assert "{animated}" not in modules.contents()["markup.js"].decode()

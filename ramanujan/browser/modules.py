@@ -67,7 +67,12 @@ def component(name: str) -> Callable[..., Any]:
 def _markup(name: str, texts: dict[str, str]) -> str:
     """Return a component's style sheet and HTML, with texts in its slots; either may be missing."""
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
-    html = html.format(**{slot: _italic(escape(text), slot) for slot, text in texts.items()})
+    boxes = (
+        f'<label data-layer="{layer}" title="{escape(what)}"><input type="checkbox" /> {escape(title)}</label>'
+        for layer, (title, what) in words.LAYERS.items()
+    )
+    slots = {slot: _italic(escape(text), slot) for slot, text in texts.items()}
+    html = html.format(**slots, layer_boxes="".join(boxes))
     return f"<style>{style}</style>{html}" if style else html
 
 

@@ -46,6 +46,7 @@ from typing import Any
 
 from ramanujan.browser import modules, page
 from ramanujan.browser.stage.formulas import SHAPE_FACTORS
+from ramanujan.browser.stage.words import LAYERS
 from ramanujan.motion import InitialState
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -56,16 +57,9 @@ PARTS = {
     "numbers": "Ω²m/k with its gauge, Ω, the period, shares of the energy, scales of arrows, and their consequences",
     "plain": "the plain mass",
     "motion": "the motion itself and what shows it: the machine stands still as it was released",
-    "energy": "the energy bar, with its button",
-    "arrows": "the velocity arrows, with their button",
-    "forces": "contact forces and spring forces, with their button",
-    "weights": "weights and normal forces, with their button",
-    "traces": "the traces, with their button",
-    "coordinates": "the coordinates, with their button",
+    **{name: f"{what}, with its tick box" for name, (_title, what) in LAYERS.items()},
 }
 """Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
-LAYERS = ("energy", "arrows", "forces", "weights", "traces", "coordinates")
-"""Parts of a stage that a person shows by a button."""
 
 
 def payload(

@@ -8,7 +8,7 @@ import {
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
-import { finder } from "./parts.js";
+import { finder, layerNames } from "./parts.js";
 import { element, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
@@ -16,7 +16,7 @@ const TRACE_POINTS = 90;
 const PERIOD_POINTS = 24; // in which the greatest speed and force of a period are looked for
 
 export function makeLayers(root) {
-  const find = finder(root);
+  const find = finder(root), layers = layerNames(root);
   let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground";
 
   const bars = [], shares = [], names = [];
@@ -149,20 +149,16 @@ export function makeLayers(root) {
     });
   }
 
-  function show(layers) {
-    shown = layers;
-    find(".energy").hidden = !shown.has("energy");
-    find(".shared").hidden = !shown.has("coordinates");
-    for (const name of ["arrows", "traces", "forces", "weights", "coordinates"]) see(`.${name}`, shown.has(name));
-    see(".rolling", seenFrom === "block");
+  function show(names) {
+    shown = names;
+    for (const name of layers) for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) see(node, shown.has(name));
+    see(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
-    see(".speed", shown.has("arrows") || seenFrom === "block");
-    see(".force", shown.has("forces"));
-    see(".weight", shown.has("weights"));
+    see(find(".speed"), shown.has("arrows") || seenFrom === "block");
     find(".machine").classList.toggle("weighed", shown.has("weights"));
     find(".machine").classList.toggle("layered", [...shown].some((name) => name !== "energy"));
   }
-  const see = (selector, seen) => (find(selector).style.display = seen ? "" : "none");
+  const see = (node, seen) => node && (node.style.display = seen ? "" : "none");
 
   return { geometry, machine, frame, show };
 }

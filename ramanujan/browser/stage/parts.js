@@ -2,18 +2,22 @@
 // the page: neither the eye nor a screen reader nor a look into the document finds it.
 
 const SAID = ".verdict, .parting"; // what is said of the clocks, in numbers
-const SHOWS_MOTION = ["energy", "arrows", "forces", "weights", "traces"];
-const MARKS = { arrows: ", .scales .speed", forces: ", .scales .force", weights: ", .scales .weight", coordinates: ", .shared" };
-const layerNodes = (name) => `.scene .${name}, [data-layer=${name}]${MARKS[name] ?? ""}`;
 
-/** Part → the nodes that belong to it. `PARTS` of __init__.py explains the names. */
-const PART_NODES = {
-  clocks: `.dial, .key, ${SAID}`,
-  numbers: `.gauge, .readouts, .legend b, .scales, ${SAID}`,
-  plain: ".machine > .plain",
-  motion: [".transport, .scrub, .speeds, .controls .viewpoint, .scales", ...SHOWS_MOTION.map(layerNodes)].join(", "),
-  ...Object.fromEntries([...SHOWS_MOTION, "coordinates"].map((name) => [name, layerNodes(name)])),
-};
+/** Part → the nodes that belong to it. `PARTS` of __init__.py explains the names; a layer marked as still shows no motion. */
+function partNodes(root) {
+  const layers = layerNames(root).map((name) => [name, `.scene .${name}, [data-layer=${name}], [data-of=${name}]`]);
+  const moving = layers.filter(([name]) => !root.querySelector(`.${name}.still`)).map(([, nodes]) => nodes);
+  return {
+    clocks: `.dial, .key, ${SAID}`,
+    numbers: `.gauge, .readouts, .legend b, .scales, ${SAID}`,
+    plain: ".machine > .plain",
+    motion: [".transport, .scrub, .speeds, .controls .viewpoint, .scales", ...moving].join(", "),
+    ...Object.fromEntries(layers),
+  };
+}
+
+/** The names of the layers: each has a tick box. */
+export const layerNames = (root) => [...root.querySelectorAll("[data-layer]")].map((box) => box.dataset.layer);
 
 const stores = new WeakMap(); // root → where its hidden nodes are kept
 
@@ -23,7 +27,7 @@ export const finder = (root) => (selector) => root.querySelector(selector) ?? st
 /** The parts under a root: `hide(names)` hides these and shows all others, `hides(name)` tells what is hidden. */
 export function makeParts(root) {
   const owners = new Map(); // node → the parts to which it belongs
-  for (const [name, selector] of Object.entries(PART_NODES))
+  for (const [name, selector] of Object.entries(partNodes(root)))
     for (const node of root.querySelectorAll(selector)) owners.set(node, [...(owners.get(node) ?? []), name]);
   const places = new Map([...owners.keys()].map((node) => [node, document.createComment("")]));
   const store = document.createElement("div");

@@ -126,12 +126,18 @@ TEXTS = {
     "png": "PNG",
     "tikz": "TikZ",
     "layers": _("Layers of the picture"),
-    "energy": _("Energy"),
-    "velocities": _("Velocities"),
-    "forces": _("Forces"),
-    "weights": _("Weights"),
-    "weights_hint": _("Weights and normal forces"),
-    "traces": _("Traces"),
-    "coordinates": _("Coordinates"),
 }
 """Slot of stage.html → its text."""
+
+LAYERS = {
+    "energy": (_("Energy"), _("Energy by body")),
+    "arrows": (_("Velocities"), _("Velocity arrows")),
+    "forces": (_("Forces"), _("Contact forces and spring forces")),
+    "weights": (_("Weights"), _("Weights and normal forces")),
+    "traces": (_("Traces"), _("Traces of the rims")),
+    "coordinates": (_("Coordinates"), _("Coordinates, and what the bodies share")),
+}
+"""Layer that a person shows by a tick box → its title, and what it is in a few words.
+
+What it draws stands in groups of stage.html with its name as their class, or as `data-of`.
+"""
