@@ -212,7 +212,7 @@ def answer(app, question: str, text: str):
 def test_each_kind_of_verdict_has_its_box(page):
     ask = "natural_frequency_squared"
     assert answer(page, ask, "8k(7m+6m')/(32m^2+49m m'+18m'^2)").success
-    assert answer(page, ask, "16k(7m+6m')/(64m^2+98m m'+36m'^2)").info
+    assert answer(page, ask, "8k R (7m+6m')/(32m^2 R+49m m' R+18m'^2 R)").info
     assert answer(page, ask, "k/m").warning
     assert answer(page, ask, "k/").error
 

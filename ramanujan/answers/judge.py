@@ -9,7 +9,7 @@ import sympy as sp
 
 from ramanujan.answers import terms
 from ramanujan.answers.differences import compared, depends, differences
-from ramanujan.answers.formulas import leaves, replaced
+from ramanujan.answers.formulas import leaves, length, replaced
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import (
     EQUATION,
@@ -22,7 +22,6 @@ from ramanujan.answers.questions import (
     wrong_values,
 )
 from ramanujan.answers.questions import question as asked
-from ramanujan.answers.simplicity import to_simplify
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK, UnreadableError, not_known
 from ramanujan.answers.values import (
     DifferentUnitsError,
@@ -51,8 +50,8 @@ def judge(question: str, text: str) -> Verdict:
     """Return the verdict on a student's answer; never raises, whatever it is given.
 
     Two formulas are equal if they agree at random points: exactly, or in 120 digits where there are roots. A right
-    formula counts as unsimplified if something in it can still be simplified, or if it is longer than the derived one
-    and its expanded and factored forms.
+    formula counts as unsimplified if it contains a symbol that it does not need, or if it is longer than the derived
+    one and its expanded and factored forms.
 
     Parameters
     ----------
@@ -106,11 +105,10 @@ def _verdict(question: str, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict
     own = asked(question).names
     needless = [name for name, symbol in SYMBOLS.items() if symbol in leaves(typed) and name not in own]
     if needless:
-        to_do = _("The formula can be written without {names}.").format(names=terms.listed(needless))
-    else:
-        to_do = None if asked(question).any_form else to_simplify(typed, answer(question), longest_form(question))
-    if to_do:
-        return Verdict("unsimplified", _("Right! {what_is_left}").format(what_is_left=to_do))
+        sentence = _("Right! The formula can be written without {names}.")
+        return Verdict("unsimplified", sentence.format(names=terms.listed(needless)))
+    if not asked(question).any_form and length(typed) > longest_form(question):
+        return Verdict("unsimplified", _("Right! The formula can be written shorter."))
     return Verdict("right", _("Right!"))
 
 

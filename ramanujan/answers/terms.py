@@ -36,7 +36,7 @@ OF_RATIO = GENERATORS | {m_prime: GENERATORS[epsilon] * GENERATORS[m]}
 GENERATORS[epsilon] = GENERATORS[m_prime] / GENERATORS[m]
 _ROOT = FIELD.gens[-1]
 
-_MAX_WEIGHT, _MAX_BITS, _MAX_TERMS, MAX_RADICAND = 60, 60_000, 120, 10**12
+_MAX_WEIGHT, _MAX_BITS, _MAX_TERMS, _MAX_RADICAND = 60, 60_000, 120, 10**12
 """Limits on the names and numbers of a quotient, on the integers of a search for common factors, on the terms of a
 polynomial, and under a root."""
 
@@ -94,8 +94,23 @@ def exact(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENER
     NotComparableError : it is too large, or has a root.
     ZeroDivisionError : it divides by zero.
     """
-    value, radicand = with_root(expression, generators)
-    return _without_root(value.numer, radicand) / _without_root(value.denom, radicand)
+    _check_size(expression)
+    radicands = {1}
+
+    def root(value: FracElement) -> FracElement:
+        if not (value.numer.is_ground and value.denom.is_ground):
+            raise NotComparableError(_TOO_LARGE)
+        p, q = int(value.numer.LC), int(value.denom.LC)
+        if not 0 < p * q < _MAX_RADICAND:
+            raise NotComparableError(_TOO_LARGE)
+        radicand = int(core(p * q))
+        radicands.add(radicand)
+        return FIELD(isqrt(p * q // radicand)) / q * (_ROOT if radicand > 1 else 1)
+
+    value = evaluate(expression, generators, root, number)
+    if len(radicands) > 2:
+        raise NotComparableError(_TOO_LARGE)
+    return _without_root(value.numer, max(radicands)) / _without_root(value.denom, max(radicands))
 
 
 def _without_root(polynomial: PolyElement, radicand: int) -> FracElement:
@@ -106,27 +121,6 @@ def _without_root(polynomial: PolyElement, radicand: int) -> FracElement:
             raise NotComparableError(_("Your answer contains a root. The right one has none."))
         found += FIELD.ring({(*powers[:-1], 0): c * radicand ** (powers[-1] // 2)})
     return FIELD(found)
-
-
-def with_root(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> tuple[FracElement, int]:
-    """Return a formula as an element of the field, and the whole number whose root is the field's last generator."""
-    _check_size(expression)
-    radicands = {1}
-
-    def root(value: FracElement) -> FracElement:
-        if not (value.numer.is_ground and value.denom.is_ground):
-            raise NotComparableError(_TOO_LARGE)
-        p, q = int(value.numer.LC), int(value.denom.LC)
-        if not 0 < p * q < MAX_RADICAND:
-            raise NotComparableError(_TOO_LARGE)
-        radicand = int(core(p * q))
-        radicands.add(radicand)
-        return FIELD(isqrt(p * q // radicand)) / q * (_ROOT if radicand > 1 else 1)
-
-    value = evaluate(expression, generators, root, number)
-    if len(radicands) > 2:
-        raise NotComparableError(_TOO_LARGE)
-    return value, max(radicands)
 
 
 def number(value: Fraction) -> FracElement:
