@@ -15,7 +15,7 @@ from ramanujan.figures.cubes_on_paper import cubes_svg
 @pytest.mark.parametrize("turn", [0, 40, 130, 190, 305])
 @pytest.mark.parametrize("sides", [(12, 1), (10, 9)])
 def test_cubes_on_paper_show_every_unit_cube_of_three_faces(sides, turn):
-    svg = ElementTree.fromstring(cubes_svg(sides, widest=19, apart=False, turn=turn))
+    svg = ElementTree.fromstring(cubes_svg(sides, widest=19, apart=False, turn=turn, color="#0b6477"))
     paths = [path.attrib for path in svg.iter("{http://www.w3.org/2000/svg}path")]
     edges = {name: [path["d"].count("M") for path in paths if path.get("data-face") == name] for name in ("x", "top")}
     # n unit cubes need n + 1 lines in each of two directions.
@@ -27,8 +27,8 @@ def test_cubes_on_paper_show_every_unit_cube_of_three_faces(sides, turn):
 
 
 def test_cubes_on_paper_can_be_pulled_apart():
-    assert cubes_svg((10, 9), widest=19, apart=False, turn=305).count("<use") == 0
-    assert cubes_svg((10, 9), widest=19, apart=True, turn=305).count("<use") == 9 + 8
+    assert cubes_svg((10, 9), widest=19, apart=False, turn=305, color="#0b6477").count("<use") == 0
+    assert cubes_svg((10, 9), widest=19, apart=True, turn=305, color="#0b6477").count("<use") == 9 + 8
 
 
 def area(outline: str) -> float:

@@ -24,10 +24,11 @@ from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.pages.derivation import cache as page
+from ramanujan.shell import theme
 
 VALUES = {m: sp.Integer(2), m_prime: (sp.sqrt(1729) - 1) / 18, k: sp.Rational(7, 3)}
 ENGINE = shutil.which("pdflatex")
-PICTURE = machine_tikz(Oscillator(), 0.08)
+PICTURE = machine_tikz(Oscillator(), 0.08, theme.on_paper())
 
 
 def values_if(numbers: bool):

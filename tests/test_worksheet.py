@@ -16,7 +16,7 @@ from streamlit.testing.v1 import AppTest
 from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_squared
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
-from ramanujan.shell import address, sheet_keys
+from ramanujan.shell import address, sheet_keys, theme
 from tests.browser import ROOT
 
 MACHINES = [
@@ -207,7 +207,7 @@ def test_a_seed_gives_one_sheet_and_another_seed_another():
 @pytest.mark.parametrize("radius", [0.05, 0.1, 0.2])
 def test_the_picture_is_to_scale(radius):
     """A roller's diameter and the way of the slab into the spring are those of the machine."""
-    root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08))
+    root = ET.fromstring(machine_svg(Oscillator(radius=radius), 0.08, theme.on_paper()))
     paths = {each.get("data-body"): each.get("d") for each in root.iter("{http://www.w3.org/2000/svg}path")}
     assert {"block", "hoop", "cylinder", "slab", "top"} <= paths.keys()
     down = [float(curve.split()[-1]) for curve in paths["top"].strip("z").split("c")[1:]]

@@ -46,6 +46,9 @@ def contents() -> dict[str, bytes]:
         f"export const LIGHT = {json.dumps(_light())};",
     }
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
+    # On paper a component is drawn in the light theme, whichever is shown.
+    light = "".join(f"{name}: {color}; " for name, color in (_light() | {"--st-background-color": "#fff"}).items())
+    files["page/page.css"] += f"@media print {{ #root .stBidiComponent {{ &, * {{ {light}}} }} }}".encode()
     return files | {name: text.encode() for name, text in written.items()}
 
 

@@ -90,7 +90,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
     return figure
 
 
-def lighter(color: str, steps: int) -> str:
+def lighter(color: str, steps: float) -> str:
     """Return a colour, so many steps on its way to white."""
     return label_rgb(find_intermediate_color(hex_to_rgb(color), (255, 255, 255), 0.4 * steps))
 

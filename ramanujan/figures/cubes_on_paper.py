@@ -10,10 +10,11 @@ from ramanujan.figures.cubes import EYE, lighter
 
 _TILT = np.arctan2(EYE[1], EYE[0])
 """How far the view looks down [rad]."""
-_SHADES = {"top": "#4f97a6", "x": "#0b6477", "y": "#2d7e90"}
+_SHADES = {"top": 0.7, "x": 0.0, "y": 0.35}
+"""How many steps lighter than its colour each face of a cube is."""
 
 
-def cubes_svg(sides: Sequence[int], *, widest: int, apart: bool, turn: float) -> str:
+def cubes_svg(sides: Sequence[int], *, widest: int, apart: bool, turn: float, color: str) -> str:
     """Return cubes side by side as SVG, each with its unit cubes, in the view of `cubes.cube_stack`.
 
     Parameters
@@ -22,6 +23,7 @@ def cubes_svg(sides: Sequence[int], *, widest: int, apart: bool, turn: float) ->
     widest : common sum of the sides of several drawings, so that a unit cube has the same size in all of them
     apart : whether the layers are pulled apart for counting
     turn : direction of view [degrees]
+    color : of the first cube; every further one has a lighter tint of it
     """
     angle = np.radians(turn)
     right = np.array([-np.sin(angle), np.cos(angle), 0])
@@ -33,7 +35,7 @@ def cubes_svg(sides: Sequence[int], *, widest: int, apart: bool, turn: float) ->
     for n, side in enumerate(sides):
         layers = side if apart else 1
         origin, size = np.array([start, (max(sides) - side) // 2, 0]), np.array([side, side, side // layers])
-        layer = "".join(_face(*face, view, n) for face in _seen(origin, size, angle))
+        layer = "".join(_face(*face, view, color, n) for face in _seen(origin, size, angle))
         copies = (f'<use href="#c{side}" y="{rise[1] * up:.1f}"/>' for up in range(1, layers))
         parts.append(f'<g id="c{side}">{layer}</g>{"".join(copies)}')
         top = rise * (layers - 1)
@@ -56,14 +58,16 @@ def _seen(origin: np.ndarray, size: np.ndarray, angle: float) -> list[tuple[str,
     return [("x", near_x, y, z), ("y", near_y, x, z), ("top", origin + z, x, y)]
 
 
-def _face(name: str, corner: np.ndarray, first: np.ndarray, second: np.ndarray, view: np.ndarray, tint: int) -> str:
+def _face(
+    name: str, corner: np.ndarray, first: np.ndarray, second: np.ndarray, view: np.ndarray, color: str, tint: int
+) -> str:
     """Return a face with the edges of its unit cubes, so many tints lighter than the first cube."""
     along, across = (int(edge.max()) for edge in (first, second))
     lines = [_line(corner + first * n / along, second, view) for n in range(along + 1)]
     lines += [_line(corner + second * n / across, first, view) for n in range(across + 1)]
     outline = " ".join(_point(view @ (corner + edge)) for edge in (0 * first, first, first + second, second))
     return (
-        f'<path d="M{outline}z" fill="{lighter(_SHADES[name], tint)}"/>'
+        f'<path d="M{outline}z" fill="{lighter(color, tint + _SHADES[name])}"/>'
         f'<path d="{"".join(lines)}" stroke="#fff" stroke-width=".8" data-face="{name}"/>'
     )
 

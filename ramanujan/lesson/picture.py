@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
 from xml.sax.saxutils import escape
@@ -13,7 +15,6 @@ from ramanujan.translation import _
 _CM = 100.0
 _DECK, _THICK, _STEP, _GAP = 8.0, 4.5, 3.0, 2.5
 """Heights of the block's lower step and of the slab, the upper step over the slab, the gaps [cm]; as on the stage."""
-_COLORS = {"block": "#d9dce0", "hoop": "#e19c19", "cylinder": "#9dbdd6", "slab": "#9ad0bb", "top": "#e4a3a7"}
 _LETTER = 5.0
 """Size of a letter [cm of the picture]."""
 _TIKZ_WIDTH = 340.0
@@ -29,18 +30,19 @@ class _Picture:
     letters: list[tuple[str, float, float]]
 
 
-def machine_svg(machine: Oscillator, compression: float) -> str:
+def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
     """Return the machine at its release as SVG, with its symbols.
 
     Parameters
     ----------
     machine : the machine
     compression : x₀ [m]
+    colors : body → its colour, as rgb(…, …, …)
     """
     drawn, title = _drawn(machine, compression), escape(_("The machine at its release"))
     view = " ".join(f"{each:g}" for each in drawn.view)
     parts = [
-        f'<path d="{d}" fill="{_COLORS.get(body, "none")}" fill-rule="evenodd" stroke="#000" stroke-width=".4" '
+        f'<path d="{d}" fill="{colors.get(body, "none")}" fill-rule="evenodd" stroke="#000" stroke-width=".4" '
         f'data-body="{body}"/>'
         for d, body in drawn.outlines
     ]
@@ -53,19 +55,20 @@ def machine_svg(machine: Oscillator, compression: float) -> str:
     return "".join((head, *parts, "</svg>"))
 
 
-def machine_tikz(machine: Oscillator, compression: float) -> str:
+def machine_tikz(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
     r"""Return the same picture as TikZ, for a document with \usepackage{tikz} and \usetikzlibrary{svg.path}.
 
     Parameters
     ----------
     machine : the machine
     compression : x₀ [m]
+    colors : body → its colour, as rgb(…, …, …)
     """
     drawn = _drawn(machine, compression)
     scale = _TIKZ_WIDTH / drawn.view[2]
     lines = [f"\\begin{{tikzpicture}}[xscale={scale:.4f}, yscale=-{scale:.4f}, line join=round]"]
     for d, body in drawn.outlines:
-        channels = (int(_COLORS[body][at : at + 2], 16) for at in (1, 3, 5)) if body else ()
+        channels = (round(float(each)) for each in re.findall(r"[\d.]+", colors[body])) if body else ()
         fill = body and ", fill={{rgb,255:red,{};green,{};blue,{}}}".format(*channels)
         lines.append(f"  \\path[draw, line width=0.5pt, even odd rule{fill}] svg {{{d}}};")
     lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text}$}};".replace("′", "'") for text, x, y in drawn.letters]

@@ -10,6 +10,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan.browser import page
+from ramanujan.figures.cubes import lighter
 from ramanujan.shell import display_mode
 
 BODY_COLORS = {
@@ -53,6 +54,13 @@ def _colors(shown: str) -> dict[str, str]:
     }
     methods = st.get_option(f"theme.{shown}.chartCategoricalColors") or []
     return bodies | {f"method_{n}": color for n, color in enumerate(methods)}
+
+
+@cache
+def on_paper() -> dict[str, str]:
+    """Return the colours of drawings for paper: primary, and for each body one that is light enough for letters."""
+    light = _colors("light")
+    return {"primary": light["primary"], **{body: lighter(light[body], 1.4) for body in BODY_COLORS}}
 
 
 def apply_css(boxes: Mapping[str, Mapping[str, Any]]) -> None:

@@ -26,6 +26,7 @@ from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.derivation.templates import Values
 from ramanujan.lesson.picture import machine_tikz
+from ramanujan.shell import theme
 from ramanujan.shell.cache import route
 
 LINE_WIDTH, BESIDE_MACHINE = 54, 44
@@ -149,7 +150,8 @@ def document(
     """
     if drawn and kind in ("slides", "step"):
         radius, compression = drawn
-        return to_beamer(route(name), _values(masses), machine_tikz(Oscillator(radius=radius), compression), step)
+        picture = machine_tikz(Oscillator(radius=radius), compression, theme.on_paper())
+        return to_beamer(route(name), _values(masses), picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
     return write(route(name), _values(masses))
 

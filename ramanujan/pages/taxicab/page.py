@@ -155,7 +155,8 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
     )
     with st.container(key=f"on_paper_{larger}"):
         # The figure above prints empty; a screen reader has heard of it.
-        drawings.draw(cubes_svg(sides, **drawn), alt="", style="display:block;margin:auto;width:7cm")
+        svg = cubes_svg(sides, **drawn, color=theme.on_paper()["primary"])
+        drawings.draw(svg, alt="", style="display:block;margin:auto;width:7cm")
     written = cache.sums_of_cubes([(smaller, larger)])
     st.markdown(f"${written} = {volumes} = {number}$", text_alignment="center")
 

@@ -10,7 +10,7 @@ from ramanujan import Oscillator
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
 from ramanujan.pages.lesson import exercise
-from ramanujan.shell import address, drawings, sheet_keys, sidebar, widgets
+from ramanujan.shell import address, drawings, sheet_keys, sidebar, theme, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
@@ -111,7 +111,7 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
     values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in PARAMETERS.values())
     with picture, st.container(key="sheet_picture"):
         drawings.draw(
-            machine_svg(machine, sidebar.compression()),
+            machine_svg(machine, sidebar.compression(), theme.on_paper()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
             style="width:560px;max-width:100%;background:#fff",
         )
