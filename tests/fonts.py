@@ -3,49 +3,141 @@
     python -m tests.fonts
 
 The ranges are those that page.css promises. The files bear other names than their originals, as the licence asks.
+
+The upright fonts set symbols in italics by themselves: small Greek letters always, and a Latin letter that stands alone
+(OpenType's contextual alternates). So Ω²m/k is a formula wherever it stands, in a text, on a button or in a figure, and
+the text itself stays plain for screen readers, searches and copies. Letters of words, units and initials stay upright.
 """
 
 from __future__ import annotations
 
 import io
+import math
 import re
 from pathlib import Path
 
 import streamlit
 from fontTools import subset
+from fontTools.feaLib.builder import addOpenTypeFeaturesFromString
+from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables.TupleVariation import TupleVariation
 from fontTools.varLib import instancer
+from fontTools.varLib.hvar import add_HVAR
 
 from tests.browser import ROOT
 
 PAGE = ROOT / "ramanujan" / "browser" / "page"
 ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
-    "headings": ("SourceSerifVariable-Roman", {"wght": (600, 700), "opsz": 24}),
-    "text": ("SourceSansVF-Upright", {"wght": (400, 700)}),
-    "symbols": ("SourceSansVF-Italic", {"wght": 400}),
+    "headings": ("SourceSerifVariable-Roman", "SourceSerifVariable-Italic", {"wght": (600, 700), "opsz": 24}),
+    "text": ("SourceSansVF-Upright", "SourceSansVF-Italic", {"wght": (400, 700)}),
+    "symbols": ("SourceSansVF-Italic", "", {"wght": 400}),
 }
-"""File → its original's name, and the part of each axis that is kept."""
+"""File → its original's name, that of the italics it has for symbols, and the part of each axis that is kept."""
+LATIN = "KMRTXbchkmpqtvx"
+"""What is a symbol where it stands alone; a is a word."""
+SYMBOLS = """
+languagesystem DFLT dflt; languagesystem latn dflt; languagesystem grek dflt;
+@letter = [{letters}]; @small = [{small}]; @capital = [{capitals}]; @digit = [{digits}];
+@symbol = [{symbols}]; @italic = [{italics}];
+{dots}
+feature calt {{
+  lookup formulas {{
+    sub @digit R' period by R.italic;
+    sub @small space R' period by R.italic;
+    sub m' m {prime} by m.italic;
+    sub a' periodcentered by a.italic; sub a' space equal by a.italic; sub @digit a' [parenright c] by a.italic;
+  }} formulas;
+  lookup alone {{
+    ignore sub [@letter quotesingle quoteright] @symbol', @symbol' [@letter @digit quoteright hyphen];
+    ignore sub {thin_space} @symbol', bracketleft m', N slash m', [g N] periodcentered m', @capital' period;
+    sub @symbol' by @italic;
+  }} alone;
+}} calt;
+"""
 COPYRIGHT_AND_LICENCE = [0, 13, 14]
 FAMILY, STYLE, FULL, POSTSCRIPT = 1, 2, 4, 6
 """Numbers of a font's names."""
 
 
 def main() -> None:
-    for name, (original, axes) in FONTS.items():
-        [source] = ORIGINALS.glob(f"{original}.*.woff2")
-        font = _saved(instancer.instantiateVariableFont(TTFont(source), axes))
-        options = subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE)
-        options.layout_features = ["ccmp", "kern", "liga", "mark", "tnum"]
-        cutter = subset.Subsetter(options)
-        cutter.populate(unicodes=promised(name))
-        cutter.subset(font)
+    for name, (original, slanted, axes) in FONTS.items():
+        font = cut(original, axes, promised(name))
+        if slanted:
+            set_symbols(font, cut(slanted, axes, {code for code in promised(name) if _is_symbol(code)}))
         family = f"Ramanujan {name.title()}"
         names = {FAMILY: family, STYLE: "Regular", FULL: family, POSTSCRIPT: family.replace(" ", "")}
         for number, text in names.items():
             font["name"].setName(text, number, 3, 1, 0x409)
         font.flavor = "woff2"
         font.save(PAGE / "fonts" / f"{name}.woff2")
+
+
+def cut(original: str, axes: dict[str, object], codes: set[int]) -> TTFont:
+    """Return one of Streamlit's fonts with these characters alone."""
+    [source] = ORIGINALS.glob(f"{original}.*.woff2")
+    font = _saved(instancer.instantiateVariableFont(TTFont(source), axes))
+    options = subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE, glyph_names=True)
+    options.layout_features = ["kern", "mark"]
+    cutter = subset.Subsetter(options)
+    cutter.populate(unicodes=codes)
+    cutter.subset(font)
+    return font
+
+
+def _is_symbol(code: int) -> bool:
+    return chr(code) in LATIN + "a" or 0x3B1 <= code <= 0x3C9
+
+
+def set_symbols(font: TTFont, italic: TTFont) -> None:
+    """Give an upright font the letters of an italic one for its symbols, and dots over X and Φ in their middle."""
+    names = font.getBestCmap()
+    for code, name in italic.getBestCmap().items():
+        new = f"{names[code]}.italic"
+        font["glyf"][new], font["hmtx"][new] = italic["glyf"][name], italic["hmtx"][name]
+        font["gvar"].variations[new] = italic["gvar"].variations[name]
+        if chr(code) not in LATIN + "a":
+            for table in font["cmap"].tables:
+                table.cmap[code] = new
+    lean = math.tan(math.radians(-italic["post"].italicAngle))
+    dotted = [("Phi", "Phi", 0), ("X", "X.italic", lean)] if "Phi" in font["glyf"].glyphs else []
+    for base, letter, slope in dotted:
+        _put_dot(font, f"{base}.dot", letter, names[0x307], slope)
+    letters = {code: name for code, name in names.items() if chr(code).isalpha() and code < 0x370}
+    classes = {
+        "letters": letters.values(),
+        "small": (name for code, name in letters.items() if chr(code).islower()),
+        "capitals": (name for code, name in letters.items() if chr(code) in LATIN and chr(code).isupper()),
+        "digits": (name for code, name in names.items() if chr(code) in "0123456789"),
+        "symbols": (names[ord(letter)] for letter in LATIN),
+        "italics": (f"{names[ord(letter)]}.italic" for letter in LATIN),
+    }
+    dots = " ".join(f"sub {base} {names[0x307]} by {base}.dot;" for base, *_ in dotted)
+    rules = SYMBOLS.format(
+        dots=f"feature ccmp {{ {dots} }} ccmp;" if dots else "",
+        prime=names[0x2032],
+        thin_space=names.get(0x202F, "space"),
+        **{key: " ".join(each) for key, each in classes.items()},
+    )
+    del font["HVAR"]
+    add_HVAR(font)
+    addOpenTypeFeaturesFromString(font, rules, ["GSUB"])
+
+
+def _put_dot(font: TTFont, name: str, letter: str, dot: str, slope: float) -> None:
+    """Add a letter with the dot above it, over the middle of the letter at the height of the dot."""
+    glyphs, (base, above) = font["glyf"], (font["glyf"][letter], font["glyf"][dot])
+    up = font["OS/2"].sCapHeight - font["OS/2"].sxHeight
+    height = (above.yMin + above.yMax - base.yMin - base.yMax) / 2 + up
+    across = (base.xMin + base.xMax - above.xMin - above.xMax) / 2 + slope * height
+    pen = TTGlyphPen(glyphs.glyphs)
+    pen.addComponent(letter, (1, 0, 0, 1, 0, 0))
+    pen.addComponent(dot, (1, 0, 0, 1, round(across), up))
+    glyphs[name], font["hmtx"][name] = pen.glyph(), font["hmtx"][letter]
+    # Bolder, it becomes as wide as its letter: the last four deltas are those of the letter's frame.
+    frames = [(each.axes, each.coordinates[-4:]) for each in font["gvar"].variations[letter]]
+    font["gvar"].variations[name] = [TupleVariation(axes, [(0, 0), (0, 0), *frame]) for axes, frame in frames]
 
 
 def promised(name: str) -> set[int]:

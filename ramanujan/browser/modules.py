@@ -74,15 +74,9 @@ def _markup(name: str, texts: dict[str, str]) -> str:
         f'<label data-layer="{layer}" title="{escape(what)}"><input type="checkbox" /> {escape(title)}</label>'
         for layer, (title, what) in words.LAYERS.items()
     )
-    slots = {slot: _italic(escape(text), slot) for slot, text in texts.items()}
+    slots = {slot: escape(text) for slot, text in texts.items()}
     html = html.format(**slots, layer_boxes="".join(boxes))
     return f"<style>{style}</style>{html}" if style else html
-
-
-def _italic(text: str, slot: str) -> str:
-    """Return HTML in which a symbol such as *m* is italic; a caption stands in an SVG, which has no <i>."""
-    tag = "tspan" if slot.endswith("caption") else "i"
-    return re.sub(r"\*(.+?)\*", rf"<{tag}>\1</{tag}>", text)
 
 
 def _light() -> dict[str, str]:

@@ -166,7 +166,7 @@ STOPS = (
             "{b})/{twice}, about {value:7}. A mass ratio cannot be negative, so the other root does not count."
         ),
         numbers=_remainders,
-        hints=(_("The roots of aε² + bε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),),
+        hints=(_("The roots of a·ε² + b·ε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),),
         purpose=_("The search becomes a quadratic equation."),
         expect=_("The sign of b is the usual slip. Let students put their answer into the equation."),
         minutes=3,

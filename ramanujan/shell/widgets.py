@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import string
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -15,9 +14,6 @@ from ramanujan.shell import address
 from ramanujan.shell.address import Choice, Count
 from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
-
-_FORMULA = re.compile(r"(\$[^$]*\$|`[^`]*`)")
-_SYMBOL = re.compile(r"(?<![A-Za-z_\u202f’*\\])(?<!kg )(?<!N/)(mm(?=′)|[mkRXTtx])(?=[\W₀²]|$)(?![’*])")
 
 Words = Mapping[Any, str]
 """Option → what the person reads."""
@@ -60,15 +56,6 @@ def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
 def plain(text: str) -> str:
     """Return text such that Markdown shows it as it is."""
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)
-
-
-def symbols(text: str) -> str:
-    """Return Markdown with its Latin symbols in italics, as formulas have them; page.css does it for small Greek ones.
-
-    >>> symbols("m′ = 2\u202fm and √(k/m), $m$")
-    '*m*′ = 2\u202fm and √(*k*/*m*), $m$'
-    """
-    return "".join(part if part[:1] in "$`" else _SYMBOL.sub(r"*\1*", part) for part in _FORMULA.split(text))
 
 
 def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:

@@ -82,7 +82,7 @@ def _time_zone() -> tzinfo:
 def ask(name: str, with_step: bool = True) -> None:
     """Ask for one formula, with hints; the last one, where it is offered, shows the step."""
     asked = question(name)
-    st.markdown(widgets.symbols(asked.prompt()))
+    st.markdown(asked.prompt())
     if asked.names:
         names = " ".join(f"`{each}`" for each in asked.names)
         st.markdown(_(":small[You may use] {names}").format(names=names))

@@ -97,7 +97,7 @@ def draw(stop: Stop, number: int) -> None:
     arrive(stop, running)
     if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
-            st.markdown(widgets.symbols(f":small[{_caption(stop, running)}]"))
+            st.markdown(f":small[{_caption(stop, running)}]")
     with picture:
         show(stop, running)
 

@@ -83,7 +83,7 @@ def opening() -> None:
     st.title(_("Ramanujan’s oscillator"), anchor=False)
     first = _("Drag the slab and let go.")
     if not display_mode.hides("clocks"):
-        first = _("Drag the slab and let go, then move *m*′ until both clock hands turn together.")
+        first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
     question = _("When does this machine of five bodies oscillate in step with a plain mass on the same spring?")
     with st.container(horizontal=True, gap="small", key="opening"):
         with st.container(gap=None):
@@ -103,8 +103,8 @@ def the_curve() -> None:
     st.header(_("When is it in step with the plain mass?"), anchor=False)
     st.markdown(
         _(
-            "The plain mass *m* on the spring *k* has the angular frequency √(*k*/*m*), the machine has Ω. They are in "
-            "step where Ω²*m*/*k* = 1. This depends only on the mass ratio ε = *m*′/*m*."
+            "The plain mass m on the spring k has the angular frequency √(k/m), the machine has Ω. They are in "
+            "step where Ω²m/k = 1. This depends only on the mass ratio ε = m′/m."
         )
     )
     drawings.plot(

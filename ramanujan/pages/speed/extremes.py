@@ -61,7 +61,7 @@ def where_forms_fail(sentence: str) -> None:
     st.markdown(sentence)
     item = _("- **{name}**: Ω² = {formula}")
     listed = "\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values())
-    st.markdown(widgets.symbols(listed))
+    st.markdown(listed)
 
 
 def many_periods(machine: Oscillator) -> None:
@@ -82,7 +82,7 @@ def general_solver() -> None:
     _forms, sweeps = cache.sweeps()
     st.markdown(
         _(
-            "A library can find Ω² from the mass matrix *M* and the stiffness matrix *K* without knowing this machine. "
+            "A library can find Ω² from the mass matrix M and the stiffness matrix K without knowing this machine. "
             "The machine also has two zero modes, whose eigenvalue is 0: it can glide, and the top cylinder can roll "
             "freely."
         )
@@ -94,4 +94,4 @@ def general_solver() -> None:
 def what_the_app_uses() -> None:
     """List what the app itself uses where."""
     swept, _solvers = cache.sweeps()
-    st.markdown(widgets.symbols(own_choices.what_the_app_uses(cache.choices(), swept)))
+    st.markdown(own_choices.what_the_app_uses(cache.choices(), swept))

@@ -44,8 +44,8 @@ def method_facts(method: Method, steps: int) -> str:
     """Say of what order a method is, what it costs, and whether these steps are stable."""
     turn, limit = 2 * math.pi / steps, method.stability_limit
     cost = ngettext(
-        "The method has order {order} and takes {n} evaluation of the force per step of size *h*.",
-        "The method has order {order} and takes {n} evaluations of the force per step of size *h*.",
+        "The method has order {order} and takes {n} evaluation of the force per step of size h.",
+        "The method has order {order} and takes {n} evaluations of the force per step of size h.",
         method.evaluations,
     )
     if math.isinf(limit):
@@ -53,9 +53,9 @@ def method_facts(method: Method, steps: int) -> str:
     elif limit == 0:
         stable = _("Its energy grows at every step size, however small.")
     elif turn > limit:
-        stable = _("It is **unstable here**: *h*Ω = {turn} is beyond its stability limit, {limit}.")
+        stable = _("It is **unstable here**: hΩ = {turn} is beyond its stability limit, {limit}.")
     else:
-        stable = _("It is stable up to *h*Ω = {limit}; here it is {turn}.")
+        stable = _("It is stable up to hΩ = {limit}; here it is {turn}.")
     cost = cost.format(order=method.order, n=method.evaluations)
     return f"{cost} {stable.format(turn=told_from(turn, limit, 3), limit=told_from(limit, turn, 3))}"
 
@@ -256,7 +256,7 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
     """Say when each way to compute the phase has lost it, and how small the reduced one's error stays."""
     said = [
         _(
-            "In float32 the error of the plain product Ω·*t* reaches 1 rad between {before} and {after} periods. From "
+            "In float32 the error of the plain product Ω·t reaches 1 rad between {before} and {after} periods. From "
             "there on the phase is meaningless and the curve is flat."
         ).format(before=number(before.periods), after=number(after.periods))
         for before, after in pairwise(errors)

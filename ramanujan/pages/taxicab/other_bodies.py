@@ -174,7 +174,7 @@ def forty_machines(chosen: BodyChoice) -> None:
     )
     st.caption(
         _(
-            "The discriminants of all {count} machines, for Ω² = *k*/*m*. Highlighted: a sum of two positive cubes, "
+            "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, "
             "{best} in two ways, {one} and {other} in one. Click on a machine to build it."
         ).format(**facts)
     )

@@ -28,7 +28,7 @@ FOLLOWERS = ("unit_curve",)
 def another_target() -> None:
     """Ask for another target of the paper's machine, and say what it leads to."""
     asked = address.held(P), address.held(Q)
-    with st.expander(_("Another frequency, another number: choose Ω²*m*/*k* = *p*/*q*"), expanded=asked != (1, 1)):
+    with st.expander(_("Another frequency, another number: choose Ω²m/k = p/q"), expanded=asked != (1, 1)):
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)
             q = widgets.count(Q, _("q"), width=130)
@@ -217,7 +217,7 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
     )
     st.caption(
         _(
-            "Counted for all targets *p*/*q* with *p* and *q* up to {most} that every machine reaches, and for each "
+            "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each "
             "body on top: {count} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives "
             "{sums} sums of two cubes; the next pair gives {second}. Small numbers are such sums more often. But "
             "half of this pair’s discriminants are below {median}, and {smaller} other pairs have a smaller median."

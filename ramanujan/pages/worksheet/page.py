@@ -126,7 +126,7 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
             first=calculations[0], last=calculations[-1], values=values
         ),
     ]
-    words.markdown(widgets.symbols("\n\n".join(said)))
+    words.markdown("\n\n".join(said))
 
 
 def draw(number: int, question: Question, with_key: bool) -> None:
