@@ -541,7 +541,7 @@ def test_the_layer_of_coordinates_shows_signs_and_sizes(picture):
             assert [both[0], both[2]] == pytest.approx([x["hoop"], x["cylinder"]], abs=HALF_A_PIXEL)
     shared = picture.page.locator(".st-key-stage .shared").inner_text()
     assert "Mass m: block, slab, top cylinder." in shared
-    assert "Mass m′: hoop, cylinder." in shared
+    assert "Mass m′: hoop, lower cylinder." in shared
 
 
 def test_the_derivation_lights_the_chosen_body_beside_its_steps(visit):

@@ -59,7 +59,7 @@ def one_run(method: str, steps: int, periods: int, dtype: str = "float64") -> do
 def test_opens_without_measuring_the_diagram(app, monkeypatch):
     monkeypatch.setattr(cache, "work_precision", None)
     page(app)
-    assert "How exact does a simulation have to be" in words(app)
+    assert "How accurate does a simulation have to be" in words(app)
     assert [button.label for button in app.button if button.key == "measure"] == ["Measure on this server"]
 
 

@@ -155,9 +155,10 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
             "zero_modes",
             _("Look at the two zero modes"),
             _(
-                "They are the vectors $v$ with $Kv=0$: these motions do not stretch the spring. In the first one the "
-                "whole machine glides, and its momentum $-p_X$ is conserved. In the second one the top cylinder rolls "
-                "freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact with the block."
+                "The zero modes are the vectors $v$ with $Kv=0$: these motions do not deform the spring. In the first "
+                "one the whole machine glides, and its momentum $-p_X$ is conserved. In the second one the top "
+                "cylinder rolls freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact "
+                "with the block."
             ),
             tuple(
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))

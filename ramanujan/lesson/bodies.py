@@ -216,7 +216,7 @@ STOPS = (
         options=dict(hoop=_("The hoop."), block=_("The block."), slab=_("The slab."), top=_("The top cylinder.")),
         replies={
             "hoop": _(
-                "It spins with all of its mass at the rim, and that makes {hoop:2 %} of the energy. But it hardly "
+                "It spins with all of its mass at the rim, and that takes {hoop:2 %} of the energy. But it hardly "
                 "travels. Which body is the fastest relative to the ground?"
             ),
             "block": _(

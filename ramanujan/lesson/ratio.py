@@ -119,7 +119,7 @@ STOPS = (
         id="by-hand",
         heading=_("In step, by hand"),
         question=_(
-            "The machine is in step with the plain mass where Ω² = k/m. That is so at one mass ratio ε = m′/m alone. "
+            "The machine is in step with the plain mass where Ω² = k/m. This happens at only one mass ratio ε = m′/m. "
             "Between which two ratios is it?"
         ),
         options={name: filled(_("Between {low} and {high}"), **_between(name)) for name in BRACKETS},

@@ -221,9 +221,9 @@ def _reset() -> None:
     if linked == defaults:
         return
     if there:
-        messages.note("m", _("All values are the app’s own now. Reset again, and the values of your link return."))
+        messages.note("m", _("All values are now the app’s own. Press Reset again for the values of your link."))
     else:
-        messages.note("m", _("All values are those of your link again. Reset once more for the app’s own values."))
+        messages.note("m", _("All values are now those of your link. Press Reset again for the app’s own values."))
 
 
 def _gave_way(old: float, new: float, bound: float, too_heavy: bool) -> str:

@@ -157,11 +157,14 @@ export function rollerPaths(shape, R) {
   }[shape];
 }
 
-/** What the bodies are called, the two lower rollers by their sides where their shapes do not tell them apart. */
+/** What the bodies are called, the two lower rollers by their places where their shapes do not tell them apart. */
 export function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
   const words = WORDS.bodies;
   const [left, right, top] = [beta_hoop, beta_cylinder, beta_top].map((beta) => words[shapeOf(beta)]);
-  const at = (place, body) => (left === right ? fill(words[place], { body }) : body);
+  const at = (side, body) => {
+    const place = left === right ? side : body === top && "lower";
+    return place ? fill(words[place], { body }) : body;
+  };
   return {
     block: words.block,
     hoop: at("left", left),

@@ -83,6 +83,7 @@ BODIES = {
     "sphere": _("sphere"),
     "left": _("left {body}"),
     "right": _("right {body}"),
+    "lower": _("lower {body}"),
     "top": _("top {body}"),
 }
 """The bodies, and where a body is if its shape does not tell."""
@@ -100,7 +101,7 @@ TEXTS = {
     "slab": _("Slab, mass m. Drag it and let go."),
     "centre": _("Centre of mass of the whole machine"),
     "centre_caption": _("centre of mass"),
-    "energy_bar": _("Energy by body: the parts of the bar change, its length, the total energy, does not."),
+    "energy_bar": _("Energy by body. The parts of the bar change; its length, the total energy, stays the same."),
     "dial": _("Two clock hands: each makes one full turn in one period. They stay together if the machine is in step."),
     "machine_hand": _("machine, Ω"),
     "plain_hand": _("plain mass, √(k/m)"),

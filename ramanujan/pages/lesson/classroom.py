@@ -197,7 +197,7 @@ def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> N
     if now.stop != stop.id:
         button(_("Ask the class"), "ask", _present, stop, usual=last is None)
         if last:
-            button(_("Ask it anew"), "anew", partial(classes.present, anew=True), stop.id, options)
+            button(_("Ask this question again"), "anew", partial(classes.present, anew=True), stop.id, options)
         return
     if now.phase == Phase.ASKED:
         button(_("Show the result"), "reveal", partial(classes.show, phase=Phase.REVEALED), usual=True)

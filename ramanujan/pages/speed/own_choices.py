@@ -48,7 +48,7 @@ def _frequency(kinds: Sequence[Arithmetic], drawn: Mapping[str, Sweep]) -> tuple
     right = curve.verdict == RIGHT
     return (
         _(
-            "**Ω² of a machine**: {formula}. For {count} machines drawn by lot over the whole range of float64, the "
+            "**Ω² of a machine**: {formula}. For {count} random machines over the whole range of float64, the "
             "error is at most {error} ulp. A value takes {integers}. Fractions give the same digits in {fractions}."
         ).format(
             formula=FORMS["integers"].formula,

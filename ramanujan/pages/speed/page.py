@@ -57,7 +57,7 @@ def the_question() -> None:
     st.title(_("Speed and accuracy"), anchor=False)
     st.markdown(
         _(
-            "**How exact does a simulation have to be, and what does that cost?** Most simulations advance in small "
+            "**How accurate does a simulation have to be, and what does that cost?** Most simulations advance in small "
             "time steps. This machine can also be solved exactly: it oscillates with the angular frequency Ω. So every "
             "error can be seen and measured."
         )

@@ -126,13 +126,13 @@ def _about_cubes(story: cache.Story) -> str:
 def _about_field(machine: BodyChoice) -> str:
     sentence = (
         _(
-            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant: this number stays if $\\varepsilon$ "
-            "is multiplied by any fraction."
+            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the same discriminant. This number does not change if "
+            "$\\varepsilon$ is multiplied by any fraction."
         )
         if machine.field_discriminant == machine.discriminant
         else _(
-            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**: this number stays if "
-            "$\\varepsilon$ is multiplied by any fraction."
+            "The field $\\mathbb{{Q}}(\\varepsilon)$ has the discriminant **{field}**. This number does not "
+            "change if $\\varepsilon$ is multiplied by any fraction."
         )
     )
     return sentence.format(field=machine.field_discriminant)

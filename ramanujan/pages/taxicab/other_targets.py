@@ -219,8 +219,9 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
         _(
             "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each "
             "body on top: {count} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives "
-            "{sums} sums of two cubes; the next pair gives {second}. Small numbers are such sums more often. But "
-            "half of this pair’s discriminants are below {median}, and {smaller} other pairs have a smaller median."
+            "{sums} sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but "
+            "this is not the reason here. Half of this pair’s discriminants are below {median}, and half of those of "
+            "{smaller} other pairs are below smaller numbers."
         ).format(
             most=cache.COUNTED_PART,
             count=paper.machines,
@@ -238,9 +239,9 @@ def what_stays(discriminant: int, paper: cache.Tally) -> None:
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
     st.markdown(
         _(
-            "**What stays a coincidence.** The simplest target, 1, gives a sum of two cubes in *two* ways, and the "
-            "smallest there is. Of the {count} discriminants, {taxicabs} are sums of two cubes in two ways, and "
-            "nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of these is such a "
-            "sum. The norm explains the form of {number}, but not why it had to be {number}."
+            "**What stays a coincidence.** The simplest target, 1, gives a number that is a sum of two cubes in *two* "
+            "ways, even the smallest such number. Of the {count} discriminants, {taxicabs} are sums of two cubes in "
+            "two ways, and nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of "
+            "these is such a sum. The norm explains the form of {number}, but not why it had to be {number}."
         ).format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=discriminant)
     )

@@ -26,7 +26,7 @@ def show() -> None:
     with sheet("in_step", _("In step")):
         the_number(facts)
         exactly_in_step(facts)
-    with folded("digits", _("The exact ratio in up to a thousand digits, and as fractions for the workshop")):
+    with folded("digits", _("The exact ratio to a thousand digits, and the fractions closest to it")):
         digits_and_fractions()
     with sheet("cubes", _("Two stacks of cubes")):
         two_stacks()
@@ -88,7 +88,7 @@ def digits_and_fractions() -> None:
         st.markdown(
             _(
                 "As a continued fraction, $\\varepsilon=[{first};{others},\\dots]$. Cut off after any term, it gives "
-                "the closest fraction among all with no larger denominator. Rollers with these ratios can be made:"
+                "a fraction, and no other with such a small denominator is closer. A workshop could use these:"
             ).format(first=first, others=", ".join(map(str, others)))
         )
         st.markdown(practical_ratios())

@@ -87,7 +87,9 @@ def choose() -> tuple[str, int, int]:
             st.button(_("New sheet with its key"), on_click=make_sheet)
         st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
         if has_key and not is_projector():
-            st.caption(_("The address of this page contains the key: keep it. *Copy link* leaves the key out."))
+            st.caption(
+                _("The address of this page contains the key. Save it for yourself: *Copy link* leaves the key out.")
+            )
     return paper, seed, level
 
 
