@@ -425,7 +425,7 @@ def test_a_verdict_says_how_far_away_the_goal_is():
     assert f"{1 / gained:.2f}" in sentence("parting", ratio=0.5)
     assert "0.5" in sentence("half-energy", part=0.12) or "%" in sentence("half-energy", part=0.12)
     # Half way: 54 % of the way against 50 %.
-    assert "7.7\u202f% longer" in sentence("half-way")
+    assert "7.7\u202f% farther" in sentence("half-way")
 
 
 def test_no_method_is_cheaper_than_the_cheapest():

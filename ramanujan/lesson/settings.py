@@ -69,7 +69,7 @@ def half_way(setting: Setting) -> Verdict:
     share = travel["slab"] / (travel["slab"] + travel["block"])
     sentences = (
         _("Slab and block meet half way: the slab covers {slab:4 %} of x₀, the block {block:4 %}."),
-        _("The slab covers {slab:4 %} of x₀ and the block {block:4 %}. The slab’s share is {off} more than half."),
+        _("The slab covers {slab:4 %} of x₀ and the block {block:4 %}. The slab moves {off} farther than half way."),
     )
     return near(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
 

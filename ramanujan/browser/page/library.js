@@ -6,8 +6,7 @@ import { dom, reportBroken } from "./streamlit_dom.js";
 
 // A figure is drawn as wide as the page on the screen, and on paper it must be as wide as the paper (A4: 180 mm).
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
-window.addEventListener("resize", fitPaper);
-fitPaper();
+window.addEventListener("beforeprint", fitPaper);
 dom.keepOneEntry();
 dom.watchGraphs(dom.offerFormats, new AbortController().signal);
 setTimeout(reportBroken, 10_000); // by then a page is drawn

@@ -88,11 +88,14 @@ def the_route() -> Setting:
     """Draw the choices, the machine and the steps; on a projector all of them share one sheet."""
     setting, projector = the_setting(), display_mode.is_projector()
     with sheet("lecture", _("The steps")):
-        st.title(_("Five ways to one frequency"), anchor=False)
-        # One who reads keeps the machine and the choices in view.
+        # One who reads keeps the machine and the choices in view; in a lecture the title stands beside the machine.
+        beside = setting.is_lecture and not projector
+        above = st.container(gap=None)
         with st.container(key="lectured" if setting.is_lecture else "reading"):
             head = st.container(horizontal=True, vertical_alignment="center") if projector else None
-            steps, picture = st.columns([3, 1])
+            steps, picture = st.columns([3, 1], vertical_alignment="bottom" if beside else "top")
+        with steps if beside else above:
+            st.title(_("Five ways to one frequency"), anchor=False)
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
             tell_beside()
