@@ -127,9 +127,8 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> 
             "elimination",
             _("Eliminate the block and the top cylinder"),
             _(
-                "The equations of $X$ and $\\Phi$ contain accelerations alone. The first line is that of $\\Phi$. "
-                "Multiply that of $X$ so that it contains the left side of the first line, and replace this by the "
-                "right side. Then solve for $\\ddot X$ and insert it into the first line."
+                "Multiply the equation of $X$ so that it contains the left side of the first line, the equation of "
+                "$\\Phi$. Replace that side by $\\ddot X$, solve for $\\ddot X$, and insert it into the first line."
             ),
             *result.merged,
             equation(X_ddot, result.X_from_phi),

@@ -135,19 +135,18 @@ def six_steps() -> None:
     """Draw the derivation in short, a line for each step; one that is open has symbols and the present numbers."""
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else (machine.m, machine.m_prime, machine.k)
+    steps = cache.summary(numbers)
     shown = display_mode.is_projector()
     if shown:
-        on_sheets(cache.summary(numbers))
+        on_sheets(steps)
     else:
-        # A line that is closed has symbols alone, for the printer: so a change of the machine costs it nothing.
-        for number, in_symbols in enumerate(cache.summary(None)):
-            with st.expander(
-                f"{number + 1}. {in_symbols.heading}", key=f"summary_{number + 1}", type="compact", on_change="rerun"
-            ) as line:
-                step = cache.summary(numbers)[number] if line.open else in_symbols
-                shown |= line.open
-                stated = f"\n\n:small[{numbers_stated(*numbers)}]" if numbers and line.open else ""
-                st.markdown(f"{step.reason}\n\n$$\n{step.equations}\n$${stated}")
+        for number, step in enumerate(steps, start=1):
+            heading, key = f"{number}. {step.heading}", f"summary_{number}"
+            with st.expander(heading, key=key, type="compact", on_change="rerun") as line:
+                if line.open:
+                    shown = True
+                    stated = f"\n\n:small[{numbers_stated(*numbers)}]" if numbers else ""
+                    st.markdown(f"{step.reason}\n\n$$\n{step.equations}\n$${stated}")
     sidebar.follow("machine", *(["steps"] if shown else []))
 
 

@@ -44,8 +44,8 @@ def method_facts(method: Method, steps: int) -> str:
     """Say of what order a method is, what it costs, and whether these steps are stable."""
     turn, limit = 2 * math.pi / steps, method.stability_limit
     cost = ngettext(
-        "The method has order {order} and takes {n} evaluation of the force per step of size h.",
-        "The method has order {order} and takes {n} evaluations of the force per step of size h.",
+        "**{method}** has order {order} and takes {n} evaluation of the force per step of size h.",
+        "**{method}** has order {order} and takes {n} evaluations of the force per step of size h.",
         method.evaluations,
     )
     if math.isinf(limit):
@@ -56,7 +56,8 @@ def method_facts(method: Method, steps: int) -> str:
         stable = _("It is **unstable here**: hΩ = {turn} is beyond its stability limit, {limit}.")
     else:
         stable = _("It is stable up to hΩ = {limit}; here it is {turn}.")
-    cost = cost.format(order=method.order, n=method.evaluations)
+    title = method.title[0].upper() + method.title[1:]
+    cost = cost.format(method=title, order=method.order, n=method.evaluations)
     return f"{cost} {stable.format(turn=told_from(turn, limit, 3), limit=told_from(limit, turn, 3))}"
 
 

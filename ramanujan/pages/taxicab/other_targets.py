@@ -220,8 +220,8 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
             "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each "
             "body on top: {count} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives "
             "{sums} sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but "
-            "this is not the reason here. Half of this pair’s discriminants are below {median}, and half of those of "
-            "{smaller} other pairs are below smaller numbers."
+            "this is not the reason here: half of this pair’s discriminants are below {median}, and for {smaller} "
+            "other pairs that limit is lower."
         ).format(
             most=cache.COUNTED_PART,
             count=paper.machines,
