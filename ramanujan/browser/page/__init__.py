@@ -246,7 +246,7 @@ def pager(on_turned: Callable[[str], None]) -> Any:
     def turned() -> None:
         on_turned(st.session_state["pager"].at)
 
-    return modules.component("page/pager")(key="pager", data={"place": "{now} / {count}  {title}"}, on_at_change=turned)
+    return modules.component("page/pager")(key="pager", data={"place": "{now} / {count}: {title}"}, on_at_change=turned)
 
 
 def stopwatch(key: str) -> float | None:

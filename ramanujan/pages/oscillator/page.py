@@ -156,7 +156,7 @@ def on_sheets(steps: list[cache.SummaryStep]) -> None:
     for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
         with sheet(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
             for number, step in enumerate(steps[first:end], start=first + 1):
-                with st.container(horizontal=True, vertical_alignment="center", key=f"spread_{number}"):
+                with st.container(horizontal=True, vertical_alignment="top", key=f"spread_{number}"):
                     st.markdown(f"### {number}. {step.heading}\n{step.reason}")
                     for part in step.parts or (step.equations,):
                         st.latex(part)
