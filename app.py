@@ -42,5 +42,5 @@ else:
     theme.apply_css(sidebar.BOXES)
     sidebar.take_wishes()
     messages.begin(said)
-    sidebar.draw(page.withheld(), page.lead())
+    sidebar.draw(page.withheld(), page.lead(), page.aside())
     runner.run()

@@ -114,3 +114,28 @@ def test_reset_does_not_return_to_what_the_link_got_wrong(app):
 def test_a_sentence_that_describes_a_constant_is_not_drawn():
     app = AppTest.from_string('WIDTH = 1\n"""Of what is drawn."""\n').run()
     assert not app.markdown
+
+
+def said(app) -> list[str]:
+    """All words, formulas and figures of the page."""
+    figures = [str(each.proto) for each in app.get("plotly_chart")]
+    return sorted([each.value for each in (*app.markdown, *app.latex)] + figures)
+
+
+@pytest.mark.parametrize(
+    ("path", "folded"),
+    [("derivation", ["compression"]), ("motion", []), ("taxicab", ["k", "compression"]), ("speed", [])],
+)
+def test_a_slider_that_changes_nothing_but_the_machine_s_motion_is_folded_and_keeps_its_value(app, path, folded):
+    held = {"k": 33.0, "compression": 3.0}
+    opened(app, **{key: str(value) for key, value in held.items()})
+    sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
+    more = next(each for each in app.sidebar.expander if each.label == "More")
+    assert [each.key for each in more.slider] == ["radius", *folded]
+    assert {key: app.slider(key=key).value for key in held} == held
+    before = said(app)
+    for key in folded or held:
+        app.slider(key=key).set_value(held[key] + 1.0)
+    sound(app.run())
+    # Where no slider is folded, the words or figures do change.
+    assert (said(app) == before) == bool(folded)

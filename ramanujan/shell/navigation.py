@@ -59,6 +59,10 @@ class Page:
         """Return the presets of the sidebar that would tell what the page asks."""
         return self._says("withheld", tuple)()
 
+    def aside(self) -> Collection[str]:
+        """Return the parameters that only change how a machine on the page moves: their sliders are folded."""
+        return self._says("ASIDE", ())
+
     def lead(self) -> Collection[str]:
         """Draw what stands above the page's machine with sliders in it, and return their keys."""
         return self._says("lead", tuple)()

@@ -45,13 +45,14 @@ _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
 
-def draw(withheld: Collection[str] = (), drawn: Collection[str] = ()) -> None:
+def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[str]) -> None:
     """Draw the sidebar. Called once a run, before the page.
 
     Parameters
     ----------
     withheld : presets that are not offered, because they would tell what the page asks
     drawn : keys of the parameters whose sliders stand on the page itself
+    aside : keys of those that matter little on this page: they are folded, beside those that always are
     """
     with st.sidebar, st.container(key="controls"):
         page.sheet()
@@ -64,14 +65,14 @@ def draw(withheld: Collection[str] = (), drawn: Collection[str] = ()) -> None:
                 on_change=_take_preset,
                 label_visibility="collapsed",
             )
-        for each in PARAMETERS.values():
-            if not each.aside and each.name not in drawn:
-                slider(each.name)
+        folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
+        for key in PARAMETERS:
+            if key not in folded and key not in drawn:
+                slider(key)
         with st.expander(_("More")):
             st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-            for each in PARAMETERS.values():
-                if each.aside:
-                    slider(each.name)
+            for key in sorted(folded, key=lambda key: not PARAMETERS[key].aside):
+                slider(key)
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:

@@ -28,6 +28,8 @@ BODY = address.Choice("body", tuple(PARTS))
 STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION, *MODES)
 
+ASIDE = ("compression",)
+
 VIEW_WORDS = {"lecture": _("One step"), "reading": _("All steps")}
 VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}
 FILES = {

@@ -18,6 +18,7 @@ from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
 URL_PARAMETERS = (*other_bodies.URL_PARAMETERS, *other_targets.URL_PARAMETERS, DIGITS)
+ASIDE = ("k", "compression")
 
 
 def show() -> None:
