@@ -98,8 +98,9 @@ def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable
     """Open a page of the app: visit("?m=2", width=390, height=844, theme="dark"); it must end without an error.
 
     A tab that has this address already, and that Reset and the stage's own controls bring back to how it was, is taken
-    again, unless anew=True. The stage stands still unless motion="no-preference" is asked for: to draw sixty frames a
-    second without a graphics card takes a processor of its own.
+    again, unless anew=True, or network= gives the address of another way to the server. The stage stands still unless
+    motion="no-preference" is asked for: to draw sixty frames a second without a graphics card takes a processor of its
+    own.
     """
     opened, errors = [], []
 
@@ -127,23 +128,26 @@ def visit(profile: object, tabs: list[object], server: str) -> Iterator[Callable
         theme: str = "light",
         motion: str = "reduce",
         anew: bool = False,
+        network: str | None = None,
     ) -> object:
         page = tab_for(address)
         opened.append(page)
         page.bring_to_front()  # a tab behind another draws once a second
         page.on("pageerror", note)
-        back = not anew and theme == "light" and is_back(page, address)  # a tab is left in the light theme
+        back = not (anew or network) and theme == "light" and is_back(page, address)  # a tab is left in the light theme
         page.set_viewport_size({"width": width, "height": height})
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
         page.mouse.move(0, 0)
         if not back:
             count_anew(page)
-            page.goto(f"{server}/{address}")
+            page.goto(f"{network or server}/{address}")
             page.wait_for_selector("[data-testid=stMainBlockContainer]")
             settle(page)
             page.wait_for_function(MOUNTED)
             settle(page)  # the first page has asked for what follows its machine
             arrived(page, address)
+            if network:
+                page.home = None  # its way to the server ends with the test
         return page
 
     yield open_page

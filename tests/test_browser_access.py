@@ -1,4 +1,7 @@
-"""Everyone can use every page: axe-core finds nothing, the headings skip no level, and the focus can be seen."""
+"""Everyone can use and read every page: axe-core finds nothing, headings skip no level, and the focus can be seen.
+
+Words are set well: the page's own typeface in its figures, short lines, no lone full stop, labels inside figures.
+"""
 
 from __future__ import annotations
 
@@ -45,6 +48,39 @@ REGIONS = """() => {
 }"""
 """Every place of the page that a screen reader announces."""
 
+LINES = """() => [...document.querySelectorAll(".stMarkdown :is(p, li), [data-testid=stCaptionContainer] p")]
+  .filter((each) => each.checkVisibility() && !each.closest("[data-collapsed=true]")).flatMap((each) => {
+    const lines = [], range = document.createRange();
+    const texts = document.createTreeWalker(each, NodeFilter.SHOW_TEXT);
+    for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+      if (text.parentElement.closest(".katex-mathml, .katex-display, [role=img]")) continue;
+      [...text.data].forEach((letter, at) => {
+        range.setStart(text, at);
+        range.setEnd(text, at + letter.length);
+        const { top, bottom, width } = range.getBoundingClientRect(), middle = (top + bottom) / 2;
+        if (!width) return;
+        const line = lines.find((line) => Math.abs(line.middle - middle) < 9);
+        line ? (line.text += letter) : lines.push({ middle, text: letter });
+      });
+    }
+    return lines.map(({ text }) => text.trim());
+  })"""
+"""The lines of all paragraphs, as they are broken on the screen; a small index counts as a letter."""
+FACES = """() => [...document.querySelectorAll(".js-plotly-plot text")].filter((each) => each.textContent.trim())
+  .map((each) => getComputedStyle(each).fontFamily)"""
+LOADED = """() => [...document.fonts].filter((each) => each.status === "loaded" && /Source Sans/.test(each.family))
+  .map((each) => each.style)"""
+MISPLACED = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((graph) => {
+  const home = graph.getBoundingClientRect(), labels = [...graph.querySelectorAll(".annotation-text")];
+  const boxes = labels.map((label) => [label.textContent, label.getBoundingClientRect()]);
+  return boxes.flatMap(([text, box], at) => [
+    ...(box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1 ? [`${text} is outside`] : []),
+    ...boxes.slice(at + 1).filter(([, other]) => box.left < other.right - 1 && other.left < box.right - 1
+      && box.top < other.bottom - 3 && other.top < box.bottom - 3).map(([other]) => `${text} lies on ${other}`),
+  ]);
+})"""
+"""The labels of figures that are cut or lie on one another."""
+
 
 def switch(page, theme: str) -> None:
     """Switch the theme, and wait until the server's colours have followed."""
@@ -87,19 +123,33 @@ def check_requests(asked: list[str], server: str) -> None:
     assert [url for url in asked if re.search(OF_STREAMLIT, url)] == []
 
 
+def check_words(page) -> None:
+    """Check that lines are short, begin with no full stop, and that figures are set in the page's typeface."""
+    lines = page.evaluate(LINES)
+    assert len(lines) > 3
+    assert [line for line in lines if len(line) > 84] == []
+    assert [line for line in lines if line[:1] in (".", ",", ";", ":", ")")] == []
+    faces = page.evaluate(FACES)
+    assert set(faces) <= {'"Source Sans", sans-serif'}
+    assert not faces or "normal" in page.evaluate(LOADED)
+    assert page.evaluate(MISPLACED) == []
+
+
 @pytest.mark.parametrize("name", PAGES)
-def test_axe_finds_nothing_in_both_themes_wide_and_narrow(visit, profile, server, name):
+def test_axe_finds_nothing_in_both_themes_wide_and_narrow_and_words_are_set_well(visit, profile, server, name):
     asked: list[str] = []
 
     def note(request: object) -> None:
         asked.append(request.url)
 
     profile.on("request", note)
-    page = visit(PAGES[name].address, anew=True)
+    page = visit(PAGES[name].address, width=1920, height=1080, anew=True)
     profile.remove_listener("request", note)
     check_requests(asked, server)
     check_title_and_headings(page, name)
     page.evaluate(OPEN)
+    settle(page)
+    check_words(page)
     page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
     assert len(page.evaluate(REGIONS)) == 1
     page.evaluate(AXE.read_text(encoding="utf-8"))
@@ -108,6 +158,7 @@ def test_axe_finds_nothing_in_both_themes_wide_and_narrow(visit, profile, server
     switch(page, "dark")
     page.set_viewport_size({"width": 390, "height": 844})
     assert audit(page) == []
+    page.wait_for_function(f"({MISPLACED})().length === 0")  # Plotly draws anew some time after its width has changed
 
 
 def test_axe_finds_nothing_under_any_tab(visit):
@@ -148,17 +199,19 @@ RING = """(node) => {
 }"""
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_whatever_has_the_focus_shows_it_in_the_theme_s_colour(visit, theme):
-    page = visit("derivation?step=2", theme=theme)
-    red, green, blue = rgb(THEME[theme]["primaryColor"])
-    for selector in FOCUSED:
-        assert page.locator(selector).first.evaluate(RING) == [3, f"rgb({red}, {green}, {blue})"], selector
+def test_whatever_has_the_focus_shows_it_in_the_theme_s_colour(visit):
+    page = visit("derivation?step=2")
+    for theme in ("light", "dark"):
+        switch(page, theme)
+        settle(page)
+        ring = [3, "rgb({}, {}, {})".format(*rgb(THEME[theme]["primaryColor"]))]
+        for selector in FOCUSED:
+            assert page.locator(selector).first.evaluate(RING) == ring, selector
     # On a narrow screen formulas and tables scroll by themselves, by key as well.
     page.set_viewport_size({"width": 390, "height": 844})
     box = page.locator(".katex-display[data-scrolls]:visible").first
     box.wait_for()
-    assert box.evaluate(RING) == [3, f"rgb({red}, {green}, {blue})"]
+    assert box.evaluate(RING) == ring
     box.focus()
     page.keyboard.press("ArrowRight")
     page.wait_for_function("(box) => box.scrollLeft > 0", arg=box.element_handle())

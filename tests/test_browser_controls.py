@@ -22,10 +22,7 @@ def slider(page, key: str):
 @pytest.mark.parametrize("delay", [0.0, 0.6])
 def test_every_key_press_is_kept(visit, server, delay):
     with delayed(server, delay) if delay else contextlib.nullcontext(server) as address:
-        page = visit()
-        page.goto(f"{address}/")
-        slider(page, "k").wait_for(state="attached", timeout=90_000)
-        settle(page)
+        page = visit(network=address)
         for presses, pause, expected in ((8, 250, 14.0), (20, 30, 24.0)):
             slider(page, "k").focus()
             for _ in range(presses):
@@ -39,10 +36,7 @@ def test_every_key_press_is_kept(visit, server, delay):
 
 def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(visit, server):
     with delayed(server, 0.4) as address:
-        page = visit()
-        page.goto(f"{address}/")
-        slider(page, "k").wait_for(state="attached", timeout=90_000)
-        settle(page)
+        page = visit(network=address)
         # The message about k leaves before the page has heard of the preset, and still carries the old m′.
         page.get_by_text("Light rollers", exact=True).click()
         slider(page, "k").focus()

@@ -130,11 +130,8 @@ def slowly(visit, server):
     """Open a page as `visit` does, over a network that delays every message by so much."""
     with ExitStack() as networks:
 
-        def open_page(seconds, link="", **options):
-            address = networks.enter_context(delayed(server, seconds))
-            page = visit(link, **options)  # a tab with its listeners
-            page.goto(f"{address}/{link}")
-            page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
+        def open_page(seconds):
+            page = visit(network=networks.enter_context(delayed(server, seconds)))
             page.wait_for_timeout(1500)
             settle(page)
             return page

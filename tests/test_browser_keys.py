@@ -63,11 +63,8 @@ def test_clickers_and_the_space_bar_turn_steps_and_typing_does_not(lecture):
 
 
 def test_nothing_is_lost_over_a_slow_network(lecture, server):
-    page = lecture()
     with delayed(server, 0.6) as address:
-        page.goto(f"{address}/derivation?step=2")
-        expect(page.locator(HEADING)).to_have_count(1, timeout=90_000)
-        page.get_by_role("button", name="Next").wait_for()
+        page = lecture("?step=2", network=address)
         settle(page)
         for _ in range(4):
             page.keyboard.press("ArrowRight")

@@ -7,15 +7,21 @@ from playwright.sync_api import expect
 
 from tests.browser import CHROMIUM, count_anew, listen, settle
 
+SCROLLED = "document.querySelector('[data-testid=stMain]').scrollTop"
+
 
 class Phone:
     """A page with touch, and what a finger does on it."""
 
     def __init__(self, page, server: str) -> None:
-        self.page, self.server = page, server
+        self.page, self.server, self.path = page, server, None
         self.client = page.context.new_cdp_session(page)
 
-    def open(self, path: str, selector: str):
+    def open(self, path: str, selector: str, *, anew: bool = True):
+        """Open a page; with anew=False it may be as the test before has left it, scrolled somewhere."""
+        if (self.path, anew) == (path, False):
+            return self.page
+        self.path = path
         count_anew(self.page)
         self.page.goto(f"{self.server}/{path}")
         self.page.locator(selector).first.wait_for(state="attached", timeout=60_000)
@@ -33,9 +39,19 @@ class Phone:
         self.client.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
         self.page.wait_for_timeout(400)
 
+    def scrolled(self, top: float) -> None:
+        """Wait until the page has been scrolled down from there."""
+        self.page.wait_for_function(f"{SCROLLED} > {top} + 50")
+
+    def handle(self) -> None:
+        """Open or close the sheet, and wait until it has come to rest."""
+        self.page.locator(".st-key-handle button").tap()
+        self.page.wait_for_timeout(100)
+        self.page.wait_for_function("!document.querySelector('[data-testid=stSidebar]').getAnimations().length")
+
     @property
     def top(self) -> float:
-        return self.page.evaluate("document.querySelector('[data-testid=stMain]').scrollTop")
+        return self.page.evaluate(SCROLLED)
 
     @property
     def sliders(self) -> list[str]:
@@ -57,8 +73,7 @@ def phone(server, profile):
 
 def test_only_a_horizontal_move_or_a_tap_is_meant_for_a_slider(phone):
     page = phone.open("", ".st-key-k input[type=range]")
-    page.locator(".st-key-handle button").tap()
-    page.wait_for_timeout(400)
+    phone.handle()
     track = page.locator(".st-key-k .stSlider [role=group]")
     before = phone.sliders
     for dx, dy, at in ((5, -120, (0.7, 0.5)), (40, -110, (0.6, 0.5)), (4, 60, (0.09, 0.5))):
@@ -70,8 +85,7 @@ def test_only_a_horizontal_move_or_a_tap_is_meant_for_a_slider(phone):
     assert [old == new for old, new in zip(before, moved, strict=True)] == [True, False, True, True, True, True]
     where = track.bounding_box()
     page.touchscreen.tap(where["x"] + 0.9 * where["width"], where["y"] + where["height"] / 2)
-    page.wait_for_timeout(300)
-    assert float(phone.sliders[1]) > float(moved[1])
+    page.wait_for_function(f"document.querySelectorAll('.stSlider input')[1].value > {moved[1]}")
     settle(page)
 
 
@@ -86,8 +100,7 @@ def test_sliders_and_machine_are_seen_together_and_choosing_a_page_closes_the_sh
     # The slider that the question names stands above the whole machine.
     assert slider["y"] < machine["y"]
     assert machine["y"] + machine["height"] < handle.bounding_box()["y"]
-    handle.tap()
-    page.wait_for_timeout(400)
+    phone.handle()
     sheet = page.locator("[data-testid=stSidebar]").bounding_box()
     for key in ("m", "k", "compression"):
         place = page.locator(f".st-key-{key} .stSlider").bounding_box()
@@ -106,12 +119,10 @@ def test_sliders_and_machine_are_seen_together_and_choosing_a_page_closes_the_sh
     assert handle.bounding_box()["y"] > 780
     # Far down the page, opening the sheet brings the machine back, and closing it the place where one read.
     page.evaluate("document.querySelector('[data-testid=stMain]').scrollTop = 900")
-    handle.tap()
-    page.wait_for_timeout(400)
+    phone.handle()
     assert page.locator(".st-key-stage svg.machine").bounding_box()["y"] >= 0
-    handle.tap()
-    page.wait_for_timeout(400)
-    assert phone.top == pytest.approx(900, abs=2)
+    phone.handle()
+    page.wait_for_function(f"Math.abs({SCROLLED} - 900) <= 2")
 
 
 def test_figures_let_swipes_through_and_never_zoom(phone):
@@ -123,30 +134,15 @@ def test_figures_let_swipes_through_and_never_zoom(phone):
     )
     before, top = page.evaluate(ranges), phone.top
     phone.swipe(figure.bounding_box(), 70, -200, (0.3, 0.6))
-    assert phone.top > top + 50
+    phone.scrolled(top)
     assert page.evaluate(ranges) == before
 
 
-def test_cubes_let_swipes_and_wheels_through(phone):
-    page = phone.open("1729", ".st-key-cubes_12 canvas")
-    cubes = page.locator(".st-key-cubes_12")
-    cubes.evaluate("node => node.scrollIntoView({block: 'center'})")
-    page.wait_for_timeout(300)
-    top = phone.top
-    phone.swipe(cubes.bounding_box(), 5, -150)
-    assert phone.top > top + 50
-    top, place = phone.top, cubes.bounding_box()
-    page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
-    page.mouse.wheel(0, 120)
-    page.wait_for_timeout(400)
-    assert phone.top > top + 50
-
-
 @pytest.mark.parametrize(
-    "path", ["", "derivation?show=reading", "motion", "1729?p=1000&q=999&digits=1000&left=sphere", "speed?periods=1"]
+    "path", ["motion", "", "derivation?show=reading", "speed?periods=1", "1729?p=1000&q=999&digits=1000&left=sphere"]
 )
 def test_nothing_scrolls_sideways_on_a_narrow_phone(phone, path):
-    page = phone.open(path, "[data-testid=stMain] h1")
+    page = phone.open(path, "[data-testid=stMain] h1", anew=False)
     page.set_viewport_size({"width": 320, "height": 640})
     wide = []
     for view in page.get_by_role("tab").all() or [page.locator("h1")]:
@@ -163,3 +159,18 @@ def test_nothing_scrolls_sideways_on_a_narrow_phone(phone, path):
     page.set_viewport_size({"width": 390, "height": 844})
     assert max(wide) <= 320
     assert small == []
+
+
+def test_cubes_let_swipes_and_wheels_through(phone):
+    page = phone.open("1729?p=1000&q=999&digits=1000&left=sphere", ".st-key-cubes_12 canvas", anew=False)
+    page.locator(".st-key-cubes_12 canvas").first.wait_for(state="attached")
+    cubes = page.locator(".st-key-cubes_12")
+    cubes.evaluate("node => node.scrollIntoView({block: 'center'})")
+    page.wait_for_timeout(300)
+    top = phone.top
+    phone.swipe(cubes.bounding_box(), 5, -150)
+    phone.scrolled(top)
+    top, place = phone.top, cubes.bounding_box()
+    page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+    page.mouse.wheel(0, 120)
+    phone.scrolled(top)

@@ -52,6 +52,18 @@ def filled(sheet: PageObject) -> float:
     return 1 - min(height for height in heights if height > 42) / whole
 
 
+def check_paper(page) -> None:
+    """Check that on A4 nothing is cut, nothing is dark, and no sidebar is seen, in the dark theme."""
+    page.emulate_media(media="print", color_scheme="dark", reduced_motion="reduce")
+    page.set_viewport_size({"width": PAPERS["A4"][0] - MARGINS, "height": 1000})
+    assert page.evaluate(CUT) == []
+    paint = "(selector, what) => getComputedStyle(document.querySelector(selector))[what]"
+    assert page.evaluate(f"({paint})('.stMain', 'backgroundColor')") == "rgb(255, 255, 255)"
+    assert page.evaluate(f"({paint})('.stMain h1', 'color')") == "rgb(17, 17, 17)"
+    assert not page.locator("section[data-testid=stSidebar]").is_visible()
+    page.emulate_media(media="null")
+
+
 @pytest.mark.parametrize("query", ["seed=7", "seed=1&level=2", "seed=3&level=3", f"seed=2&paper=key&key={key_of(2)}"])
 def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
     page = visit(f"worksheet?{query}", theme="dark")
@@ -67,6 +79,7 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
         assert 3 <= len(texts) <= 6
         # Of the printable height, from 0.05 to 0.95, at most a quarter stays empty.
         assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
+    check_paper(page)
 
 
 SHEETS = {
@@ -75,7 +88,6 @@ SHEETS = {
     "motion": 3,
     "1729": 6,
     "speed": 4,
-    f"worksheet?paper=key&key={key_of(1)}": 6,
 }
 """Page → how many sheets of A4 it takes at most."""
 
@@ -88,14 +100,7 @@ def test_nothing_is_cut_and_nothing_dark_on_paper(visit, path):
     assert not [words for words in CONTROLS if words in text]
     assert all(sheets), "an empty sheet"
     assert len(sheets) <= SHEETS[path]
-    page.emulate_media(media="print", color_scheme="dark", reduced_motion="reduce")
-    page.set_viewport_size({"width": PAPERS["A4"][0] - MARGINS, "height": 1000})
-    assert page.evaluate(CUT) == []
-    paint = "(selector, what) => getComputedStyle(document.querySelector(selector))[what]"
-    assert page.evaluate(f"({paint})('.stMain', 'backgroundColor')") == "rgb(255, 255, 255)"
-    assert page.evaluate(f"({paint})('.stMain h1', 'color')") == "rgb(17, 17, 17)"
-    assert not page.locator("section[data-testid=stSidebar]").is_visible()
-    page.emulate_media(media="null")
+    check_paper(page)
 
 
 def test_a_step_and_its_equations_are_on_one_sheet(visit):
