@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageColor
 from playwright.sync_api import expect
 
 from ramanujan.shell.theme import BODY_COLORS
@@ -497,7 +497,9 @@ def test_the_picture_is_saved_as_svg_png_and_tikz(visit, tmp_path):
             page.locator(".st-key-curve .modebar-btn", has_text=format).click()
         assert download.value.suggested_filename == f"ramanujan-curve.{format.lower()}"
         download.value.save_as(tmp_path / download.value.suggested_filename)
-    assert Image.open(tmp_path / "ramanujan-curve.png").width > 2000
+    with Image.open(tmp_path / "ramanujan-curve.png") as saved:
+        assert saved.width > 2000
+        assert saved.convert("RGBA").getpixel((0, 0)) == (*ImageColor.getrgb(THEME["dark"]["backgroundColor"]), 255)
     figure = (tmp_path / "ramanujan-curve.svg").read_text(encoding="utf-8")
     assert ElementTree.fromstring(figure).get("viewBox")
     assert set(re.findall(r"https?://[^\"')]+", figure)) <= {

@@ -41,7 +41,8 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
     }
     layout = {
         "font": {"color": colors["ink"], "size": 14, "family": _FAMILY},
-        "paper_bgcolor": "rgba(0,0,0,0)",
+        # The page's own ground, so that a figure that is saved in the dark theme can be read.
+        "paper_bgcolor": colors["paper"],
         "plot_bgcolor": "rgba(0,0,0,0)",
         "margin": {"l": 56, "r": 16, "t": 12, "b": 48},
         "xaxis": axis,

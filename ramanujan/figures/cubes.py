@@ -28,7 +28,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
     colors : ink, paper, primary; every further cube has a lighter tint of primary
     """
     gap = _UNIT // 2 if apart else 0
-    figure = go.Figure(layout={"template": template(colors), "height": 380, "showlegend": False})
+    figure = go.Figure(layout={"template": template(colors), "height": 384, "showlegend": False})
     corners, triangles, tints = [], [], []
     tallest = max(sides)
     start = 0

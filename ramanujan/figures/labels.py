@@ -1,6 +1,6 @@
 """Names beside the curves that they belong to, where there is most room: no figure needs a legend.
 
-The places hold on the narrowest screen. On a wider one there is only more room between the curves.
+The places hold on the narrowest screen and on a wide one, where the same curve is flatter.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-_WIDTH, _LETTER, _LINE, _GAP, _FAR = 260, 6.2, 36, 3, 24
-"""Pixels: the narrowest plotting area, a letter and a line of a name, from curve to name, and what counts as far.
-A line is as high as on a projector, whose words are larger."""
+_WIDTH, _WIDE, _LETTER, _LINE, _GAP, _FAR = 260, 780, 6.2, 28, 3, 24
+"""Pixels: the narrowest plotting area, a wide one, a letter and a line of a name, from curve to name, and what counts
+as far. A line is as high as on a projector, whose words are larger."""
 _POINTS, _EVERY = 180, 7
 """Points of a curve that a name must keep clear of; it stands at every so many of them at most."""
 
@@ -35,34 +35,53 @@ def beside(
     axis : Plotly's name of its vertical axis
     seen : names that stand in another panel; here they may be missing
     """
-    paths = [_pixels(x, y, x_range, y_range, height) for _name, _color, x, y in curves]
-    placed, notes = np.empty((0, 2)), []
-    for (name, color, _x, _y), path in zip(curves, paths, strict=True):
-        half = _half(name)
+    paths = {
+        width: [_pixels(x, y, x_range, y_range, (width, height)) for _name, _color, x, y in curves]
+        for width in (_WIDTH, _WIDE)
+    }
+    placed, notes = dict.fromkeys(paths, np.empty((0, 2))), []
+    for number, (name, color, _x, _y) in enumerate(curves):
+        half, path = _half(name), paths[_WIDTH][number]
         # Above or below the curve, to the left, in the middle or to the right: a curve that rises has room on the left.
         sides = [(across, up) for up in (1, -1) for across in (0, -1, 1)]
+        side = np.repeat(sides, len(path[::_EVERY]), axis=0)
+        found = [_room(drawn, number, side, half, (width, height), placed[width]) for width, drawn in paths.items()]
+        room, far = (np.min(each, axis=0) for each in zip(*found, strict=True))
         at = np.concatenate([path[::_EVERY]] * len(sides))
-        side = np.repeat(sides, len(at) // len(sides), axis=0)
-        middle = at + side * np.add(half, (0, _GAP))
-        inside = np.all((middle >= half) & (middle <= (_WIDTH, height) - half), axis=1)
-        far = _distance(middle, half, np.concatenate([other for other in paths if other is not path] or [placed]))
-        apart = _distance(middle, half, placed)
-        # Its own curve comes as near as the gap, further along it nearer.
-        room = (
-            10 * np.minimum(_distance(middle, half, path), _GAP) + np.minimum(far, _FAR) + 10 * np.minimum(apart, _GAP)
-        )
-        best = int(np.argmax(np.where(inside & (apart > 0), room, -1) + 1e-3 * middle[:, 0]))
+        best = int(np.argmax(room + 1e-3 * at[:, 0]))
         # What finds no place of its own is named by the pointer alone, or in another panel.
-        if not inside[best] or not apart[best] or (not far[best] and name in seen):
+        if room[best] < 0 or (not far[best] and name in seen):
             continue
-        placed = np.concatenate([placed, middle[best] + half * [*np.ndindex(3, 3)] - half])
+        for width, drawn in paths.items():
+            middle = np.tile(drawn[number][::_EVERY], (len(sides), 1))[best] + side[best] * np.add(half, (0, _GAP))
+            placed[width] = np.concatenate([placed[width], middle + half * [*np.ndindex(3, 3)] - half])
         x, y = _on_axes(at[best], x_range, y_range, height)
         notes.append(note(name, color, x, y, axis) | _anchor(*side[best]))
     return notes
 
 
-def _anchor(across: int, up: int) -> dict[str, str]:
-    return {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
+def _room(
+    paths: Sequence[np.ndarray],
+    number: int,
+    side: np.ndarray,
+    half: np.ndarray,
+    area: tuple[float, float],
+    placed: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return how good each place of a name at its curve is, negative where it cannot stand, and how far others are."""
+    path = paths[number]
+    middle = np.tile(path[::_EVERY], (len(side) // len(path[::_EVERY]), 1)) + side * np.add(half, (0, _GAP))
+    inside = np.all((middle >= half) & (middle <= area - half), axis=1)
+    far = _distance(middle, half, np.concatenate([other for other in paths if other is not path] or [placed]))
+    apart = _distance(middle, half, placed)
+    # Its own curve comes as near as the gap, further along it nearer.
+    room = 10 * np.minimum(_distance(middle, half, path), _GAP) + np.minimum(far, _FAR) + 10 * np.minimum(apart, _GAP)
+    return np.where(inside & (apart > 0), room, -1e3), far
+
+
+def _anchor(across: int, up: int) -> dict[str, Any]:
+    anchors = {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
+    return {**anchors, "yshift": _GAP * int(up)}
 
 
 def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> dict[str, Any]:
@@ -86,7 +105,7 @@ def in_bands(
     placed, notes = np.empty((0, 2)), []
     for name, (low, high) in bands.items():
         x = np.linspace(*x_range, len(low))
-        path = _pixels(x, (low + high) / 2, x_range, y_range, height)
+        path = _pixels(x, (low + high) / 2, x_range, y_range, (_WIDTH, height))
         breadth = np.interp(np.linspace(0, 1, len(path)), np.linspace(0, 1, len(low)), high - low)
         breadth *= height / (y_range[1] - y_range[0])
         if breadth.max() < _LINE / 2:
@@ -115,7 +134,7 @@ def _on_axes(point: np.ndarray, x_range: Range, y_range: Range, height: float) -
     return tuple(float(low + share * (high - low)) for share, (low, high) in shares)
 
 
-def _pixels(x: np.ndarray, y: np.ndarray, x_range: Range, y_range: Range, height: float) -> np.ndarray:
+def _pixels(x: np.ndarray, y: np.ndarray, x_range: Range, y_range: Range, area: tuple[float, float]) -> np.ndarray:
     """Return points along a curve in pixels from the lower left corner, shape (n, 2), without gaps."""
     good = np.isfinite(x) & np.isfinite(y)
     along = np.linspace(0, 1, _POINTS)
@@ -123,9 +142,9 @@ def _pixels(x: np.ndarray, y: np.ndarray, x_range: Range, y_range: Range, height
         np.interp(along, np.linspace(0, 1, good.sum()), (values[good] - low) / (high - low))
         for values, (low, high) in ((x, x_range), (y, y_range))
     ]
-    points = np.column_stack(shares) * (_WIDTH, height)
-    shown = np.all((points >= 0) & (points <= (_WIDTH, height)), axis=1)
-    return points[shown] if shown.any() else np.clip(points[-1:], 0, (_WIDTH, height))
+    points = np.column_stack(shares)
+    shown = np.all((points >= 0) & (points <= 1), axis=1)
+    return (points[shown] if shown.any() else np.clip(points[-1:], 0, 1)) * area
 
 
 def _distance(middles: np.ndarray, half: np.ndarray, points: np.ndarray) -> np.ndarray:

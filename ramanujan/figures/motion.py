@@ -13,12 +13,12 @@ from ramanujan.figures.labels import beside, in_bands
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
-_HEIGHT = {1: 380, 2: 420}
-"""Number of panels → height of all panels and the gaps between them [px]."""
+_HEIGHT = 420
+"""Of all panels and the gaps between them [px]."""
 
 _GAP = 0.12
 _BELOW = 48
-_ABOVE = 26
+_ABOVE = 28
 
 
 @dataclass(frozen=True)
@@ -65,13 +65,13 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     colors : ink, faint and paper
     """
     end = period * periods
-    layout = _layout(colors, _HEIGHT[len(panels)])
+    layout = _layout(colors, _HEIGHT)
     traces: list[dict[str, Any]] = []
     notes = [_above(period, _("one period"), font={"size": 12})]
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
         traces += [_trace(curve, panel, axis, end, several=len(panels) > 1) for curve in panel.curves]
-        height, seen = _HEIGHT[len(panels)] * (domain[1] - domain[0]), {note["text"] for note in notes}
+        height, seen = _HEIGHT * (domain[1] - domain[0]), {note["text"] for note in notes}
         notes += _labels(panel, axis, end, height, colors["paper"], seen)
         layout[f"yaxis{axis[1:]}"] = {
             "domain": domain,
@@ -126,7 +126,7 @@ def phase_plane(
     ]
     centred = {**_zero_line(colors), "nticks": 7}
     places = list(roomy([orbit.values for orbit in orbits]))
-    layout = _layout(colors, _HEIGHT[2]) | {
+    layout = _layout(colors, _HEIGHT) | {
         "xaxis": {
             **centred,
             "title": {"text": _("displacement [cm]")},
@@ -138,7 +138,7 @@ def phase_plane(
         "meta": {"cursor": "orbit", "period": period, "periods": periods},
     }
     named = [(o.label, o.ink, o.values, velocity) for o, velocity in zip(orbits, velocities, strict=True)]
-    layout["annotations"] = beside(named, tuple(places), roomy(velocities), _HEIGHT[2])
+    layout["annotations"] = beside(named, tuple(places), roomy(velocities), _HEIGHT)
     return drawn(traces, layout)
 
 
@@ -176,7 +176,7 @@ def friction_bars(
         "hovertemplate": "%{x:.4~g}<extra></extra>",
     }
     present = f"<b><i>μ</i> = {fixed(friction_coefficient, 2)}</b>"
-    layout = _layout(colors, 250)
+    layout = _layout(colors, 260)
     layout |= {
         "shapes": [_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
         "annotations": [_above(friction_coefficient, present, font={"color": colors["primary"]})],

@@ -50,7 +50,7 @@ def frequency_curve(
     ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
     # Further up the asymptote is far from the curve and would cross a label.
     below = heavy_limit <= 0.75 * light_limit
-    layout = {"template": template(colors, hover), "height": 340, "showlegend": False}
+    layout = {"template": template(colors, hover), "height": 336, "showlegend": False}
     figure = go.Figure(layout={**layout, "meta": {"ring": colors["primary"]}})
     limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     curve = {"color": colors["primary"], "width": 3, "shape": "spline"}

@@ -114,7 +114,7 @@ def error_growth(
         axes[f"yaxis{axis[1:]}"] = drawn_axis | place
     along = {"type": "log", "title": axis_title(_("periods")), "range": list(x_range), "fixedrange": True, "dtick": 1}
     more = axes | {"xaxis": {**along, "anchor": "y2", **TICKS}, "annotations": notes, "shapes": shapes}
-    return laid_out(traces, colors, _HIGH + 60, **more)
+    return laid_out(traces, colors, _HIGH + 64, **more)
 
 
 def work_precision(
@@ -221,7 +221,7 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     notes = [note(name, colors["ink"], start, row) | above for row, name in enumerate(strips)]
     hidden = {"visible": False, "range": [len(strips) - 0.6, -0.75], "fixedrange": True}
     x_axis = power_axis(quantity, start, max(part.end for _row, part in rows))
-    return laid_out([bars], colors, 70 + _STRIP * len(strips), xaxis=x_axis, yaxis=hidden, annotations=notes)
+    return laid_out([bars], colors, 76 + _STRIP * len(strips), xaxis=x_axis, yaxis=hidden, annotations=notes)
 
 
 def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> Drawn:
@@ -256,7 +256,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
     along = {"type": "log", "title": axis_title(_("periods")), "dtick": 3, "range": list(x_range), "fixedrange": True}
     notes = beside(named, x_range, tuple(y_axis["range"]), 320)
-    return laid_out(traces, colors, 380, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
+    return laid_out(traces, colors, 384, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
 
 
 def _steps(dtype: str, n: int) -> str:

@@ -92,7 +92,7 @@ def level_crossing(
     ratio_axis = {"type": "log", "title": {"text": MASS_RATIO}, "range": [left, right], "dtick": 1}
     layout = {
         "template": template(colors, hover),
-        "height": 330,
+        "height": 336,
         "showlegend": False,
         "annotations": [root_note, level_note],
         "xaxis": {**ratio_axis, "fixedrange": True},
@@ -125,7 +125,7 @@ def machine_grid(
     figure = go.Figure(
         layout={
             "template": template(colors),
-            "height": 60 + 40 * len(rows),
+            "height": 48 + 40 * len(rows),
             "showlegend": False,
             "margin": {"l": 128, "r": 4, "t": 52, "b": 4},
         }
@@ -185,7 +185,7 @@ def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, c
     highlighted : which of them is the paper's
     colors : ink, faint, paper, primary, block
     """
-    figure = go.Figure(layout={"template": template(colors), "height": 320, "showlegend": False})
+    figure = go.Figure(layout={"template": template(colors), "height": 336, "showlegend": False})
     figure.add_bar(
         x=list(counts),
         y=list(range(len(pairs))),

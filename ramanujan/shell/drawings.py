@@ -16,7 +16,7 @@ STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": Fa
 
 
 def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
-    """Put a figure on the page, which can be saved as SVG or PNG; on a projector it grows with the screen.
+    """Put a figure on the page, which can be saved as SVG or PNG; it grows with the screen (type.css).
 
     Parameters
     ----------
