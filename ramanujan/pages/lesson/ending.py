@@ -6,7 +6,7 @@ import streamlit as st
 
 from ramanujan.lesson import Stop
 from ramanujan.pages.lesson import progress
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _
 
@@ -27,19 +27,20 @@ def draw(path: tuple[Stop, ...]) -> None:
     for stop in path:
         chosen, phase = progress.prediction(stop)
         if phase != progress.ANSWERED:
-            lines.append(_("- **{heading}** Not answered yet.").format(heading=stop.heading))
+            lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
             continue
         answered, right = answered + 1, right + (chosen == stop.right)
         sign = ":green[:material/check_circle:]" if chosen == stop.right else ":red[:material/cancel:]"
-        lines.append(f"- {sign} **{stop.heading}** {stop.options[stop.right]}")
+        lines.append(f"- {sign} **{stop.heading}** – {stop.options[stop.right]}")
     said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
+    first = _ON_A_SHEET if is_projector() else len(lines)
     with sheet("seen", HEADING):
         st.title(HEADING, anchor=False)
         st.markdown(said.format(answered=answered, stops=len(path), right=right))
-        st.markdown("\n".join(lines[:_ON_A_SHEET]))
-    if lines[_ON_A_SHEET:]:
+        st.markdown("\n".join(lines[:first]))
+    if lines[first:]:
         with sheet("seen_on", _("{heading}, continued").format(heading=HEADING)):
-            st.markdown("\n".join(lines[_ON_A_SHEET:]))
+            st.markdown("\n".join(lines[first:]))
     with sheet("onwards", _("Where to go on")):
         st.markdown(_("Where to go on:"))
         st.button(_("Set the machine yourself: twelve tasks"), key="to_tasks", on_click=_to_tasks)

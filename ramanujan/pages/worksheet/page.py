@@ -82,7 +82,7 @@ def choose() -> tuple[str, int, int]:
         if has_key:
             paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
         seed = widgets.count(SEED, _("Sheet number"), width=190)
-        level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=230)
+        level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=280)
         if not is_projector():
             st.button(_("New sheet with its key"), on_click=make_sheet)
         st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
