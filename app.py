@@ -8,6 +8,7 @@ if __name__ != "__main__":
 
     app = st.App(__file__, routes=server.routes(), middleware=server.MIDDLEWARE, lifespan=server.warmed_up)
 else:
+    from ramanujan.browser import page as page_elements
     from ramanujan.shell import (
         address,
         cache,
@@ -23,7 +24,8 @@ else:
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
-    page, runner = navigation.navigate()
+    stages.begin(lambda waits: page_elements.bring(theme.current(), sidebar.BOXES, waits, messages.stay))
+    page, runner = navigation.navigate(hidden=stages.alone())
     said = address.opened(
         page.name,
         (
@@ -39,7 +41,7 @@ else:
     shown = 340 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
     cache.warm_up()
-    theme.apply_css(sidebar.BOXES)
+    theme.apply_css()
     sidebar.take_wishes()
     messages.begin(said)
     sidebar.draw(page.withheld(), page.lead(), page.aside())

@@ -110,10 +110,10 @@ def count_anew(page: Page) -> None:
     page.frames_sent, page.frames_received, page.unanswered = [], [], True
 
 
-MOUNTED = """() => !document.querySelector(".st-key-arrival:last-child") &&
+MOUNTED = """() => document.querySelector(".st-key-update_seen") &&
   [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
     component.shadowRoot?.querySelector("style, section") ||
-    component.closest("[class*=_published], [class*=_pick], .st-key-arrival, .st-key-keys"))"""
+    component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""
 """Whether every component that shows something is there, and the first page has asked for what follows its machine."""
 
 

@@ -53,25 +53,32 @@ const look = () => {
   const drawn = root?.querySelector(".slab[transform]");
   if (!drawn) return requestAnimationFrame(look);
   const { x, y, width } = stage.getBoundingClientRect();
-  window.first = { place: [x, y, width], heavy: document.querySelectorAll(".js-plotly-plot, .katex-display").length };
+  const heavy = ".js-plotly-plot, .katex-display, .st-key-controls .stSlider, a[href*='motion']";
+  const { m, k } = ramanujan.last("machine/oscillator").parameters;
+  window.first = { place: [x, y, width], heavy: document.querySelectorAll(heavy).length, m, k };
 };
 requestAnimationFrame(look);
 """
 """Notes, at the stage's first frame, where the stage is, and how much of what takes long stands on the page."""
 
 
-@pytest.mark.parametrize("height", [720, 2400])
-def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(profile, server, height):
+@pytest.mark.parametrize(("height", "link"), [(720, "?k=20&m=7"), (2400, "")])
+def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(profile, server, height, link):
     page = profile.new_page()
     page.set_viewport_size({"width": 1280, "height": height})
     page.add_init_script(FIRST)
-    page.goto(server)
+    page.goto(server + link)
     page.locator(".st-key-curve .scatterlayer path").first.wait_for(state="attached")
     page.locator(".st-key-steps details").last.wait_for(state="attached")
     first = page.evaluate("first")
     assert first["heavy"] == 0
     box = page.locator(".st-key-stage").bounding_box()
     assert first["place"] == [box["x"], box["y"], box["width"]]
+    # What the address says holds from the first frame on, and what is said of it stays.
+    assert (first["m"], first["k"]) == (1, 20 if link else 10)
+    assert page.locator(".st-key-k input[type=range]").input_value() == str(first["k"])
+    assert page.locator("main [role=alert]").count() == bool(link)
+    assert page.url.partition("?")[2] == ("k=20" if link else "")
     page.close()
 
 

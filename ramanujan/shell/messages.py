@@ -46,9 +46,14 @@ def are_shown() -> bool:
     return bool(st.session_state.get(_ABOUT_ADDRESS) or st.session_state.get(_SHOWN))
 
 
+def stay() -> None:
+    """Let what has been said to the person stay in the run that follows, which the page asks for itself."""
+    st.session_state[_RUN_AGAIN] = True
+
+
 def run_again() -> None:
     """Run the page again by itself, to show what has come in; what has been said to the person stays."""
-    st.session_state[_RUN_AGAIN] = True
+    stay()
     st.rerun()
 
 

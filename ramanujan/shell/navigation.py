@@ -10,6 +10,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
+from urllib.parse import urlsplit
 
 import streamlit as st
 
@@ -85,8 +86,14 @@ PAGES = {
 }
 
 
-def navigate() -> tuple[Page, st.Page]:
-    """Draw the navigation; return the page that was asked for, and what runs it."""
+def is_first_page() -> bool:
+    """Tell whether the browser asks for the first page; `navigate` needs not have been called."""
+    asked = urlsplit(st.context.url or "").path.rpartition("/")[2]
+    return asked not in {page.path for page in PAGES.values() if page.path}
+
+
+def navigate(hidden: bool) -> tuple[Page, st.Page]:
+    """Draw the navigation, unless it is hidden; return the page that was asked for, and what runs it."""
     offered = {
         st.Page(
             page.file,
@@ -97,7 +104,7 @@ def navigate() -> tuple[Page, st.Page]:
         ): page
         for page in PAGES.values()
     }
-    runner = st.navigation(list(offered), position="top")
+    runner = st.navigation(list(offered), position="hidden" if hidden else "top")
     page = next(page for page in PAGES.values() if page.path == runner.url_path)
     return page, runner
 

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.shell.address import URLParameter
+from ramanujan.shell.address import URLParameter, fits
 from ramanujan.translation import _
 
 
@@ -68,7 +68,9 @@ class Parameter(URLParameter):
 
     @property
     def present(self) -> float:
-        """The present value, in this unit."""
+        """The present value, in this unit; before the slider is drawn, what the address says."""
+        if self.name not in st.session_state and self.name in st.query_params and fits(self):
+            return self.read(st.query_params[self.name])
         return st.session_state.get(self.name, self.default)
 
     @property

@@ -16,7 +16,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import page
-from ramanujan.shell import address, cache, display_mode, messages, pending_updates, widgets
+from ramanujan.shell import address, cache, display_mode, messages, pending_updates, stages, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, Parameter, read_number
 from ramanujan.translation import _
 
@@ -54,8 +54,12 @@ def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[st
     drawn : keys of the parameters whose sliders stand on the page itself
     aside : keys of those that matter little on this page: they are folded, beside those that always are
     """
+    # What the sliders show in the first run is what the link has set, without what it got wrong.
+    st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
     with st.sidebar, st.container(key="controls"):
         page.sheet()
+        if stages.alone():
+            return
         if offered := [name for name in PRESETS if name not in withheld]:
             st.pills(
                 _("Presets"),
@@ -81,8 +85,6 @@ def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[st
         page.link(address.PRIVATE)
         display_mode.switch()
         pending_updates.draw()
-    # What the sliders show in the first run is what the link has set, without what it got wrong.
-    st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
 
 
 def follow(*fragments: str) -> None:

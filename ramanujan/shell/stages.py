@@ -1,16 +1,21 @@
 """The stages of the pages: each hides what the link hides, and follows the sliders of the sidebar.
 
+The machine comes first: the first run of a visit to the first page draws the machine below its opening, alone. Once it
+moves, the browser asks for all the rest, which takes it as long again: the pages’ bar, the sidebar, curve and steps.
+
 The page itself writes into the address what is seen of a stage (keeper.js): its layers, its speed, from where it is
 seen, and where it is paused, as the periods since release of machine and plain mass, for every machine on one clock.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
+import streamlit as st
+
 from ramanujan.browser import stage
-from ramanujan.shell import address, display_mode
+from ramanujan.shell import address, display_mode, navigation
 from ramanujan.shell.parameters import PARAMETERS, WATCH
 from ramanujan.translation import _
 
@@ -28,6 +33,29 @@ def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
         address.Choice(f"{kept}from", ("ground", "block"), "ground"),
         address.Text(f"{kept}paused", rf"{turns}(,{turns}){{1,39}}", refused),
     )
+
+
+_ALONE = "alone"
+"""Session state: whether this run draws the machine alone; missing until the first run."""
+
+
+def begin(bring: Callable[[bool], bool]) -> None:
+    """Begin a run: bring what every page has, and decide whether the machine is drawn alone.
+
+    Parameters
+    ----------
+    bring : brings it; told whether a page waits for its machine, it returns whether that moves already. A page says so
+        also to a server that was started anew, and keeps all that it has.
+    """
+    first = _ALONE not in st.session_state and navigation.is_first_page()
+    # Without a browser, which names its time zone, nothing ever moves; a projector's sheets are there from the start.
+    waits = first and st.context.timezone is not None and st.query_params.get("view") != "projector"
+    st.session_state[_ALONE] = not bring(waits) and waits
+
+
+def alone() -> bool:
+    """Tell whether this run draws the machine alone."""
+    return st.session_state[_ALONE]
 
 
 URL_PARAMETERS = url_parameters()

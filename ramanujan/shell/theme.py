@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import streamlit as st
 
@@ -63,14 +61,8 @@ def on_paper() -> dict[str, str]:
     return {"primary": light["primary"], **{body: lighter(light[body], 1.4) for body in BODY_COLORS}}
 
 
-def apply_css(boxes: Mapping[str, Mapping[str, Any]]) -> None:
-    """Bring the app’s CSS to Streamlit’s pages, follow a switch of the theme, and give each page its live region.
-
-    Parameters
-    ----------
-    boxes : what the page must know of the sliders' boxes
-    """
-    page.bring(current(), boxes)
+def apply_css() -> None:
+    """Bring the projector’s CSS to its pages, with what turns their sheets."""
     if display_mode.is_projector():
         # Markdown with HTML in it loads a script first, and comes later than the headings.
         st.html(f"<style>{_PROJECTOR.read_text(encoding='utf-8')}</style>")

@@ -72,7 +72,11 @@ class Visitor:
         )
         await self._ask()
         await self._finished()
-        return perf_counter() - start
+        seconds = perf_counter() - start
+        if not path:  # the first page asks for the rest once its machine moves
+            await self._ask()
+            await self._finished()
+        return seconds
 
     async def close(self) -> None:
         """Leave the page."""

@@ -32,8 +32,8 @@ from ramanujan.browser import modules
 from ramanujan.translation import _
 
 
-def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
-    """Bring what every page has; call it before anything else is drawn.
+def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]], waits: bool, on_moving: Callable[[], None]) -> bool:
+    """Bring what every page has, and return whether the page has told that its machine moves; call it before all else.
 
     That is the page’s one live region, which says what the topic `say` brings; a notice while the server is
     away; the keyboard's access to boxes that scroll sideways; a new run of the page when the visitor switches the
@@ -45,15 +45,19 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]]) -> None:
     theme : the one that this run draws with, light or dark
     boxes : key of a slider → what its box (`exact`) must know: symbol, unit and meaning; label of the box;
         longest text; default
+    waits : whether the page is to tell when the first page's machine has drawn its first frame; then it runs again
+    on_moving : called before that run
     """
     data = {
         "theme": theme,
         "boxes": boxes,
+        "waits": waits,
         "away": _("Reconnecting to the server. The page keeps everything that you set."),
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
-    modules.component("page/library")(key="library", data=data, on_switched_change=lambda: None)
+    library = modules.component("page/library")
+    return bool(library(key="library", data=data, on_switched_change=lambda: None, on_moving_change=on_moving).moving)
 
 
 def publish(key: str, topics: Mapping[str, Any]) -> Any:
@@ -65,18 +69,6 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     topics : topic → value; a value that has not changed since the last run is not published again
     """
     return modules.component("page/publish")(key=key, data=dict(topics))
-
-
-def arrived(stage: str) -> bool:
-    """Tell whether a stage has drawn its first frame on the page; when it does, the fragment that asks runs again.
-
-    Parameters
-    ----------
-    stage : the name of the stage
-    """
-    return bool(
-        modules.component("page/arrival")(key="arrival", data={"stage": stage}, on_seen_change=lambda: None).seen
-    )
 
 
 def sweep(stage: str, slider: str, ratio: float, exactly: str) -> Any:

@@ -17,7 +17,7 @@ export default async (component) => {
   const { data, parentElement } = component;
   for (const [key, box] of Object.entries(data.boxes)) bus.publish(`box/${key}`, box);
   if (!rooms.has(parentElement)) {
-    const own = ["theme", "voice", "reach", "ring", "connection"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
+    const own = ["theme", "voice", "reach", "ring", "connection", "arrival"].map((name) => [name, parentElement.appendChild(document.createElement("div"))]);
     rooms.set(parentElement, own);
   }
   const parts = rooms.get(parentElement).map(([name, room]) => begin({ ...component, name: `page/${name}`, parentElement: room }));

@@ -36,14 +36,18 @@ def show() -> None:
             opening()
         stages.mount(None, name="oscillator")
     told()
-    curve, steps = (not display_mode.hides(part) for part in ("curve", "steps"))
-    if curve:
-        # Not in the fragment below: a click moves the sliders, and so concerns the whole page.
+    if stages.alone():
+        # Room for what comes: with a scroll bar that comes later the machine would jump.
+        st.container(height=5000, border=False)
+        return
+    if not display_mode.hides("curve"):
         page.pick("curve", take_clicked)
-    if curve or steps:
-        below(curve, steps)
-    else:
+        with sheet("curve", _("The curve")):
+            the_curve()
+    if display_mode.hides("steps"):
         sidebar.follow("machine")
+    else:
+        the_steps()
 
 
 @st.fragment(key="machine")
@@ -53,18 +57,8 @@ def told() -> None:
     stages.tell(machine, name="oscillator", more=sidebar.followed())
 
 
-@st.fragment
-def below(curve: bool, steps: bool) -> None:
-    """Draw what a browser loads for seconds, once the machine moves."""
-    # A projector's sheets are there from the start; without a browser, which names its time zone, nothing ever moves.
-    if not (page.arrived("oscillator") or display_mode.is_projector() or st.context.timezone is None):
-        return
-    if curve:
-        with sheet("curve", _("The curve")):
-            the_curve()
-    if not steps:
-        sidebar.follow("machine")
-        return
+def the_steps() -> None:
+    """Draw the derivation in short, and the way to the whole."""
     if not display_mode.is_projector():
         st.header(_("The derivation in six steps"), anchor=False)
     lines = st.container(key="steps")
