@@ -110,7 +110,7 @@ def count_anew(page: Page) -> None:
     page.frames_sent, page.frames_received, page.unanswered = [], [], True
 
 
-MOUNTED = """() => document.querySelector(".st-key-update_seen") &&
+MOUNTED = """() => document.querySelector(".st-key-update_seen, main:not(:has(.st-key-opening_words))") &&
   [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
     component.shadowRoot?.querySelector("style, section") ||
     component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""

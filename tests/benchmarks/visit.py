@@ -23,7 +23,7 @@ from tests.browser import CHROMIUM, FLAGS, ROOT, running
 from tests.deployed import deployed
 
 DRAWN = """[...document.querySelectorAll('[data-testid=stBidiComponentIsolated]')].some(
-  (component) => component.shadowRoot?.querySelector('svg .body'))"""
+  (component) => component.shadowRoot?.querySelector('svg .slab[transform]'))"""
 
 BARE = "import streamlit as st\nfor name in 'ab': st.slider(name, 0.5, 5.0, 1.0, 0.01)\n"
 SLIDERS = "document.querySelectorAll('input[type=range]').length === 2"
