@@ -110,11 +110,16 @@ def count_anew(page: Page) -> None:
     page.frames_sent, page.frames_received, page.unanswered = [], [], True
 
 
-MOUNTED = """() => document.querySelector(".st-key-update_seen, main:not(:has(.st-key-opening_words))") &&
-  [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
+MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
     component.shadowRoot?.querySelector("style, section") ||
     component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""
-"""Whether every component that shows something is there, and the first page has asked for what follows its machine."""
+"""Whether every component that shows something is there."""
+
+_WAIT = """async (ms) => {
+  await new Promise((done) => setTimeout(done, ms));
+  return Boolean(document.querySelector(".st-key-opening_words")) && !document.querySelector(".st-key-update_seen");
+}"""
+"""Waits for so long, and tells whether the first page has still to ask for what follows its machine."""
 
 
 _AT_HOME = """(arriving) => {
@@ -183,8 +188,8 @@ def settle(page: Page, seconds: float = 60) -> None:
     not before what waits for a shorter time.
     """
     end = time.monotonic() + seconds
-    seen = None
-    while seen != (len(page.frames_sent), len(page.frames_received)) or page.unanswered:
+    seen, alone = None, False
+    while seen != (len(page.frames_sent), len(page.frames_received)) or page.unanswered or alone:
         assert time.monotonic() < end, "the app did not answer"
         seen = (len(page.frames_sent), len(page.frames_received))
         if page.unanswered:
@@ -192,7 +197,7 @@ def settle(page: Page, seconds: float = 60) -> None:
         else:
             # A page that is being left has no timer any more.
             with contextlib.suppress(Error):
-                page.evaluate("(ms) => new Promise((done) => setTimeout(done, ms))", _QUIET)
+                alone = page.evaluate(_WAIT, _QUIET)
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
 
 
