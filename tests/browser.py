@@ -211,6 +211,19 @@ def inside(page: Page, expression: str) -> object:
     return page.evaluate(f"(() => {{ const root = {STAGE}; return {expression}; }})()")
 
 
+def slab_over_block(page: Page) -> float:
+    """Return the deformation of the spring as drawn [cm]."""
+    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
+    slab, block = inside(page, f"['.slab', '.block'].map({place})")
+    return slab - block
+
+
+def thumb(page: Page, key: str) -> tuple[float, float]:
+    """Return where the middle of a slider's thumb is on the screen."""
+    box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
 def module(name: str) -> str:
     """Return the JavaScript expression that imports a module of the app, such as stage/motion."""
     return f"import('/{modules.place()}/{name}.js')"

@@ -7,7 +7,7 @@ import contextlib
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser import settle
+from tests.browser import settle, thumb
 from tests.slow_network import delayed
 
 
@@ -57,8 +57,7 @@ def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(visit, 
 
 def test_the_box_follows_the_thumb_without_the_server(visit):
     page = visit()
-    thumb = page.locator(".st-key-m [style*=left]").first.bounding_box()
-    x, y = thumb["x"] + thumb["width"] / 2, thumb["y"] + thumb["height"] / 2
+    x, y = thumb(page, "m")
     sent = len(page.frames_sent)
     page.mouse.move(x, y)
     page.mouse.down()

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from tests.browser import STAGE, inside, next_frame, settle
+from tests.browser import STAGE, inside, next_frame, settle, slab_over_block, thumb
 from tests.slow_network import delayed
 
 SLAB = ".st-key-stage .moving .body.slab"
@@ -37,18 +37,6 @@ def normalized(page) -> float:
 
 def note(page) -> str:
     return inside(page, "root.querySelector('.note').textContent")
-
-
-def slab_over_block(page) -> float:
-    """The deformation of the spring as drawn [cm]."""
-    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
-    slab, block = inside(page, f"['.slab', '.block'].map({place})")
-    return slab - block
-
-
-def thumb(page, key: str) -> tuple[float, float]:
-    box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
 def centre(page) -> tuple[float, float]:

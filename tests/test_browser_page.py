@@ -13,7 +13,7 @@ from PIL import Image, ImageColor
 from playwright.sync_api import expect
 
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import STAGE, inside, listen, module, next_frame, settle
+from tests.browser import STAGE, inside, listen, module, next_frame, settle, slab_over_block
 from tests.test_browser_access import switch
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
@@ -36,12 +36,6 @@ def visit(visit):
         return page
 
     return open_page
-
-
-def slab_over_block(page) -> float:
-    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
-    slab, block = inside(page, f"['.slab', '.block'].map({place})")
-    return slab - block
 
 
 # ---- the machine first

@@ -16,7 +16,7 @@ from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
 from ramanujan.shell.parameters import PARAMETERS
-from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle
+from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle, slab_over_block, thumb
 from tests.reference import numpy_function
 
 
@@ -45,17 +45,6 @@ def slab(page) -> dict[str, float]:
 def pause(page) -> None:
     if page.get_by_role("button", name="Pause", exact=True).count():
         page.get_by_role("button", name="Pause", exact=True).click()
-
-
-def thumb(page, key: str) -> tuple[float, float]:
-    box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
-def over_the_floor(page) -> tuple[float, float]:
-    """Where slab and block are, in centimetres of the picture."""
-    place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
-    return inside(page, f"['.slab', '.block'].map({place})")
 
 
 def test_the_machine_moves_at_once_and_play_stops_it(visit):
@@ -213,12 +202,12 @@ def test_step_scrub_and_speed(visit):
     scrub.fill("0.5")
     next_frame(page)
     # Half a period after release the spring is stretched by what it was compressed: 2·8 cm apart, over the block.
-    half = over_the_floor(page)
+    half = slab_over_block(page)
     scrub.fill("0")
     next_frame(page)
-    start = over_the_floor(page)
+    start = slab_over_block(page)
     # Positions on the page are single precision: four of them, below 128, each off by half a unit in the last place.
-    assert (start[0] - start[1]) - (half[0] - half[1]) == pytest.approx(16, abs=4 * 2**-18)
+    assert start - half == pytest.approx(16, abs=4 * 2**-18)
     speed = page.get_by_role("combobox", name="Speed")
     speed.select_option("½×")
     assert page.evaluate(f"{STAGE}.querySelector('.speeds select').value") == "0.5"
