@@ -27,10 +27,12 @@ class Pager {
     window.addEventListener("keydown", (event) => this.press(event), { signal });
     bus.subscribe("turned", () => this.show(0), { signal }); // another stop of the lesson begins with its first sheet
     bus.publish("sheets", { has: (by) => Boolean(this.sheets[this.now + by]) });
+    document.documentElement.dataset.pager = "";
     const changes = new MutationObserver(() => this.look());
     changes.observe(document.body, { childList: true, subtree: true });
     signal.addEventListener("abort", () => {
       bus.forget("sheets");
+      delete document.documentElement.dataset.pager;
       changes.disconnect();
       clearTimeout(this.timer);
       for (const { node } of this.sheets) node.removeAttribute(AWAY);
