@@ -231,7 +231,8 @@ def _foot(key: str, code: str) -> None:
         class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
     st.download_button(
         _("Results as CSV"),
-        partial(_file, key),
+        # Made only when it is pressed, it would be gone after the desk's next poll: before a slow browser has it.
+        as_csv(shared().asked(key)),
         file_name=f"class-{code}.csv",
         mime="text/csv",
         key="class_csv",
@@ -239,10 +240,6 @@ def _foot(key: str, code: str) -> None:
         type="tertiary",
     )
     _ending(key)
-
-
-def _file(key: str) -> str:
-    return as_csv(shared().asked(key))
 
 
 def _ending(key: str) -> None:
