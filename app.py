@@ -8,7 +8,6 @@ if __name__ != "__main__":
 
     app = st.App(__file__, routes=server.routes(), middleware=server.MIDDLEWARE, lifespan=server.warmed_up)
 else:
-    from ramanujan.browser import page as page_elements
     from ramanujan.shell import (
         address,
         cache,
@@ -24,7 +23,7 @@ else:
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
-    stages.begin(lambda waits: page_elements.bring(theme.current(), sidebar.BOXES, waits, messages.stay))
+    stages.begin(sidebar.BOXES)
     page, runner = navigation.navigate(hidden=stages.alone())
     said = address.opened(
         page.name,

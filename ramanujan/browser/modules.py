@@ -35,7 +35,7 @@ def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
     patterns = ("**/*.js", "page/page.css", "page/type.css", "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
-    markup = {"stage/stage": _markup("stage/stage", words.TEXTS)}
+    markup = {"stage/stage": _markup("stage/stage", words.TEXTS, layer_boxes=_layer_boxes())}
     for name in (path.stem for path in offered if path.match("page/*.js")):
         markup[f"page/{name}"] = _markup(f"page/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
@@ -67,16 +67,19 @@ def component(name: str) -> Callable[..., Any]:
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 
 
-def _markup(name: str, texts: dict[str, str]) -> str:
-    """Return a component's style sheet and HTML, with texts in its slots; either may be missing."""
+def _markup(name: str, texts: dict[str, str], **parts: str) -> str:
+    """Return a component's style sheet and HTML, with texts and parts of HTML in its slots; either may be missing."""
     style, html = (_text(_HERE / f"{name}.{kind}") for kind in ("css", "html"))
-    boxes = (
+    html = html.format(**{slot: escape(text) for slot, text in texts.items()}, **parts)
+    return f"<style>{style}</style>{html}" if style else html
+
+
+def _layer_boxes() -> str:
+    """Return the tick boxes of the stage's layers as HTML."""
+    return "".join(
         f'<label data-layer="{layer}" title="{escape(what)}"><input type="checkbox" /> {escape(title)}</label>'
         for layer, (title, what) in words.LAYERS.items()
     )
-    slots = {slot: escape(text) for slot, text in texts.items()}
-    html = html.format(**slots, layer_boxes="".join(boxes))
-    return f"<style>{style}</style>{html}" if style else html
 
 
 def _light() -> dict[str, str]:

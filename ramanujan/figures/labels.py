@@ -46,15 +46,14 @@ def beside(
         sides = [(across, up) for up in (1, -1) for across in (0, -1, 1)]
         side = np.repeat(sides, len(path[::_EVERY]), axis=0)
         found = [_room(drawn, number, side, half, (width, height), placed[width]) for width, drawn in paths.items()]
-        room, far = (np.min(each, axis=0) for each in zip(*found, strict=True))
+        room, far = (np.min([each[i] for each in found], axis=0) for i in (0, 1))
         at = np.concatenate([path[::_EVERY]] * len(sides))
         best = int(np.argmax(room + 1e-3 * at[:, 0]))
         # What finds no place of its own is named by the pointer alone, or in another panel.
         if room[best] < 0 or (not far[best] and name in seen):
             continue
-        for width, drawn in paths.items():
-            middle = np.tile(drawn[number][::_EVERY], (len(sides), 1))[best] + side[best] * np.add(half, (0, _GAP))
-            placed[width] = np.concatenate([placed[width], middle + half * [*np.ndindex(3, 3)] - half])
+        for width, (*_others, middle) in zip(paths, found, strict=True):
+            placed[width] = np.concatenate([placed[width], middle[best] + half * [*np.ndindex(3, 3)] - half])
         x, y = _on_axes(at[best], x_range, y_range, height)
         notes.append(note(name, color, x, y, axis) | _anchor(*side[best]))
     return notes
@@ -67,8 +66,8 @@ def _room(
     half: np.ndarray,
     area: tuple[float, float],
     placed: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return how good each place of a name at its curve is, negative where it cannot stand, and how far others are."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return of each place of a name how good it is, negative where it cannot stand, how far others are, its middle."""
     path = paths[number]
     middle = np.tile(path[::_EVERY], (len(side) // len(path[::_EVERY]), 1)) + side * np.add(half, (0, _GAP))
     inside = np.all((middle >= half) & (middle <= area - half), axis=1)
@@ -76,7 +75,7 @@ def _room(
     apart = _distance(middle, half, placed)
     # Its own curve comes as near as the gap, further along it nearer.
     room = 10 * np.minimum(_distance(middle, half, path), _GAP) + np.minimum(far, _FAR) + 10 * np.minimum(apart, _GAP)
-    return np.where(inside & (apart > 0), room, -1e3), far
+    return np.where(inside & (apart > 0), room, -1e3), far, middle
 
 
 def _anchor(across: int, up: int) -> dict[str, Any]:

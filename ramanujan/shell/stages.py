@@ -9,13 +9,13 @@ seen, and where it is paused, as the periods since release of machine and plain 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser import stage
-from ramanujan.shell import address, display_mode, navigation
+from ramanujan.browser import page, stage
+from ramanujan.shell import address, display_mode, messages, navigation, theme
 from ramanujan.shell.parameters import PARAMETERS, WATCH
 from ramanujan.translation import _
 
@@ -39,18 +39,19 @@ _ALONE = "alone"
 """Session state: whether this run draws the machine alone; missing until the first run."""
 
 
-def begin(bring: Callable[[bool], bool]) -> None:
+def begin(boxes: Mapping[str, Mapping[str, Any]]) -> None:
     """Begin a run: bring what every page has, and decide whether the machine is drawn alone.
 
     Parameters
     ----------
-    bring : brings it; told whether a page waits for its machine, it returns whether that moves already. A page says so
-        also to a server that was started anew, and keeps all that it has.
+    boxes : what the page must know of the sliders' boxes
     """
     first = _ALONE not in st.session_state and navigation.is_first_page()
     # Without a browser, which names its time zone, nothing ever moves; a projector's sheets are there from the start.
     waits = first and st.context.timezone is not None and st.query_params.get("view") != "projector"
-    st.session_state[_ALONE] = not bring(waits) and waits
+    # A page whose machine moves says so to a server that was started anew, too, and keeps all that it has.
+    moves = page.bring(theme.current(), boxes, waits, messages.stay)
+    st.session_state[_ALONE] = waits and not moves
 
 
 def alone() -> bool:

@@ -231,7 +231,8 @@ def _foot(key: str, code: str) -> None:
         class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
     st.download_button(
         _("Results as CSV"),
-        # Made only when it is pressed, it would be gone after the desk's next poll: before a slow browser has it.
+        # Made only when it is pressed, it would belong to no run, and Streamlit takes such a file away after two more
+        # runs of anybody: in a class, whose phones ask all the time, before a slow browser has it.
         as_csv(shared().asked(key)),
         file_name=f"class-{code}.csv",
         mime="text/csv",
