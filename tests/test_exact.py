@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ramanujan.derivation.exact import Number, rounded, to_latex, truncated
+from ramanujan.derivation.printers import Number, number_to_latex, rounded, truncated
 from tests.latex import Formula
 
 integers = st.integers(-3000, 3000)
@@ -17,7 +17,7 @@ integers = st.integers(-3000, 3000)
 
 def shown(number: Number) -> str:
     """Return a number as it stands alone."""
-    found = to_latex(number)
+    found = number_to_latex(number)
     return f"- {found.absolute}" if found.sign < 0 else found.absolute
 
 

@@ -10,8 +10,7 @@ import pytest
 import sympy as sp
 
 from ramanujan.answers import QUESTIONS, judge
-from ramanujan.answers.formulas import typeset
-from ramanujan.answers.grammar import MAX_LENGTH, parse_equation
+from ramanujan.answers.grammar import MAX_LENGTH, typeset
 from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.derivation.printers import latex
 from tests.test_wrong_answers import ENERGIES, EQUATIONS, QUOTIENTS, RATIO, RIGHT_RATIO, TYPED, R, Xd, k, m, mp, phid
@@ -100,6 +99,6 @@ def test_the_right_answer_is_right_in_any_form_and_spelling(name):
             continue
         assert verdict.kind in ("right", "unsimplified"), (text, verdict.message)
         # What the page shows as read can be typed again.
-        again = typeset(parse_equation(text)[0])
+        again = typeset(text, is_equation=name in EQUATIONS)
         assert len(again) > MAX_LENGTH or judge(name, again).kind == verdict.kind, (text, again)
     assert refused < COUNT / 4

@@ -11,8 +11,8 @@ import sympy as sp
 from ramanujan.answers import QUESTIONS
 from ramanujan.answers import question as question_of
 from ramanujan.derivation import ROUTES, rayleigh
+from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
 from ramanujan.pages.derivation import cache
 
 PAGE = "ramanujan/pages/derivation/page.py"

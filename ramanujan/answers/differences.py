@@ -6,12 +6,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 import sympy as sp
-from sympy.polys.fields import FracElement
 
 from ramanujan.answers import terms
 from ramanujan.answers.formulas import leaves
-from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, answer, right_terms, right_values
-from ramanujan.answers.questions import question as asked
+from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.answers.values import (
     POINTS,
@@ -23,31 +21,21 @@ from ramanujan.answers.values import (
     evaluate,
     point,
     rational_ratio,
-    square_root,
 )
 from ramanujan.numerals import number as written
 from ramanujan.translation import _
 
 
-def depends(typed: sp.Expr, name: str, ratio_is_masses: bool = True) -> bool:
-    """Tell whether a formula changes with what a name stands for; with a mass, ε may change."""
-    symbol = SYMBOLS[name]
-    present = leaves(typed)
-    through = ratio_is_masses and SYMBOLS["eps"] in present and name in ("m", "m'")
-    return (symbol in present or through) and depends_on(typed, symbol)
-
-
-def differences(question: str, typed: sp.Expr, given: Values) -> tuple[str | None, list[str]]:
+def differences(it: Question, typed: sp.Expr, given: Values) -> tuple[str | None, list[str]]:
     """Return the term that differs, if there is only one, and sentences about the difference.
 
     Raises
     ------
     terms.NotComparableError : the answer cannot be written out term by term.
     """
-    it = asked(question)
     if it.kind == NUMBER:
-        return None, [*_as_number(question, given), *_as_mass_ratio(typed, given[0])]
-    exact, right = compared(question, typed), right_terms(question)
+        return None, [*_as_number(it, given), *_as_mass_ratio(typed, given[0])]
+    exact, right = it.terms(typed), it.right_terms
     if it.kind == EQUATION:
         differences = terms.as_equation(exact, right, it.variables)
         if not differences:
@@ -63,23 +51,12 @@ def differences(question: str, typed: sp.Expr, given: Values) -> tuple[str | Non
         if len(differences) > 1 and not terms.names_in(ratio).intersection(MOTION) and (of := terms.multiple(ratio)):
             return None, of
         return differences[0][0] if len(differences) == 1 else None, terms.in_short(differences)
-    return None, terms.multiple(ratio) or terms.as_fraction(exact, right) or _for_special_masses(question, typed)
+    return None, terms.multiple(ratio) or terms.as_fraction(exact, right) or _for_special_masses(it, typed)
 
 
-def compared(question: str, typed: sp.Expr) -> FracElement:
-    """Return a formula in lowest terms, in the names of the answer.
-
-    Raises
-    ------
-    terms.NotComparableError : as `terms.exact` does.
-    """
-    is_of_ratio = SYMBOLS["eps"] in leaves(answer(question))
-    return terms.exact(typed, terms.OF_RATIO if is_of_ratio else terms.GENERATORS)
-
-
-def _for_special_masses(question: str, typed: sp.Expr) -> list[str]:
+def _for_special_masses(it: Question, typed: sp.Expr) -> list[str]:
     """Return for which masses the answer is right, what it does not depend on, or that it is wrong even for m′ = m."""
-    right, m, m_prime = answer(question), SYMBOLS["m"], SYMBOLS["m'"]
+    right, m, m_prime = it.right, SYMBOLS["m"], SYMBOLS["m'"]
     cases = (
         ({m_prime: POINTS[0][m]}, _("Your answer is right for equal masses, m′ = m, but not for other masses.")),
         ({m_prime: Fraction(0)}, _("Your answer is right for m′ = 0, so the error is in a term with m′.")),
@@ -90,27 +67,28 @@ def _for_special_masses(question: str, typed: sp.Expr) -> list[str]:
         known = POINTS[0] | masses
         known[SYMBOLS["eps"]] = known[m_prime] / known[m] if known[m] else Fraction(0)
         try:
-            yours, theirs = (evaluate(formula, known, square_root) for formula in (typed, right))
+            yours, theirs = (evaluate(formula, known) for formula in (typed, right))
         except ArithmeticError:
             continue
         if agree((yours,), (theirs,)):
             return [sentence]
         found.append(sentence)
-    missing = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(right) and not depends(typed, name)]
+    needed = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(right)]
+    missing = [name for name in needed if not depends_on(typed, SYMBOLS[name])]
     if missing:
         sentence = _("Your answer does not depend on {names}, but {quantity} does.")
-        return [sentence.format(names=terms.listed(missing), quantity=asked(question).quantity)]
+        return [sentence.format(names=terms.listed(missing), quantity=it.quantity)]
     # A decimal number may be right to its digits there.
     return [] if decimals(typed) else [_("Your answer is wrong even for equal masses, m′ = m.")]
 
 
-def _as_number(question: str, given: Values) -> list[str]:
+def _as_number(it: Question, given: Values) -> list[str]:
     """Return how many times the right number the given one is, or which of its parts is right."""
-    right = right_values(question)
+    right = it.right_values
     times = rational_ratio(given, right)
     if times is not None:
-        return terms.multiple(terms.number(times))
-    rational = Fraction(str(answer(question).expand().as_independent(sp.Pow)[0]))
+        return terms.multiple(terms.FIELD(times.numerator) / times.denominator)
+    rational = Fraction(str(it.right.expand().as_independent(sp.Pow)[0]))
     (yours, theirs, without), one = alike(given[0], right[0], rational), (Fraction(1),)
     if rational_ratio((yours - theirs,), one) is not None:
         return [_("The part of your answer with the root is right. The part without the root is not.")]
@@ -121,14 +99,14 @@ def _as_number(question: str, given: Values) -> list[str]:
 
 def _as_mass_ratio(typed: sp.Expr, ratio: object) -> Iterator[str]:
     """Yield the frequency of the machine with the given mass ratio."""
-    if any(depends(typed, name) for name in SYMBOLS):
+    if any(depends_on(typed, symbol) for symbol in SYMBOLS.values()):
         return
     if ratio <= 0:
         yield _("A ratio of two masses is positive.")
         return
     one = Fraction(1)
     known = point(m=one, k=one, **{"m'": ratio})
-    frequency = evaluate(answer("natural_frequency_squared"), known, square_root)
+    frequency = evaluate(question("natural_frequency_squared").right, known)
     shown, difference = float(ratio), float(abs(frequency - 1))
     if difference < 1e-5:
         close = _("With ε = {ratio}, Ω² and k/m differ by {difference} k/m, not by zero.")

@@ -6,7 +6,8 @@
     primary  = number | name | √ primary | frac primary primary | ( sum )
 
 The text is only compared with this grammar; SymPy's own parser never sees it. What is returned are SymPy's nodes as
-they were typed, unevaluated: `length`, digits and exponents are bounded before anything is computed.
+they were typed, unevaluated: `length`, digits and exponents are bounded before anything is computed. The LaTeX of what
+was typed is put together meanwhile; SymPy's printer would evaluate it.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import sympy as sp
 
 from ramanujan.answers.formulas import is_number, leaves, replaced, weights
 from ramanujan.answers.spelling import Token, UnreadableError, plain, tokens
+from ramanujan.derivation.printers import latex
 from ramanujan.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_EXPONENT, MAX_WEIGHT = 320, 20, 12, 120
@@ -37,10 +39,7 @@ def parse(text: str) -> sp.Expr:
     ------
     UnreadableError : the text is not such a formula, is ambiguous, or exceeds a limit; the message says which.
     """
-    left, *others = _sides(text)
-    if others:
-        raise UnreadableError(_("Type only the right side of the equation, without the equals sign."))
-    return _formula(left)
+    return _formula(text).value
 
 
 def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
@@ -50,10 +49,32 @@ def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
     ------
     UnreadableError : a side is not a formula as `parse` reads it, or there is more than one equals sign.
     """
+    left, right = _equation(text)
+    return left.value, right.value
+
+
+def typeset(text: str, *, is_equation: bool = False) -> str:
+    """Return a formula, or an equation, as LaTeX: as it was typed, nothing evaluated, gathered or reordered.
+
+    Raises
+    ------
+    UnreadableError : as `parse` and `parse_equation` do.
+    """
+    return "=".join(side.bare for side in (_equation(text) if is_equation else [_formula(text)]))
+
+
+def _formula(text: str) -> _Part:
+    left, *others = _sides(text)
+    if others:
+        raise UnreadableError(_("Type only the right side of the equation, without the equals sign."))
+    return _side(left)
+
+
+def _equation(text: str) -> tuple[_Part, _Part]:
     left, *others = _sides(text)
     if len(others) > 1:
         raise UnreadableError(_("Type one equation, with one equals sign."))
-    return _formula(left), _formula(others[0]) if others else sp.S.Zero
+    return _side(left), _side(others[0] if others else "0")
 
 
 def _sides(text: str) -> list[str]:
@@ -65,14 +86,33 @@ def _sides(text: str) -> list[str]:
     return in_ascii.replace("≈", "=").split("=")
 
 
-def _formula(in_ascii: str) -> sp.Expr:
+def _side(in_ascii: str) -> _Part:
     reader = _Reader(list(tokens(in_ascii)))
     if reader.next is None:
         raise UnreadableError(_("Type a formula first."))
-    expression = reader.sum()
+    side = reader.sum()
     if reader.next is not None:
         raise UnreadableError(_("There is a closing bracket without an opening bracket."))
-    return expression
+    return side
+
+
+class _Part:
+    """A part of a formula: its value, not evaluated; its LaTeX; and that without the brackets around it."""
+
+    def __init__(self, value: sp.Expr, shown: str, bare: str = "") -> None:
+        if weights(value).total() > MAX_WEIGHT:
+            raise UnreadableError(_("This is too large to check here. Write it shorter or with smaller exponents."))
+        self.value, self.shown, self.bare = value, shown, bare or shown
+
+    @property
+    def unsigned(self) -> str:
+        """The LaTeX of what comes after something else."""
+        return _bracketed(self.shown) if self.shown.startswith("-") else self.shown
+
+    @property
+    def base(self) -> str:
+        """The LaTeX of what gets an exponent."""
+        return _bracketed(self.shown) if self.shown.startswith(r"\frac") else f"{{{self.shown}}}"
 
 
 class _Reader:
@@ -96,53 +136,54 @@ class _Reader:
         self._position += token is not None
         return token
 
-    def sum(self) -> sp.Expr:
-        terms = [self.product()]
+    def sum(self) -> _Part:
+        total = self.product()
+        terms = [total.value]
         while self.next in ("+", "-"):
-            negative = self.take() == "-"
-            term = self.product()
-            terms.append(_negative(term) if negative else term)
-        return _bounded(sp.Add(*terms, evaluate=False))
+            sign, term = self.take(), self.product()
+            terms.append(_negative(term.value) if sign == "-" else term.value)
+            total = _Part(sp.Add(*terms, evaluate=False), f"{total.shown} {sign} {term.unsigned}")
+        return total
 
-    def product(self) -> sp.Expr:
-        factors, reach_is_clear = [self.factor()], True
-        while True:
-            if self.next == "*":
-                self.take()
-                factors.append(self.factor())
-                reach_is_clear = True
-            elif self.next == "/":
-                self.take()
-                bracketed = self.next == "("
-                below = self.factor()
-                factors.append(_power(below, sp.S.NegativeOne))
+    def product(self) -> _Part:
+        product, reach_is_clear = self.factor(), True
+        factors = [product.value]
+        while self.next in ("*", "/") or self._starts_a_factor():
+            sign = self.take() if self.next in ("*", "/") else ""
+            bracketed = self.next == "("
+            if not (sign or reach_is_clear):
+                refusal = _(
+                    "Where does the denominator end? Put it in brackets, or write a multiplication sign after it."
+                )
+                raise UnreadableError(refusal)
+            factor = self.factor()
+            if sign == "/":
                 # 1/2 m and k/2 (m + R) have only one meaning; k/2m and k/2(m + R) may have two.
-                simple = len(factors) > 1 and is_number(factors[-2]) and is_number(below)
-                reach_is_clear = simple or ((bracketed or is_number(below)) and self.spaced)
-            elif self._starts_a_factor():
-                if not reach_is_clear:
-                    raise UnreadableError(
-                        _(
-                            "Where does the denominator end? Put it in brackets, or write a multiplication sign after "
-                            "it."
-                        )
-                    )
-                factors.append(self.factor())
+                simple = is_number(factors[-1]) and is_number(factor.value)
+                reach_is_clear = simple or ((bracketed or is_number(factor.value)) and self.spaced)
+                factors.append(_power(factor.value, sp.S.NegativeOne))
+                shown = _fraction(product, factor)
             else:
-                return _bounded(sp.Mul(*factors, evaluate=False))
+                reach_is_clear = reach_is_clear or sign == "*"
+                factors.append(factor.value)
+                shown = _side_by_side(product.shown, factor.unsigned)
+            product = _Part(sp.Mul(*factors, evaluate=False), shown)
+        return product
 
-    def factor(self) -> sp.Expr:
+    def factor(self) -> _Part:
         negative = False
         while self.next in ("+", "-"):
             negative ^= self.take() == "-"
-        power = self.primary()
+        factor = self.primary()
         if self.next == "^":
             self.take()
-            power = _power(power, self.exponent())
-        return _negative(power) if negative else power
+            exponent, shown = self.exponent()
+            factor = _Part(_power(factor.value, exponent), f"{factor.base}^{{{shown}}}")
+        return _Part(_negative(factor.value), f"- {factor.shown}") if negative else factor
 
-    def exponent(self) -> sp.Rational:
-        typed = self._nested(self.factor)
+    def exponent(self) -> tuple[sp.Rational, str]:
+        part = self._nested(self.factor)
+        typed = part.value
         parts = leaves(typed)
         # The exponents in it are small already, so that its numbers can be worked out.
         numbers = {part: sp.Rational(str(part)) for part in parts if is_number(part)}
@@ -150,44 +191,45 @@ class _Reader:
         if not exponent.is_Rational or abs(exponent) > MAX_EXPONENT or exponent.q > 2:
             limits = _("An exponent must be an integer or half an integer, from −{most} to {most}.")
             raise UnreadableError(limits.format(most=MAX_EXPONENT))
-        return exponent
+        return exponent, part.bare
 
-    def primary(self) -> sp.Expr:
+    def primary(self) -> _Part:
         token = self.take()
         if is_number(token):
             if is_number(self.next):
                 raise UnreadableError(_("Two numbers follow each other. Write a sign between them."))
-            return token
+            return _Part(token, str(token) if isinstance(token, sp.Symbol) else latex(token))
         if token == "sqrt":
             return self.root()
         if token == "frac":
             above, below = self._nested(self.primary), self._nested(self.primary)
-            return _bounded(sp.Mul(above, _power(below, sp.S.NegativeOne), evaluate=False))
+            quotient = sp.Mul(above.value, _power(below.value, sp.S.NegativeOne), evaluate=False)
+            return _Part(quotient, _fraction(above, below))
         if token == "(":
             inside = self._nested(self.sum)
             if self.take() != ")":
                 raise UnreadableError(_("There is an opening bracket without a closing bracket."))
             self._not_a_number(_("A number follows a bracket. Put it in front, or write ^ for a power."))
-            return inside
+            return _Part(inside.value, _bracketed(inside.bare), inside.bare)
         if isinstance(token, sp.Expr):
             self._not_a_number(_("A number follows a name. Put it in front, or write ^ for a power."))
-            return token
+            return _Part(token, latex(token))
         if token is None:
             raise UnreadableError(_("The formula is not complete: something is missing at its end."))
         raise UnreadableError(_("Something is missing between two signs or brackets."))
 
-    def root(self) -> sp.Expr:
+    def root(self) -> _Part:
         bracketed = self.next == "("
-        root = _power(self._nested(self.primary), sp.S.Half)
+        under = self._nested(self.primary)
         if not bracketed and not self.spaced and self._starts_a_factor():
             raise UnreadableError(_("Where does the root end? Put what is under it in brackets."))
-        return root
+        return _Part(_power(under.value, sp.S.Half), rf"\sqrt{{{under.bare}}}")
 
     def _not_a_number(self, refusal: str) -> None:
         if is_number(self.next) and not self.spaced:
             raise UnreadableError(refusal)
 
-    def _nested(self, read: Callable[[], sp.Expr]) -> sp.Expr:
+    def _nested(self, read: Callable[[], _Part]) -> _Part:
         self._depth += 1
         if self._depth > MAX_DEPTH:
             levels = _("Brackets, roots and exponents may be nested at most {most} levels deep.")
@@ -205,10 +247,19 @@ def _negative(expression: sp.Expr) -> sp.Expr:
 
 
 def _power(base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
-    return _bounded(sp.Pow(base, exponent, evaluate=False))
+    return sp.Pow(base, exponent, evaluate=False)
 
 
-def _bounded(expression: sp.Expr) -> sp.Expr:
-    if weights(expression).total() > MAX_WEIGHT:
-        raise UnreadableError(_("This is too large to check here. Write it shorter or with smaller exponents."))
-    return expression
+def _bracketed(shown: str) -> str:
+    return rf"\left({shown}\right)"
+
+
+def _fraction(above: _Part, below: _Part) -> str:
+    """Return a fraction as LaTeX, the minus sign of its numerator before it."""
+    sign, unsigned = ("- ", above.bare[2:]) if above.shown.startswith("- ") else ("", above.bare)
+    return rf"{sign}\frac{{{unsigned}}}{{{below.bare}}}"
+
+
+def _side_by_side(before: str, after: str) -> str:
+    """Return two factors as LaTeX, with a dot where they would read as one number or as a number and a fraction."""
+    return before + (r" \cdot " if after.lstrip("{").startswith((*".0123456789", r"\frac")) else r"\,") + after

@@ -13,7 +13,7 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.answers import machines
-from ramanujan.answers.procedures import conditions, eliminated, mass_matrix
+from ramanujan.answers.machines import conditions, eliminated, mass_matrix
 from ramanujan.derivation.elimination import Elimination, UnitCondition, eliminate, phi_ddot, unit_condition
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,

@@ -7,8 +7,9 @@ route of Euler and Lagrange. A new question is one entry of `_ALL`.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cache, partial
+from functools import cached_property, partial
 
 import sympy as sp
 from sympy.polys.fields import FracElement
@@ -18,7 +19,7 @@ from ramanujan.answers.formulas import leaves, length
 from ramanujan.answers.machines import CALLED
 from ramanujan.answers.mistakes import Variants, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
-from ramanujan.answers.terms import GENERATORS, NAMES, OF_RATIO, exact
+from ramanujan.answers.terms import NAMES, exact
 from ramanujan.answers.values import Values, agree, at_points, up_to_a_factor
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
@@ -68,10 +69,15 @@ class Question:
     any_form: bool = False
     symbol: sp.Symbol | None = None
 
+    @cached_property
+    def right(self) -> sp.Expr:
+        """The right answer."""
+        return self.answer()
+
     @property
     def names(self) -> tuple[str, ...]:
         """The names that the answer may contain, as typed; ε may stand for m′/m where both masses do."""
-        allowed = leaves(answer(self.name))
+        allowed = leaves(self.right)
         if {m, m_prime} <= allowed and self.variables == NAMES:
             allowed |= {epsilon}
         return tuple(name for name, symbol in SYMBOLS.items() if symbol in allowed)
@@ -80,6 +86,56 @@ class Question:
     def hints(self) -> tuple[str, ...]:
         """From the next question to ask to how it is done, Markdown with $…$; none contains the answer."""
         return (self.leads_on, *(_step(key).reason for key in self.steps))
+
+    def values(self, formula: sp.Expr) -> Values:
+        """Return the values by which a formula is compared with the answer; of an equation a common factor cancels.
+
+        Raises
+        ------
+        ArithmeticError : as `values.at_points` does.
+        """
+        return up_to_a_factor(formula, self.variables) if self.kind == EQUATION else at_points(formula)
+
+    def terms(self, formula: sp.Expr) -> FracElement:
+        """Return a formula in lowest terms, in the names of the answer.
+
+        Raises
+        ------
+        terms.NotComparableError : as `terms.exact` does.
+        """
+        return exact(formula, of_ratio=epsilon in leaves(self.right))
+
+    @cached_property
+    def right_values(self) -> Values:
+        """The values of the right answer."""
+        return self.values(self.right)
+
+    @cached_property
+    def right_terms(self) -> FracElement:
+        """The right answer in lowest terms; only if it has no root."""
+        return self.terms(self.right)
+
+    @cached_property
+    def wrong_values(self) -> tuple[tuple[str, Values], ...]:
+        """Hint and result of each typical mistake that changes the answer; the more common ones come first."""
+        results = list(self.mistakes(self.right))
+        if R in leaves(self.right):
+            hint = _("You get this result if you leave out R. Which length belongs to an angle?")
+            results.append((hint, self.right.subs(R, 1)))
+        found = []
+        for hint, result in results:
+            with suppress(ArithmeticError):
+                values = result and self.values(result)
+                if values and any(values) and not agree(values, self.right_values):
+                    found.append((hint, values))
+        return tuple(found)
+
+    @cached_property
+    def longest_form(self) -> int:
+        """The length of the longest form that counts as simplified."""
+        numerator, denominator = sp.fraction(sp.together(self.right))
+        factored, expanded = sp.factor(self.right), sp.expand(self.right, frac=True)
+        return max(map(length, (self.right, factored, expanded, sp.expand(numerator) / denominator)))
 
 
 def question(name: str) -> Question:
@@ -101,79 +157,19 @@ def shown_step(name: str) -> tuple[sp.Eq, ...]:
     ------
     ValueError : name is not one of `QUESTIONS`.
     """
-    it, final = question(name), answer(name)
+    it = question(name)
     # Of what is worked out for every body and the spring, the lines about the one that is asked for.
     own = {f"{letter}_{name.rpartition('_')[2]}" for letter in "vIT"} | ({"x", "U"} if "potential" in name else set())
     several = it.steps[-1] == "energies"
     lines = [e for key in it.steps[0 if several else -1 :] for e in _step(key).equations]
     shown = [e for e in lines if not several or str(e.lhs) in own]
-    if any(final in e.args for e in shown):
+    if any(it.right in e.args for e in shown):
         return tuple(shown)
-    return (*shown, equation(it.symbol or shown[-1].lhs, final))
+    return (*shown, equation(it.symbol or shown[-1].lhs, it.right))
 
 
 def _step(key: str) -> Step:
     return ROUTES["euler_lagrange"][key]
-
-
-@cache
-def answer(question: str) -> sp.Expr:
-    """Return the right answer."""
-    return _ASKED[question].answer()
-
-
-@cache
-def right_values(question: str) -> Values:
-    """Return the values of the right answer."""
-    return values_of(question, answer(question))
-
-
-def values_of(question: str, formula: sp.Expr) -> Values:
-    """Return the values by which a formula is compared with the answer; of an equation a common factor cancels.
-
-    Raises
-    ------
-    ArithmeticError : as `values.at_points` does.
-    """
-    it = _ASKED[question]
-    return up_to_a_factor(formula, it.variables) if it.kind == EQUATION else at_points(formula)
-
-
-@cache
-def right_terms(question: str) -> FracElement:
-    """Return the right answer in lowest terms; only for those without a root."""
-    right = answer(question)
-    return exact(right, OF_RATIO if epsilon in leaves(right) else GENERATORS)
-
-
-@cache
-def wrong_values(question: str) -> tuple[tuple[str, Values], ...]:
-    """Return hint and result of each typical mistake that changes the answer; the more common ones come first."""
-    found = []
-    for hint, result in _wrong_results(question):
-        try:
-            values = result and values_of(question, result)
-        except ArithmeticError:
-            continue
-        if values and any(values) and not agree(values, right_values(question)):
-            found.append((hint, values))
-    return tuple(found)
-
-
-@cache
-def longest_form(question: str) -> int:
-    """Return the length of the longest form that counts as simplified."""
-    right = answer(question)
-    numerator, denominator = sp.fraction(sp.together(right))
-    forms = (right, sp.factor(right), sp.expand(right, frac=True), sp.expand(numerator) / denominator)
-    return max(map(length, forms))
-
-
-def _wrong_results(question: str) -> Variants:
-    right = answer(question)
-    yield from _ASKED[question].mistakes(right)
-    if R in leaves(right):
-        yield _("You get this result if you leave out R. Which length belongs to an angle?"), right.subs(R, 1)
 
 
 # The questions

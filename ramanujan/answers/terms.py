@@ -1,25 +1,21 @@
 """How a wrong answer differs from the right one: coefficient by coefficient, as one fraction, or as a number.
 
-A formula becomes an element of SymPy's fraction field ℤ(m, m′, k, R, X, …), where every quotient is in lowest terms;
-the root of one whole number is a generator of its own. Degrees and digits are bounded before anything is
-computed. Every sentence states what was computed exactly.
+A formula becomes an element of SymPy's fraction field ℤ(m, m′, k, R, X, …), where every quotient is in lowest terms.
+Degrees and digits are bounded before anything is computed. Every sentence states what was computed exactly.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from fractions import Fraction
-from math import inf, isqrt, prod
+from math import inf, prod
 
 import sympy as sp
-from sympy.ntheory.factor_ import core
 from sympy.polys.fields import FracElement, field
-from sympy.polys.rings import PolyElement
 
 from ramanujan.answers.formulas import is_number, weights
 from ramanujan.answers.spelling import SYMBOLS
-from ramanujan.answers.values import evaluate
+from ramanujan.answers.values import decimals
 from ramanujan.derivation.symbols import epsilon, m, m_prime
 from ramanujan.numerals import superscript
 from ramanujan.translation import _, ngettext
@@ -29,16 +25,12 @@ _SHOWN = {"eps": "ε", "Phi": "Φ", "phi": "φ", "''": "″", "'": "′"}
 _WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}
 _MOST_SENTENCES = 3
 
-FIELD = field([f"x{i}" for i in range(len(NAMES) + 1)], sp.ZZ)[0]
-GENERATORS = {SYMBOLS[name]: generator for name, generator in zip(NAMES, FIELD.gens, strict=False)}
-OF_RATIO = GENERATORS | {m_prime: GENERATORS[epsilon] * GENERATORS[m]}
-"""For formulas in the mass ratio; in all others it is m′/m."""
-GENERATORS[epsilon] = GENERATORS[m_prime] / GENERATORS[m]
-_ROOT = FIELD.gens[-1]
+FIELD = field(list(SYMBOLS.values()), sp.ZZ)[0]
+_GENERATORS = dict(zip(NAMES, FIELD.gens, strict=True))
 
-_MAX_WEIGHT, _MAX_BITS, _MAX_TERMS, _MAX_RADICAND = 60, 60_000, 120, 10**12
+_MAX_WEIGHT, _MAX_BITS, _MAX_TERMS = 60, 60_000, 120
 """Limits on the names and numbers of a quotient, on the integers of a search for common factors, on the terms of a
-polynomial, and under a root."""
+polynomial."""
 
 Differences = list[tuple[str, str]]
 """Products of names, and a sentence about the coefficient of each."""
@@ -86,46 +78,20 @@ def names_in(formula: FracElement) -> frozenset[str]:
     )
 
 
-def exact(expression: sp.Expr, generators: Mapping[sp.Expr, FracElement] = GENERATORS) -> FracElement:
-    """Return a formula in lowest terms, in these generators of the field.
+def exact(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
+    """Return a formula in lowest terms, with m′/m for ε or, if it is a formula in the mass ratio, with εm for m′.
 
     Raises
     ------
     NotComparableError : it is too large, or has a root.
-    ZeroDivisionError : it divides by zero.
     """
     _check_size(expression)
-    radicands = {1}
-
-    def root(value: FracElement) -> FracElement:
-        if not (value.numer.is_ground and value.denom.is_ground):
-            raise NotComparableError(_TOO_LARGE)
-        p, q = int(value.numer.LC), int(value.denom.LC)
-        if not 0 < p * q < _MAX_RADICAND:
-            raise NotComparableError(_TOO_LARGE)
-        radicand = int(core(p * q))
-        radicands.add(radicand)
-        return FIELD(isqrt(p * q // radicand)) / q * (_ROOT if radicand > 1 else 1)
-
-    value = evaluate(expression, generators, root, number)
-    if len(radicands) > 2:
-        raise NotComparableError(_TOO_LARGE)
-    return _without_root(value.numer, max(radicands)) / _without_root(value.denom, max(radicands))
-
-
-def _without_root(polynomial: PolyElement, radicand: int) -> FracElement:
-    """Return a polynomial with the radicand for every square of the root."""
-    found = FIELD.ring.zero
-    for powers, c in polynomial.items():
-        if powers[-1] % 2:
-            raise NotComparableError(_("Your answer contains a root. The right one has none."))
-        found += FIELD.ring({(*powers[:-1], 0): c * radicand ** (powers[-1] // 2)})
-    return FIELD(found)
-
-
-def number(value: Fraction) -> FracElement:
-    """Return a number as an element of the field."""
-    return FIELD(value.numerator) / value.denominator
+    masses = {m_prime: epsilon * m} if of_ratio else {epsilon: m_prime / m}
+    numbers = {decimal: sp.Rational(decimal.name) for decimal in decimals(expression)}
+    try:
+        return FIELD.from_expr(expression.xreplace(masses | numbers).doit())
+    except ValueError:
+        raise NotComparableError(_("Your answer contains a root. The right one has none.")) from None
 
 
 # In words
@@ -146,7 +112,7 @@ def listed(names: list[str]) -> str:
 
 def _shown_product(powers: tuple[int, ...]) -> str:
     return "".join(
-        shown_name(name) + (superscript(n) if n > 1 else "") for name, n in zip(NAMES, powers, strict=False) if n
+        shown_name(name) + (superscript(n) if n > 1 else "") for name, n in zip(NAMES, powers, strict=True) if n
     )
 
 
@@ -223,7 +189,7 @@ def term_by_term(
 
 def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tuple[int, ...], FracElement] | None:
     """Return products of variables and what multiplies each; None if a variable is below a fraction line."""
-    chosen = [name in variables for name in (*NAMES, "")]
+    chosen = [name in variables for name in NAMES]
     if any(n and c for powers in formula.denom for n, c in zip(powers, chosen, strict=True)):
         return None
     found: dict[tuple[int, ...], FracElement] = {}
@@ -286,7 +252,7 @@ def _names_off(term: str, ratio: FracElement, right: FracElement) -> str | None:
         return lacks.format(term=term, factor=shown_factor(1 / ratio))
     for yours, theirs in (("m", "m'"), ("m'", "m")):
         has_it = theirs in names_in(right) and yours not in names_in(right)
-        if has_it and ratio == GENERATORS[SYMBOLS[yours]] / GENERATORS[SYMBOLS[theirs]]:
+        if has_it and ratio == _GENERATORS[yours] / _GENERATORS[theirs]:
             instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
             return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
     return None

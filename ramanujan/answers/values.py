@@ -1,24 +1,22 @@
 """What a typed formula is worth: at a few points, exactly or in 150 digits, and in which unit.
 
-`evaluate` walks a formula with any kind of number: fractions, mpmath's, units, elements of a fraction field. Two
-formulas count as equal if they agree at all `POINTS`. Their coordinates have twelve random digits: by the lemma of
+Two formulas count as equal if they agree at all `POINTS`. Their coordinates have twelve random digits: by the lemma of
 Schwartz and Zippel, two different rational formulas of degree 120 agree with a probability below 1e-29.
 """
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache, reduce
 from math import isqrt
 from operator import add, mul
-from typing import Any
 
 import mpmath
 import sympy as sp
 
-from ramanujan.answers.formulas import is_decimal
+from ramanujan.answers.formulas import is_decimal, leaves, replaced
 from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.derivation.symbols import COORDINATES, R, epsilon, k, m, m_prime
 from ramanujan.numerals import superscript
@@ -36,38 +34,36 @@ class NegativeRootError(ArithmeticError):
     """A root of a negative number."""
 
 
-def evaluate(
-    expression: sp.Expr,
-    values: Mapping[sp.Expr, Any],
-    root: Callable[[Any], Any],
-    number: Callable[[Fraction], Any] = Fraction,
-) -> Any:
-    """Return the value of a formula.
+def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
+    """Return the value of a formula: a fraction, or 150 digits where a root is none.
 
     Parameters
     ----------
     expression : SymPy's nodes, unevaluated ones too
-    values : symbol → its value, anything that can be added, multiplied and raised to a power
-    root, number : how to take a square root of such a value, and how to make one of a number
+    values : symbol → its value
+
+    Raises
+    ------
+    ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`).
     """
     if expression in values:
         return values[expression]
     if expression.is_Add or expression.is_Mul:
-        # A zero that is added has any unit.
-        added = [part for part in expression.args if part != 0 or not expression.is_Add] or expression.args
-        parts = alike(*(evaluate(part, values, root, number) for part in added))
+        parts = alike(*(evaluate(part, values) for part in expression.args))
         total = reduce(add if expression.is_Add else mul, parts)
         vanishes = isinstance(total, _MP.mpf) and any(abs(total) < _VANISHING * abs(part) for part in parts)
         return Fraction(0) if expression.is_Add and vanishes else total
     if expression.is_Pow:
-        base = evaluate(expression.base, values, root, number)
+        base = evaluate(expression.base, values)
         if expression.exp == 0:
-            return number(Fraction(1))
-        return base ** int(expression.exp) if expression.exp.is_Integer else root(base) ** int(2 * expression.exp)
-    return number(Fraction(str(expression)))
+            return Fraction(1)
+        return (
+            base ** int(expression.exp) if expression.exp.is_Integer else square_root(base) ** int(2 * expression.exp)
+        )
+    return Fraction(str(expression))
 
 
-def alike(*values: Any) -> tuple[Any, ...]:
+def alike(*values: Number) -> tuple[Number, ...]:
     """Return values of one kind: mpmath's do not mix with fractions."""
     return tuple(map(_MP.convert, values)) if any(isinstance(value, _MP.mpf) for value in values) else values
 
@@ -126,7 +122,7 @@ def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Fraction], ...] =
     ------
     ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`), at a point.
     """
-    return tuple(evaluate(expression, known, square_root) for known in points)
+    return tuple(evaluate(expression, known) for known in points)
 
 
 def up_to_a_factor(expression: sp.Expr, names: tuple[str, ...]) -> Values:
@@ -162,13 +158,14 @@ def rational_ratio(left: Values, right: Values) -> Fraction | None:
     return first if agree(quotients, (first,) * len(quotients)) else None
 
 
-def depends_on(expression: sp.Expr, symbol: sp.Expr) -> bool:
-    """Tell whether the value of a formula changes with a symbol; ε changes with both masses."""
+def depends_on(expression: sp.Expr, symbol: sp.Expr, *, of_ratio: bool = False) -> bool:
+    """Tell whether a formula changes with a symbol; unless it is a formula in the ratio, ε changes with the masses."""
     known = POINTS[0]
     moved = known | {symbol: known[symbol] + 1}
-    moved[epsilon] = moved[m_prime] / moved[m]
+    if not of_ratio:
+        moved[epsilon] = moved[m_prime] / moved[m]
     try:
-        values = [evaluate(expression, each, square_root) for each in (known, moved)]
+        values = [evaluate(expression, each) for each in (known, moved)]
     except ArithmeticError:
         return True
     return not agree(values[:1], values[1:])
@@ -204,7 +201,7 @@ def units_off(expression: sp.Expr, target: Values) -> Number | None:
 
 def _meant(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Fraction, high: Fraction) -> Number | None:
     def error(x: Number, i: int = 0) -> Number:
-        value, wanted = map(_MP.convert, (evaluate(expression, POINTS[i] | {decimal: x}, square_root), target[i]))
+        value, wanted = map(_MP.convert, (evaluate(expression, POINTS[i] | {decimal: x}), target[i]))
         return (value - wanted) / wanted
 
     if error(low) * error(high) >= 0:
@@ -239,7 +236,9 @@ def unit(expression: sp.Expr) -> str:
     >>> unit(k * R**2 / m)
     'm²/s²'
     """
-    value = evaluate(expression, _UNITS, sp.sqrt, lambda _number: sp.S.One)
+    # A zero that is added has any unit.
+    units = {leaf: _UNITS.get(leaf, sp.S.Zero if leaf == 0 else sp.S.One) for leaf in leaves(expression)}
+    value = replaced(expression, units).doit()
     for total in sorted(value.atoms(sp.Add), key=sp.default_sort_key):
         raise DifferentUnitsError(*sorted(_unit_text(term) for term in total.args[:2]))
     return _unit_text(value)

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.shares import PARTS
+from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
 from ramanujan.derivation.symbols import ACCELERATIONS, Body, Machine, Omega_squared, R, gather, k, machine, phi, t
 from ramanujan.translation import _

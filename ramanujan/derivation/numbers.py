@@ -15,8 +15,7 @@ from itertools import count
 import sympy as sp
 
 from ramanujan.derivation.elimination import UnitCondition, unit_condition
-from ramanujan.derivation.exact import DIGITS, Number, decimal_of, rounded
-from ramanujan.derivation.printers import latex
+from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
 from ramanujan.derivation.steps import ROUTES
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.translation import _

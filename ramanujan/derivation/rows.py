@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.exact import decimal_of, to_latex
+from ramanujan.derivation.printers import decimal_of, number_to_latex
 from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.templates import Highlight, Values, template
@@ -127,7 +127,7 @@ def _value(equation: sp.Eq, values: Values) -> str:
     if len(made.numbers) != 1 or equation.rhs != made.numbers[0] or equation.lhs == epsilon:
         return ""
     (number,), unit = made.evaluated(values), _UNITS.get(equation.lhs, "")
-    return unit if to_latex(number).says_all else f" {decimal_of(number)}{unit}"
+    return unit if number_to_latex(number).says_all else f" {decimal_of(number)}{unit}"
 
 
 def extent(formula: str) -> int:

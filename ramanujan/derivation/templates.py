@@ -19,8 +19,7 @@ from math import lcm
 import sympy as sp
 from sympy.utilities.iterables import sift
 
-from ramanujan.derivation.exact import Number, to_latex
-from ramanujan.derivation.printers import InOrder, LatexPrinter, in_order
+from ramanujan.derivation.printers import InOrder, LatexPrinter, Number, in_order, number_to_latex
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.translation import _
 
@@ -50,7 +49,7 @@ class Template:
         """Return the terms, each with its sign; without values there must be no slot."""
         if not self.numbers:
             return list(self.terms)
-        numbers = [to_latex(number) for number in self.evaluated(values)]
+        numbers = [number_to_latex(number) for number in self.evaluated(values)]
 
         def put(found: re.Match) -> str:
             plus, place, kind, times = found.groups("")

@@ -1,8 +1,7 @@
 """The number theory behind 1729, exact: all arguments and results are integers, `Fraction`s or decimal text.
 
     integers   factors, fields, sums of two cubes, x² + 3y², digits and continued fraction of a positive root
-    bodies     rolling bodies → the quadratic for the mass ratio ε = m′/m at which Ω²m/k = w
-    survey     the 40 machines
+    bodies     rolling bodies → the quadratic for the mass ratio ε = m′/m at which Ω²m/k = w; the 40 machines
 
 For the paper's machine (hoop and cylinder below, cylinder on top) and w = 1 the quadratic is 18ε² + ε − 24 = 0, of
 discriminant 1729 = 1³ + 12³ = 9³ + 10³.
@@ -11,8 +10,10 @@ discriminant 1729 = 1³ + 12³ = 9³ + 10³.
 from ramanujan.number_theory.bodies import (
     BODIES,
     BodyChoice,
+    machines,
     norm_form,
     normalized_frequency_squared_exact,
+    one_change_away,
     unit_quadratic,
 )
 from ramanujan.number_theory.integers import (
@@ -27,4 +28,3 @@ from ramanujan.number_theory.integers import (
     squarefree_part,
     sums_of_two_cubes,
 )
-from ramanujan.number_theory.survey import machines, one_change_away

@@ -15,9 +15,11 @@ root of
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations_with_replacement
 from math import gcd, lcm
 from types import MappingProxyType
 
@@ -197,6 +199,26 @@ def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
     return 48 * w.denominator - 7 * w.numerator, 4 * w.numerator
 
 
+def machines() -> list[BodyChoice]:
+    """Return all 40 machines: each unordered pair of lower rollers with each top body, in the order of BODIES.
+
+    >>> sorted(machine.discriminant for machine in machines() if machine.cubes)
+    [1064, 1729, 5896]
+    """
+    pairs = combinations_with_replacement(BODIES, 2)
+    return [BodyChoice(left, right, top) for left, right in pairs for top in BODIES]
+
+
+def one_change_away() -> list[BodyChoice]:
+    """Return the nine of the 40 machines that differ from the paper's in exactly one body, in the order of `machines`.
+
+    >>> len(one_change_away())
+    9
+    """
+    paper = BodyChoice()
+    return [machine for machine in machines() if _bodies_changed(machine, paper) == 1]
+
+
 def _inertia(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> tuple[Fraction, Fraction]:
     """Return s = β_a + β_b and γ = β_c/(1 + β_c)."""
     a, b, c = _shape_factor("beta_a", beta_a), _shape_factor("beta_b", beta_b), _shape_factor("beta_c", beta_c)
@@ -219,3 +241,9 @@ def _primitive(*coefficients: Fraction) -> integers.Quadratic:
     a, b, c = (int(x * denominator) for x in coefficients)
     divisor = gcd(a, b, c)
     return a // divisor, b // divisor, c // divisor
+
+
+def _bodies_changed(one: BodyChoice, other: BodyChoice) -> int:
+    """Return how many bodies must be exchanged to turn one machine into the other; lower rollers have no order."""
+    lower = Counter([one.left, one.right]) - Counter([other.left, other.right])
+    return lower.total() + (one.top != other.top)

@@ -11,9 +11,9 @@ import sympy as sp
 
 from ramanujan import Oscillator
 from ramanujan.answers import Verdict, judge, shown_step
-from ramanujan.answers.formulas import typeset
-from ramanujan.answers.grammar import UnreadableError, parse, parse_equation
+from ramanujan.answers.grammar import UnreadableError, typeset
 from ramanujan.derivation import ROUTES
+from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
@@ -21,7 +21,6 @@ from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import Remark, conserved_momenta, remarks
 from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms, widest
-from ramanujan.derivation.shares import PARTS, belongs_to, names, terms
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.derivation.templates import Values
@@ -135,7 +134,7 @@ def verdict(name: str, text: str) -> Verdict:
 def as_read(text: str, is_equation: bool = False) -> str | None:
     """Return the LaTeX of what the parser understands, or None where it does not understand."""
     try:
-        return "=".join(map(typeset, parse_equation(text))) if is_equation else typeset(parse(text))
+        return typeset(text, is_equation=is_equation)
     except UnreadableError:
         return None
 

@@ -11,7 +11,7 @@ from streamlit.delta_generator import DeltaGenerator
 from ramanujan import Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.shares import PARTS
+from ramanujan.derivation.energies import PARTS
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it

@@ -10,7 +10,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator, drawn_spacing
-from ramanujan.derivation.shares import PARTS
+from ramanujan.derivation.energies import PARTS
 from ramanujan.figures import Drawn
 from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record

@@ -8,8 +8,8 @@ import numpy as np
 import streamlit as st
 
 from ramanujan.contact import required_friction
+from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.shares import PARTS
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.numerals import number, quantity
