@@ -75,18 +75,18 @@ class Template:
         if not (mass.is_Rational and stiffness.is_Rational):
             raise ValueError(_("values must give m and k as fractions"))
         made = _functions(self.numbers)
-        # In suitable units m, m′ and k are integers, or m and k are 1 and m′ is the ratio, which many machines share.
-        if roller_mass.is_Rational:
-            q = lcm(mass.q, roller_mass.q)
-            parts = made.function(mass.p * q // mass.q, roller_mass.p * q // roller_mass.q, stiffness.p)
-            n, unit_of_mass, unit_of_stiffness = made.n, (1, q), (1, stiffness.q)
-        else:
-            parts, n = _at_ratio(self.numbers, roller_mass / mass)
-            unit_of_mass, unit_of_stiffness = (mass.p, mass.q), (stiffness.p, stiffness.q)
-        found, parts = [], iter(parts)
-        for (of_mass, of_stiffness), p, r, q in zip(made.degrees, parts, parts, parts, strict=True):
-            (a, b), (c, d) = _power(unit_of_mass, of_mass), _power(unit_of_stiffness, of_stiffness)
-            found.append(Number.of(p * a * c, r * a * c, q * b * d, n))
+        n, plain, of_root = _parts(roller_mass, made.root)
+        q = lcm(mass.q, plain.q, of_root.q)
+        of_mass, plain, of_root = (int(part * q) for part in (mass, plain, of_root))
+        base = made.base(of_mass, plain, of_root, stiffness.p)
+        results = iter(made.function(of_mass, plain + of_root * base, stiffness.p, base))
+        found = []
+        for (mass_degree, stiffness_degree), above, below in zip(made.degrees, results, results, strict=True):
+            (p, r), (s, t) = _in_root(above, base, n), _in_root(below, base, n)
+            (a, b), (c, d) = _power((1, q), mass_degree), _power((1, stiffness.q), stiffness_degree)
+            found.append(
+                Number.of((p * s - n * r * t) * a * c, (r * s - p * t) * a * c, (s * s - n * t * t) * b * d, n)
+            )
         return found
 
 
@@ -203,40 +203,56 @@ def _power(quotient: tuple[int, int], exponent: int) -> tuple[int, int]:
 
 
 class _Functions:
-    """Numbers (p + r√n)/q as one function of m, m′ and k that returns p, r and q of each, with integer coefficients.
+    """Numerators and denominators of numbers as one function of m, m′, k and √n, with integer coefficients.
 
     A number has a unit, so it is homogeneous in m and m′, and in k: `degrees` says of which degrees.
     """
 
     def __init__(self, numbers: tuple[sp.Expr, ...]) -> None:
-        root, symbol = _root_in(*numbers), sp.Symbol("root")
-        self.n, parts, self.degrees = int(root.base) if root else 1, [], []
+        self.root, symbol = _root_in(*numbers), sp.Symbol("root")
+        parts, self.degrees, self._degree, self._bits = [], [], 0, 0
         for number in numbers:
-            plain = number.subs(root, symbol) if root else number
+            plain = number.subs(self.root, symbol) if self.root else number
             above, below = (sp.Poly(part, *GIVEN, symbol) for part in sp.fraction(sp.together(plain)))
             # With a fraction among its coefficients, a generated function would compute in floats.
             common, above = above.clear_denoms(convert=True)
-            parts += [*(above.as_expr().coeff(symbol, power) for power in (0, 1)), common * below.as_expr()]
+            below *= common
             (i, j, of_k, _r), (a, b, below_k, _r) = above.monoms()[0], below.monoms()[0]
             self.degrees.append((i + j - a - b, of_k - below_k))
-        self.function = sp.lambdify(GIVEN, parts, modules=[], cse=True)
+            for part in (above, below):
+                parts.append(part.as_expr())
+                self._degree = max(self._degree, part.total_degree())
+                self._bits = max(self._bits, int(sum(map(abs, part.coeffs()))).bit_length())
+        self.function = sp.lambdify((*GIVEN, symbol), parts, modules=[], cse=True)
+
+    def base(self, *values: int) -> int:
+        """Return a power of two beyond twice the size of every coefficient of √n in the results for these values."""
+        return 1 << self._bits + self._degree * max(2 * abs(value) for value in values).bit_length() + 2
 
 
 _functions = cache(_Functions)
 
 
+def _in_root(value: int, base: int, n: int) -> tuple[int, int]:
+    """Return p and r of a polynomial in √n, p + r√n, from its value at a base that exceeds its coefficients.
+
+    The digits of the value in that base are the coefficients (Kronecker’s substitution).
+    """
+    parts, place = [0, 0], 0
+    while value:
+        digit = (value + base // 2) % base - base // 2
+        parts[place % 2] += digit * n ** (place // 2)
+        value, place = (value - digit) // base, place + 1
+    return parts[0], parts[1]
+
+
 @lru_cache(maxsize=1024)
-def _at_ratio(numbers: tuple[sp.Expr, ...], ratio: sp.Expr) -> tuple[list[int], int]:
-    """Return p, r and q of each number for m = k = 1 and an m′ that carries the root √n, and n."""
-    made = _functions(numbers)
-    root = _root_in(sp.sqrt(made.n), ratio)
-    field = sp.QQ.algebraic_field(root)
-    element, parts, found = field.from_sympy(root), iter(made.function(1, field.from_sympy(ratio), 1)), []
-    for p, r, q in zip(parts, parts, parts, strict=True):
-        a, b = [sp.QQ.zero, sp.QQ.zero, *(field.one * (p + r * element) / q).to_list()][:-3:-1]
-        common = lcm(a.denominator, b.denominator)
-        found += [int(a * common), int(b * common), int(common)]
-    return found, int(root.base)
+def _parts(value: sp.Expr, other: sp.Expr | None) -> tuple[int, sp.Rational, sp.Rational]:
+    """Return n, p and r of a value p + r√n; n is that of another root if there is one."""
+    root = _root_in(value, *([other] if other else []))
+    expanded = value.expand()
+    of_root = expanded.coeff(root) if root else sp.S.Zero
+    return int(root.base) if root else 1, expanded - of_root * root if root else expanded, of_root
 
 
 def _root_in(*values: sp.Expr) -> sp.Pow | None:

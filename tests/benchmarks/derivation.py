@@ -1,8 +1,8 @@
 """How long the derivations take: to build each route, to put numbers into all of its steps, and to judge an answer.
 
 Run as `python -m tests.benchmarks.derivation`. With numbers a whole route should take about a millisecond, and so
-should the six steps of the first page; the first machine with √1729 waits for each number once. A page may spend 200 ms
-on an answer; the first answer to a question also derives its typical mistakes.
+should the six steps of the first page, with √1729 as without. A page may spend 200 ms on an answer; the first answer to
+a question also derives its typical mistakes.
 """
 
 from __future__ import annotations
