@@ -18,7 +18,7 @@ Number = mpmath.mpf | np.ndarray
 
 mpmath.mp.dps = 60
 
-_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|d?dot)[a-zA-Z]+|[a-zA-Z])"
+_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|cdot|d?dot)[a-zA-Z]+|[a-zA-Z])"
 _PYTHON = {
     r"\left[\begin{matrix}": "matrix([[",
     r"\end{matrix}\right] \left[\begin{matrix}": "]])@matrix([[",
@@ -33,11 +33,13 @@ _PYTHON = {
     r"\\": "],[",
     r"\ ": "",
     r"\,": "*",
+    r"\cdot": "*",
     "{": "(",
     "}": ")",
     "^{": "**(",
+    "^": "**",
     "&": ",",
-    **{mark: mark for mark in ",+-"},
+    **{mark: mark for mark in ",+-()"},
     " ": "",
 }
 _TOKEN = re.compile(

@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ET
 from fractions import Fraction
 from functools import cache
 
+import mpmath
 import numpy as np
 import pytest
 import sympy as sp
@@ -18,6 +19,7 @@ from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
 from ramanujan.shell import address, sheet_keys, theme
 from tests.browser import ROOT
+from tests.latex import Formula
 
 MACHINES = [
     Oscillator(k=10.0),
@@ -120,29 +122,15 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
     # The last step ends in Ω², here for masses that no step has seen.
     m, m_prime, k = 1.3, 0.7, 21.0
     right = few[steps - 1].answer.rsplit("=", 1)[1].removesuffix("}$$")
-    assert float(number_of(right, {"m'": m_prime, "m": m, "k": k})) == pytest.approx(
+    assert float(number_of(right, **{"m'": m_prime, "m": m, "k": k})) == pytest.approx(
         Oscillator(m, m_prime, k).natural_frequency_squared, rel=1e-12
     )
 
 
-def number_of(latex: str, values: dict[str, float]) -> sp.Expr:
-    """The value of an expression in LaTeX, of fractions, roots and powers."""
-    text = re.sub(
-        r"\\[,;]|\\left|\\right|\\mathrm\{[^{}]*(\{[^{}]*\})?\}", "", latex.replace(r"\,", "*").replace(r"\cdot", "*")
-    )
-    for name in sorted(values, key=len, reverse=True):
-        text = re.sub(rf"(?<![a-zA-Z]){name}(?!['a-zA-Z])", f"({values[name]!r})", text)
-    text = text.replace("^", "**").replace("{", "(").replace("}", ")").replace(r"\pi", "*pi")
-    text = re.sub(r"\\sqrt", "sqrt", text)
-    while r"\frac" in text:
-        start = text.rindex(r"\frac")
-        depth, close = 0, start + 5
-        for close in range(start + 5, len(text)):
-            depth += {"(": 1, ")": -1}.get(text[close], 0)
-            if depth == 0:
-                break
-        text = text[:start] + text[start + 5 : close + 1] + "/" + text[close + 1 :]
-    return sp.sympify(text.strip("* "))
+def number_of(latex: str, **values: float) -> mpmath.mpf:
+    """The value of an expression in LaTeX, without its unit."""
+    plain = re.sub(r"\\[,;]\\mathrm\{.*\}$", "", latex).replace(r"\pi", r"\,\pi")
+    return Formula(plain).value({r"\pi": mpmath.pi, **values})
 
 
 @pytest.mark.parametrize("machine", MACHINES)
@@ -150,7 +138,7 @@ def test_each_line_of_the_key_s_working_ends_in_the_answer(machine):
     *_, ratio, squared, felt, parting, _target = questions(machine, "1")
 
     def end(line: str) -> float:
-        return float(number_of(line.rsplit("=", 1)[1], {}))
+        return float(number_of(line.rsplit("=", 1)[1]))
 
     assert end(ratio.working[0]) == pytest.approx(machine.mass_ratio, rel=1e-14)
     assert end(ratio.working[1]) == pytest.approx(machine.normalized_frequency_squared, rel=1e-14)
@@ -173,14 +161,12 @@ def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
     assert normalized_frequency_squared(float(exact)) == pytest.approx(float(asked), rel=1e-12)
     # The frequency is set equal to the target; the discriminant is that of 18wε² + (49w − 48)ε + 32w − 56.
     frequency, target = last.working[0].rsplit("=", 1)
-    assert number_of(target, {}) == asked
-    assert float(number_of(frequency.replace(r"\varepsilon", "x"), {"x": float(exact)})) == pytest.approx(
-        float(asked), rel=1e-12
-    )
+    assert float(number_of(target)) == float(asked)
+    assert float(number_of(frequency, **{r"\varepsilon": float(exact)})) == pytest.approx(float(asked), rel=1e-12)
     _name, put_in, discriminant = last.working[1].split("=")
-    assert number_of(put_in, {}) == number_of(discriminant, {})
+    assert number_of(put_in) == number_of(discriminant)
     a, b, c = 18 * asked, 49 * asked - 48, 32 * asked - 56
-    assert sp.sqrt(number_of(discriminant, {}) / (b * b - 4 * a * c)).is_rational
+    assert sp.sqrt(int(number_of(discriminant)) / (b * b - 4 * a * c)).is_rational
 
 
 def test_the_letters_of_the_key_name_the_right_options():

@@ -4,7 +4,6 @@
     clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson
     task        what a task is: what a student has set, and the verdict on it
     settings, answers                         the tasks
-    notes       what the lecturer's notes begin with
     classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_record)
 
 >>> from ramanujan import lesson
@@ -15,7 +14,6 @@
 from __future__ import annotations
 
 from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, settings
-from ramanujan.lesson.notes import SOURCES
 from ramanujan.lesson.stop import Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.translation import _
@@ -28,6 +26,24 @@ STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter
 
 TASKS: tuple[Task, ...] = (*settings.TASKS, *answers.TASKS)
 """The tasks, the easier ones first."""
+
+SOURCES = (
+    "C. H. Crouch, A. P. Fagen, J. P. Callan, E. Mazur, “Classroom demonstrations: Learning tools or entertainment?”, "
+    "Am. J. Phys. 72, 835 (2004).",
+    "E. Mazur, Peer Instruction: A User’s Manual (Prentice Hall, 1997).",
+    "R. White, R. Gunstone, Probing Understanding (Falmer, 1992).",
+    "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration (Springer, 2006).",
+)
+"""Students who only watch a demonstration understand it no better than those who never saw it [1]; voting twice, with a
+discussion between the votes, is from [2]; predict, observe, explain from [3]."""
+
+INTRODUCTION = _(
+    "Let everyone commit to an answer before the machine runs. Students who only watch a demonstration understand it "
+    "no better than students who never saw it [1]. Where the answers differ, let neighbours discuss and vote again "
+    "[2]. The order predict, observe, explain is from [3]. What students are expected to answer is a guess, except "
+    "where a source is named."
+)
+"""What the lecturer's notes begin with; what each stop is for stands with the stop."""
 
 
 def stop(name: str) -> Stop:

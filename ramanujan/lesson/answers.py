@@ -6,11 +6,11 @@ import math
 from functools import cache
 from itertools import count
 
-import numpy as np
-
+from ramanujan.accuracy.work_precision import WorkPrecision, work_precision
+from ramanujan.accuracy.work_precision import cheapest as cheapest_runs
 from ramanujan.answers import judge as judge_formula
 from ramanujan.energy import energies
-from ramanujan.integrators import METHODS, trajectory
+from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import FREQUENCY
 from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
 from ramanujan.motion import motion, released
@@ -69,40 +69,23 @@ def exact_ratio(setting: Setting) -> Verdict:
     return Verdict(verdict.kind in ("right", "unsimplified"), verdict.message)
 
 
-def state_error(method: str, steps: int) -> float:
-    """Return the error of (φ, φ̇/Ω) over the amplitude after the run, from the powers of the method's step."""
-    columns = []
-    for start in ((1.0, 0.0), (0.0, 1.0)):
-        run = trajectory(METHODS[method], lambda q: -q, *start, 2 * math.pi / steps)
-        columns.append(next(run))
-    step = np.array(columns).T
-    with np.errstate(over="ignore", invalid="ignore"):
-        end = np.linalg.matrix_power(step, PERIODS * steps) @ (1.0, 0.0)
-    error = float(np.hypot(*(end - (1.0, 0.0))))
-    return error if math.isfinite(error) else math.inf
-
-
-def evaluations(method: str, steps: int) -> int:
-    """Return how often the run evaluates the acceleration."""
-    return METHODS[method].evaluations * steps * PERIODS
+@cache
+def run(method: str, steps: int) -> WorkPrecision:
+    """Return error and evaluations of one run, as on the page Speed and accuracy."""
+    return work_precision(method, periods=PERIODS, steps_per_period=[steps])
 
 
 @cache
 def fewest_evaluations() -> int:
     """Return the fewest evaluations with which any method stays within the tolerance."""
-    cheapest = math.inf
-    for method in METHODS:
-        for steps in range(FEWEST_STEPS, MOST_STEPS + 1):
-            if evaluations(method, steps) >= cheapest:
-                break
-            if state_error(method, steps) <= TOLERANCE:
-                cheapest = evaluations(method, steps)
-    return int(cheapest)
+    best, *_others = cheapest_runs([work_precision(method, periods=PERIODS) for method in METHODS], TOLERANCE)
+    return best.evaluations
 
 
 def cheapest(setting: Setting) -> Verdict:
     """Judge a method and its steps: first the error, then the cost."""
-    error, cost = state_error(setting.method, setting.steps), evaluations(setting.method, setting.steps)
+    chosen = run(setting.method, setting.steps)
+    error, cost = chosen.error.item(), chosen.evaluations.item()
     written = told_from(error, TOLERANCE) if math.isfinite(error) else "∞"
     if error > TOLERANCE:
         return missed(

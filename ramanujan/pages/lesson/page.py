@@ -9,7 +9,6 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.browser import page
-from ramanujan.lesson.notes import INTRODUCTION
 from ramanujan.pages.lesson import classroom, ending, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.shell.display_mode import sheet
@@ -123,7 +122,7 @@ def _begin_notes() -> None:
     }
     widgets.pills(progress.LENGTH, _("How long is the lesson?"), words)
     st.caption(_("Without a choice, a class goes through the short lesson, and a reader through all of it."))
-    st.markdown(INTRODUCTION)
+    st.markdown(lesson.INTRODUCTION)
 
 
 def _note(number: int, stop: lesson.Stop) -> None:
