@@ -137,17 +137,17 @@ class _Reader:
         return token
 
     def sum(self) -> _Part:
-        total = self.product()
-        terms = [total.value]
+        first = self.product()
+        terms, shown, bare = [first.value], first.shown, first.bare
         while self.next in ("+", "-"):
             sign, term = self.take(), self.product()
             terms.append(_negative(term.value) if sign == "-" else term.value)
-            total = _Part(sp.Add(*terms, evaluate=False), f"{total.shown} {sign} {term.unsigned}")
-        return total
+            shown = bare = f"{shown} {sign} {term.unsigned}"
+        return _Part(sp.Add(*terms, evaluate=False), shown, bare)
 
     def product(self) -> _Part:
-        product, reach_is_clear = self.factor(), True
-        factors = [product.value]
+        first, reach_is_clear = self.factor(), True
+        factors, shown, bare = [first.value], first.shown, first.bare
         while self.next in ("*", "/") or self._starts_a_factor():
             sign = self.take() if self.next in ("*", "/") else ""
             bracketed = self.next == "("
@@ -162,13 +162,12 @@ class _Reader:
                 simple = is_number(factors[-1]) and is_number(factor.value)
                 reach_is_clear = simple or ((bracketed or is_number(factor.value)) and self.spaced)
                 factors.append(_power(factor.value, sp.S.NegativeOne))
-                shown = _fraction(product, factor)
+                shown = bare = _fraction(shown, bare, factor)
             else:
                 reach_is_clear = reach_is_clear or sign == "*"
                 factors.append(factor.value)
-                shown = _side_by_side(product.shown, factor.unsigned)
-            product = _Part(sp.Mul(*factors, evaluate=False), shown)
-        return product
+                shown = bare = _side_by_side(shown, factor.unsigned)
+        return _Part(sp.Mul(*factors, evaluate=False), shown, bare)
 
     def factor(self) -> _Part:
         negative = False
@@ -204,7 +203,7 @@ class _Reader:
         if token == "frac":
             above, below = self._nested(self.primary), self._nested(self.primary)
             quotient = sp.Mul(above.value, _power(below.value, sp.S.NegativeOne), evaluate=False)
-            return _Part(quotient, _fraction(above, below))
+            return _Part(quotient, _fraction(above.shown, above.bare, below))
         if token == "(":
             inside = self._nested(self.sum)
             if self.take() != ")":
@@ -254,9 +253,9 @@ def _bracketed(shown: str) -> str:
     return rf"\left({shown}\right)"
 
 
-def _fraction(above: _Part, below: _Part) -> str:
-    """Return a fraction as LaTeX, the minus sign of its numerator before it."""
-    sign, unsigned = ("- ", above.bare[2:]) if above.shown.startswith("- ") else ("", above.bare)
+def _fraction(above: str, bare: str, below: _Part) -> str:
+    """Return a fraction as LaTeX, from its numerator with and without brackets, whose minus sign comes before it."""
+    sign, unsigned = ("- ", bare[2:]) if above.startswith("- ") else ("", bare)
     return rf"{sign}\frac{{{unsigned}}}{{{below.bare}}}"
 
 
