@@ -62,11 +62,6 @@ class Mistake:
     hint: str
     bodies: Machine
 
-    @property
-    def altered(self) -> tuple[str, ...]:
-        """The names of the bodies that the mistake changes."""
-        return tuple(body.name for body in self.bodies.bodies if body != right()[body.name])
-
 
 @cache
 def common() -> tuple[Mistake, ...]:
@@ -126,8 +121,8 @@ def _masses() -> Iterator[Mistake]:
     def other(body: Body) -> Body:
         return replace(body, mass=m if body.mass == m_prime else m_prime)
 
-    yield from _each(hint_for_both, (_LOWER_ROLLERS,), other, mass="m")
     yield from _each(hint, _alone(*_LOWER_ROLLERS), other, mass="m")
+    yield from _each(hint_for_both, (_LOWER_ROLLERS,), other, mass="m")
     yield from _each(hint, _alone("block", "slab", "top"), other, mass="m′")
 
 

@@ -7,7 +7,7 @@ machines last: the first mistake that gives a result is the one that is named.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 
 import sympy as sp
@@ -19,6 +19,7 @@ from ramanujan.derivation.symbols import (
     ACCELERATIONS,
     COORDINATES,
     VELOCITIES,
+    Machine,
     R,
     epsilon,
     k,
@@ -52,12 +53,8 @@ def unit() -> UnitCondition:
 def energy(name: str) -> Variants:
     """Yield the mistakes in the kinetic energy of one body."""
     body = machine()[name]
-    in_common, in_exotic = (
-        [(mistake.hint, mistake.bodies[name].kinetic_energy) for mistake in group() if mistake.altered == (name,)]
-        for group in (machines.common, machines.exotic)
-    )
     mixed = [term for term in sp.Add.make_args(sp.expand(body.kinetic_energy)) if len(_rates_in(term)) > 1]
-    yield from in_common
+    yield from _altered(machines.common(), lambda bodies: bodies[name].kinetic_energy)
     if mixed:
         yield (
             _("You get this result if you square a sum term by term. What is the mixed term of (a + b)²?"),
@@ -93,7 +90,13 @@ def energy(name: str) -> Variants:
         _("You get this result if you leave out the ½. What is the kinetic energy of a point mass?"),
         2 * body.kinetic_energy,
     )
-    yield from in_exotic
+    yield from _altered(machines.exotic(), lambda bodies: bodies[name].kinetic_energy)
+
+
+def _altered(group: Iterable[machines.Mistake], answer: Callable[[Machine], sp.Expr]) -> Variants:
+    """Yield the answers for altered machines; where one is as for the right machine, nothing is compared with it."""
+    for mistake in group:
+        yield mistake.hint, answer(mistake.bodies)
 
 
 def _rates_in(term: sp.Expr) -> list[sp.Expr]:
@@ -145,8 +148,8 @@ def lagrangian(right: sp.Expr) -> Variants:
     yield _("This is the kinetic energy alone. What does the Lagrangian contain besides it?"), right + stored
     for hint, wrong in spring():
         yield hint, right + stored - wrong
-    for mistake in (*machines.common(), *machines.exotic()):
-        yield mistake.hint, mistake.bodies.kinetic_energy - mistake.bodies.potential_energy
+    everyone = (*machines.common(), *machines.exotic())
+    yield from _altered(everyone, lambda bodies: bodies.kinetic_energy - bodies.potential_energy)
 
 
 def momentum(right: sp.Expr) -> Variants:
