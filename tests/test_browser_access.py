@@ -127,7 +127,7 @@ def check_words(page) -> None:
     """Check that lines are short, begin with no full stop, and that figures are set in the page's typeface."""
     lines = page.evaluate(LINES)
     assert len(lines) > 3
-    assert [line for line in lines if len(line) > 80] == []
+    assert [line for line in lines if len(line) > 75] == []
     assert [line for line in lines if line[:1] in (".", ",", ";", ":", ")")] == []
     faces = page.evaluate(FACES)
     assert set(faces) <= {'"Source Sans", sans-serif'}

@@ -43,7 +43,7 @@ def test_both_stages_move(visit):
     settle(page)
     page.get_by_text("Negative or complex", exact=True).wait_for(state="attached", timeout=60_000)
     for key in ("exact", "stepped"):
-        slab = page.locator(f".st-key-{key} .moving .body.slab").first
+        slab = page.locator(f".st-key-stage_{key} .moving .body.slab").first
         expect(slab).not_to_have_attribute("transform", slab.get_attribute("transform"))
 
 

@@ -295,7 +295,7 @@ def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app)
     assert words[0] == f"{number(wrong, 4)}: wrong"
     assert words[-1] == "−0"
     figure = figures.forms(strips, quantity="s", colors=theme.colors()).checked()
-    assert set(words) < set(figure.data[0].text)
+    assert set(words) < set(figure.data[0].customdata)
     assert [note.text for note in figure.layout.annotations] == list(strips)
 
 

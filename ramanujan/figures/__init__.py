@@ -49,6 +49,8 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "yaxis": axis,
         "modebar": {"bgcolor": colors["paper"], "color": colors["ink"], "activecolor": colors["primary"]},
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
+        # A line that passes behind a name leaves its letters free, on paper and in a saved file as well.
+        "annotationdefaults": {"font": {"shadow": ", ".join([f"0 0 3px {colors['paper']}"] * 4)}},
     }
     # A click on one point must not dim the others.
     keep = {"marker": {"opacity": 1}}

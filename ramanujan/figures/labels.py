@@ -1,86 +1,62 @@
 """Names beside the curves that they belong to, where there is most room: no figure needs a legend.
 
-The places hold on the narrowest screen and on a wide one, where the same curve is flatter.
+A place holds on a narrow screen and on a projector, whose words are larger. Lengths are in sizes of these words.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
 import numpy as np
 
-_WIDTH, _WIDE, _LETTER, _LINE, _GAP, _FAR = 260, 780, 6.2, 28, 3, 24
-"""Pixels: the narrowest plotting area, a wide one, a letter and a line of a name, from curve to name, and what counts
-as far. A line is as high as on a projector, whose words are larger."""
-_POINTS, _EVERY = 180, 7
+_PHONE, _LAPTOP, _LOW = 20, 1.15, 0.5
+"""Width of a panel on a phone; on a laptop, compared with a projector; and its height there, compared with a laptop."""
+_SIZE, _LETTER, _LINE, _GAP, _FAR, _ON = 15, 0.52, 1.2, 0.2, 2.0, 0.5
+"""Size of the words [px] at a figure's full height; a letter's width, a name's height, its gap to its curve, what is
+far from others, and how much more room a name must have on its curve than beside it to stand there."""
+_POINTS, _EVERY = 120, 5
 """Points of a curve that a name must keep clear of; it stands at every so many of them at most."""
+_SIDES = [*((across, up) for up in (1, -1) for across in (0, -1, 1)), (0, 0)]
+"""Above or below a curve, to the left, in the middle or to the right; one that rises has room on the left. Or on it."""
 
 Named = tuple[str, str, np.ndarray, np.ndarray]
 """Name, colour, and the curve's x and y in the units of the axes: exponents of ten on logarithmic ones."""
 Range = tuple[float, float]
 
 
-def beside(
-    curves: Sequence[Named], x_range: Range, y_range: Range, height: float, axis: str = "y", seen: Collection[str] = ()
-) -> list[dict[str, Any]]:
-    """Return annotations with the names of curves, above or below them where other curves and names are far.
+@dataclass(frozen=True)
+class Area:
+    """A panel: curves that bear a name, what its axes show, its height [px], and Plotly's name of its vertical axis.
+
+    `width` is that on a projector, in sizes of its words. `bands` lie upon one another: name → lower and upper edge at
+    equal steps over the whole of x.
+    """
+
+    curves: Sequence[Named]
+    x_range: Range
+    y_range: Range
+    height: float
+    axis: str = "y"
+    width: float = 43
+    bands: Mapping[str, Sequence[np.ndarray]] = field(default_factory=dict)
+
+
+def beside(paper: str, *areas: Area) -> list[dict[str, Any]]:
+    """Return annotations: a curve's name in each area where nothing touches it, else where it is touched least.
 
     Parameters
     ----------
-    curves : those that bear a name
-    x_range, y_range : what the axes show
-    height : of the panel [px]
-    axis : Plotly's name of its vertical axis
-    seen : names that stand in another panel; here they may be missing
+    paper : colour behind a name on its line or in its band; where a band has no room for its name, that is missing
+    areas : panels that share their names
     """
-    paths = {
-        width: [_pixels(x, y, x_range, y_range, (width, height)) for _name, _color, x, y in curves]
-        for width in (_WIDTH, _WIDE)
-    }
-    placed, notes = dict.fromkeys(paths, np.empty((0, 2))), []
-    for number, (name, color, _x, _y) in enumerate(curves):
-        half, path = _half(name), paths[_WIDTH][number]
-        # Above or below the curve, to the left, in the middle or to the right: a curve that rises has room on the left.
-        sides = [(across, up) for up in (1, -1) for across in (0, -1, 1)]
-        side = np.repeat(sides, len(path[::_EVERY]), axis=0)
-        found = [_room(drawn, number, side, half, (width, height), placed[width]) for width, drawn in paths.items()]
-        room, far = (np.min([each[i] for each in found], axis=0) for i in (0, 1))
-        at = np.concatenate([path[::_EVERY]] * len(sides))
-        best = int(np.argmax(room + 1e-3 * at[:, 0]))
-        # What finds no place of its own is named by the pointer alone, or in another panel.
-        if room[best] < 0 or (not far[best] and name in seen):
-            continue
-        for width, (*_others, middle) in zip(paths, found, strict=True):
-            placed[width] = np.concatenate([placed[width], middle[best] + half * [*np.ndindex(3, 3)] - half])
-        x, y = _on_axes(at[best], x_range, y_range, height)
-        notes.append(note(name, color, x, y, axis) | _anchor(*side[best]))
-    return notes
-
-
-def _room(
-    paths: Sequence[np.ndarray],
-    number: int,
-    side: np.ndarray,
-    half: np.ndarray,
-    area: tuple[float, float],
-    placed: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return of each place of a name how good it is, negative where it cannot stand, how far others are, its middle."""
-    path = paths[number]
-    middle = np.tile(path[::_EVERY], (len(side) // len(path[::_EVERY]), 1)) + side * np.add(half, (0, _GAP))
-    inside = np.all((middle >= half) & (middle <= area - half), axis=1)
-    far = _distance(middle, half, np.concatenate([other for other in paths if other is not path] or [placed]))
-    apart = _distance(middle, half, placed)
-    # Its own curve comes as near as the gap, further along it nearer.
-    room = 10 * np.minimum(_distance(middle, half, path), _GAP) + np.minimum(far, _FAR) + 10 * np.minimum(apart, _GAP)
-    return np.where(inside & (apart > 0), room, -1e3), far, middle
-
-
-def _anchor(across: int, up: int) -> dict[str, Any]:
-    anchors = {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
-    return {**anchors, "yshift": _GAP * int(up)}
+    found = [each for area in areas for each in _placed(area, paper)]
+    most = {words["text"]: -np.inf for _room, words in found}
+    for room, words in found:
+        most[words["text"]] = max(room, most[words["text"]])
+    return [words for room, words in found if room >= 0 or (room == most[words["text"]] and "color" in words["font"])]
 
 
 def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> dict[str, Any]:
@@ -90,66 +66,89 @@ def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> d
     return words | {"x": float(x), "y": float(y), "xref": "x", "yref": axis}
 
 
-def in_bands(
-    bands: Mapping[str, Sequence[np.ndarray]], paper: str, x_range: Range, y_range: Range, height: float
-) -> list[dict[str, Any]]:
-    """Return annotations with the names of bands that lie upon one another, each where its band is broad.
+class _Places(NamedTuple):
+    """Where a name may stand: points in shares of the axes, side of each, the name’s middle on each screen, room."""
 
-    Parameters
-    ----------
-    bands : name → the band's lower and upper edge at equal steps over the whole of x
-    paper : what the name is written on
-    x_range, y_range, height : as in `beside`
-    """
-    placed, notes = np.empty((0, 2)), []
-    for name, (low, high) in bands.items():
-        x = np.linspace(*x_range, len(low))
-        path = _pixels(x, (low + high) / 2, x_range, y_range, (_WIDTH, height))
-        breadth = np.interp(np.linspace(0, 1, len(path)), np.linspace(0, 1, len(low)), high - low)
-        breadth *= height / (y_range[1] - y_range[0])
-        if breadth.max() < _LINE / 2:
-            continue
-        half = _half(name)
-        inside = np.abs(path[:, 0] - _WIDTH / 2) <= _WIDTH / 2 - half[0]
-        # Broad along the whole name, not only in its middle.
-        broad = np.min([np.interp(path[:, 0] + by * half[0], path[:, 0], breadth) for by in (-0.4, 0, 0.4)], axis=0)
-        room = np.minimum(broad, 3 * _LINE) + 10 * np.minimum(_distance(path, half, placed), _GAP)
-        best = int(np.argmax(np.where(inside, room, -1)))
-        placed = np.concatenate([placed, path[best] + half * [*np.ndindex(3, 3)] - half])
-        notes.append(
-            note(name, None, *_on_axes(path[best], x_range, y_range, height)) | {"bgcolor": paper, "yanchor": "middle"}
-        )
-    return notes
+    half: np.ndarray
+    at: np.ndarray
+    side: np.ndarray
+    middles: np.ndarray
+    room: np.ndarray
+
+
+def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
+    """Return of each name the room in its best place, negative where something touches it, and its annotation."""
+    high = area.height / _SIZE
+    screens = np.array([(min(_PHONE, _LAPTOP * area.width), high), (area.width, _LOW * high)])
+    paths = [_path(x, y, area) for _name, _color, x, y in area.curves]
+    found = [
+        (name, {"color": color}, _places(_half(name), path, _SIDES, [*paths[:i], *paths[i + 1 :]], screens))
+        for i, ((name, color, _x, _y), path) in enumerate(zip(area.curves, paths, strict=True))
+    ]
+    for name, (low, high) in area.bands.items():
+        x = np.linspace(*area.x_range, len(low))
+        middle, edges = _path(x, (low + high) / 2, area), [_path(x, y, area, 4 * _POINTS) for y in (low, high)]
+        # Such a name stands on paper, so that its band may be a little narrower.
+        found.append((name, {}, _places(_half(name) * (0.4, 0.6), middle, [(0, 0)], edges, screens)))
+    best: dict[int, int] = {}
+    rooms: dict[int, float] = {}
+    # Long names first, then all of them once more: now the others have their places.
+    for i in sorted(range(len(found)), key=lambda i: -found[i][2].half[0]) * 2:
+        half, at, side, middles, room = found[i][2]
+        for other in best.keys() - {i}:
+            there = found[other][2]
+            apart = np.abs(middles - there.middles[:, [best[other]]]) - half - there.half
+            room = np.minimum(room, apart.max(axis=2).min(axis=0))
+        best[i] = int(np.argmax(room + 1e-3 * at[:, 0] - _ON * (side[:, 1] == 0)))
+        rooms[i] = float(room[best[i]])
+    return [(rooms[i], _written(*found[i], best[i], area, paper)) for i in range(len(found))]
 
 
 def _half(name: str) -> np.ndarray:
-    """Return half the width and half the height of a name [px]."""
-    return np.array([min(_WIDTH, len(re.sub("<[^>]*>", "", name)) * _LETTER) / 2, _LINE / 2])
+    """Return half the width and half the height of a name."""
+    return np.array([len(re.sub("<[^>]*>", "", name)) * _LETTER, _LINE]) / 2
 
 
-def _on_axes(point: np.ndarray, x_range: Range, y_range: Range, height: float) -> tuple[float, float]:
-    """Return the place of a pixel on the axes."""
-    shares = zip(point / (_WIDTH, height), (x_range, y_range), strict=True)
-    return tuple(float(low + share * (high - low)) for share, (low, high) in shares)
+def _places(
+    half: np.ndarray,
+    path: np.ndarray,
+    sides: Sequence[tuple[int, int]],
+    others: Sequence[np.ndarray],
+    screens: np.ndarray,
+) -> _Places:
+    at = np.concatenate([path[::_EVERY]] * len(sides))
+    side = np.repeat(sides, len(path[::_EVERY]), axis=0)
+    middles = np.stack([at * screen + side * np.add(half, (0, _GAP)) for screen in screens])
+    rooms = [np.full(len(at), _FAR)]
+    for screen, middle in zip(screens, middles, strict=True):
+        inside = (np.minimum(middle, screen - middle) - half).min(axis=1)
+        # Its own curve may come nearer than the others, or be interrupted by it.
+        own = np.where(side[:, 1] == 0, 0.0, _clear(middle, half, path * screen))
+        rooms += [np.where(np.minimum(inside, own) < 0, np.minimum(inside, own), _FAR)]
+        if len(others):
+            rooms.append(_clear(middle, half, np.concatenate(others) * screen))
+    return _Places(half, at, side, middles, np.min(rooms, axis=0))
 
 
-def _pixels(x: np.ndarray, y: np.ndarray, x_range: Range, y_range: Range, area: tuple[float, float]) -> np.ndarray:
-    """Return points along a curve in pixels from the lower left corner, shape (n, 2), without gaps."""
-    good = np.isfinite(x) & np.isfinite(y)
-    along = np.linspace(0, 1, _POINTS)
-    shares = [
-        np.interp(along, np.linspace(0, 1, good.sum()), (values[good] - low) / (high - low))
-        for values, (low, high) in ((x, x_range), (y, y_range))
-    ]
-    points = np.column_stack(shares)
-    shown = np.all((points >= 0) & (points <= 1), axis=1)
-    return (points[shown] if shown.any() else np.clip(points[-1:], 0, 1)) * area
-
-
-def _distance(middles: np.ndarray, half: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Return how far each box is from the nearest of the points, along one axis or the other."""
-    if not len(points):
-        return np.full(len(middles), np.inf)
+def _clear(middles: np.ndarray, half: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """Return how far each name is from the nearest of the points, negative where one lies inside."""
     (x, y), (to_x, to_y) = middles.T[..., None], points.T
-    beyond = np.maximum(np.abs(x - to_x) - half[0], np.abs(y - to_y) - half[1])
-    return np.maximum(beyond.min(axis=1), 0)
+    return np.maximum(np.abs(x - to_x) - half[0], np.abs(y - to_y) - half[1]).min(axis=1)
+
+
+def _path(x: np.ndarray, y: np.ndarray, area: Area, points: int = _POINTS) -> np.ndarray:
+    """Return points along a curve in shares of the axes, shape (n, 2), without gaps."""
+    good = np.isfinite(x) & np.isfinite(y)
+    along, steps = np.linspace(0, 1, points), np.linspace(0, 1, good.sum())
+    axes = ((x, area.x_range), (y, area.y_range))
+    path = np.column_stack([np.interp(along, steps, (v[good] - low) / (high - low)) for v, (low, high) in axes])
+    shown = np.all((path >= 0) & (path <= 1), axis=1)
+    return path[shown] if shown.any() else np.clip(path[-1:], 0, 1)
+
+
+def _written(name: str, font: dict[str, str], places: _Places, best: int, area: Area, paper: str) -> dict[str, Any]:
+    """Return the annotation of a name in one of its places."""
+    (across, up), shares = places.side[best], zip(places.at[best], (area.x_range, area.y_range), strict=True)
+    words = note(name, font.get("color"), *(low + share * (high - low) for share, (low, high) in shares), area.axis)
+    anchors = {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
+    return words | anchors | ({"yshift": 2 * int(up)} if up else {"bgcolor": paper})

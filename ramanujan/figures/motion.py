@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ramanujan.figures import Drawn, drawn, template
-from ramanujan.figures.labels import beside, in_bands
+from ramanujan.figures.labels import Area, beside
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
@@ -67,12 +67,11 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     end = period * periods
     layout = _layout(colors, _HEIGHT)
     traces: list[dict[str, Any]] = []
-    notes = [_above(period, _("one period"), font={"size": 12})]
+    areas: list[Area] = []
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
         axis = "y" if place == 1 else f"y{place}"
         traces += [_trace(curve, panel, axis, end, several=len(panels) > 1) for curve in panel.curves]
-        height, seen = _HEIGHT * (domain[1] - domain[0]), {note["text"] for note in notes}
-        notes += _labels(panel, axis, end, height, colors["paper"], seen)
+        areas.append(_area(panel, axis, end, _HEIGHT * (domain[1] - domain[0]), 43 if len(panels) == 1 else 23))
         layout[f"yaxis{axis[1:]}"] = {
             "domain": domain,
             "title": {"text": _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)},
@@ -82,7 +81,10 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
             **_zero_line(colors),
         }
     layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
-    layout["annotations"] = notes
+    layout["annotations"] = [
+        _above(period, _("one period"), font={"size": 12}),
+        *beside(colors["paper"], *areas),
+    ]
     layout["xaxis"] = {
         "title": {"text": _("time after release <i>t</i> [s]")},
         "automargin": True,
@@ -138,7 +140,7 @@ def phase_plane(
         "meta": {"cursor": "orbit", "period": period, "periods": periods},
     }
     named = [(o.label, o.ink, o.values, velocity) for o, velocity in zip(orbits, velocities, strict=True)]
-    layout["annotations"] = beside(named, tuple(places), roomy(velocities), _HEIGHT)
+    layout["annotations"] = beside(colors["paper"], Area(named, tuple(places), roomy(velocities), _HEIGHT, width=15))
     return drawn(traces, layout)
 
 
@@ -227,21 +229,16 @@ def _domains(panels: int) -> list[list[float]]:
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
-def _labels(
-    panel: Panel, axis: str, end: float, height: float, paper: str, seen: Collection[str]
-) -> list[dict[str, Any]]:
-    """Return the names of a panel's curves beside them, or in the areas that they fill."""
-    flat = [curve for curve in panel.curves if not curve.stacked]
+def _area(panel: Panel, axis: str, end: float, height: float, width: float) -> Area:
+    """Return a panel as the names of its curves see it, beside them or in the areas that they fill."""
     t = np.linspace(0, end, len(panel.curves[0].values))
     bands: dict[str, list[np.ndarray]] = {}
     top = np.zeros(len(t))
     for curve in (curve for curve in panel.curves if curve.stacked):
         low, top = top, top + curve.values
         bands[curve.label] = [bands.get(curve.label, [low])[0], top]
-    named = [(curve.label, curve.ink, t, curve.values) for curve in flat]
-    return beside(named, (0, end), panel.range, height, axis, seen) + in_bands(
-        bands, paper, (0, end), panel.range, height
-    )
+    named = [(curve.label, curve.ink, t, curve.values) for curve in panel.curves if not curve.stacked]
+    return Area(named, (0, end), panel.range, height, axis, width, bands)
 
 
 def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) -> dict[str, Any]:

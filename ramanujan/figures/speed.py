@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ramanujan.figures import Drawn
-from ramanujan.figures.labels import beside, note
+from ramanujan.figures.labels import Area, beside, note
 from ramanujan.figures.logarithmic import (
     AFTER,
     EXTRA,
@@ -35,8 +35,8 @@ _BOUNDLESS = 1e30
 """What stands for larger errors, which single precision cannot hold."""
 _HIGH = 560
 """Height [px] of two panels with the gap between them."""
-_STRIP = 62
-"""Height [px] of the strip of a form, with its name above it."""
+_STRIP, _HALF_STRIP = 62, 0.28
+"""Height [px] of the strip of a form with its name above it, and half of that without, in these."""
 
 
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -74,7 +74,7 @@ def error_growth(
         [exact[0][0], exact[0][-1], *(end for reach, *_errors in curves.values() for end in reach[[0, -1]])]
     )
     x_range = float(ends.min()), float(ends.max())
-    traces, notes, shapes, axes = [], [], [], {}
+    traces, areas, shapes, axes = [], [], [], {}
     for axis, place, title, most, kind in (
         ("y", UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
         ("y2", LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
@@ -98,8 +98,7 @@ def error_growth(
             traces.append({"type": "scatter", **own, **look})
         named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _line, _opacity in drawn]
         room = tuple(drawn_axis["range"])
-        height, seen = _HIGH * (place["domain"][1] - place["domain"][0]), {note["text"] for note in notes}
-        notes += beside(named, x_range, room, height, axis, seen)
+        areas.append(Area(named, x_range, room, _HIGH * (place["domain"][1] - place["domain"][0]), axis))
         zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": room[0], "y1": low, "yref": axis}
         shapes += [
             {
@@ -113,7 +112,11 @@ def error_growth(
         ]
         axes[f"yaxis{axis[1:]}"] = drawn_axis | place
     along = {"type": "log", "title": axis_title(_("periods")), "range": list(x_range), "fixedrange": True, "dtick": 1}
-    more = axes | {"xaxis": {**along, "anchor": "y2", **TICKS}, "annotations": notes, "shapes": shapes}
+    more = axes | {
+        "xaxis": {**along, "anchor": "y2", **TICKS},
+        "annotations": beside(colors["paper"], *areas),
+        "shapes": shapes,
+    }
     return laid_out(traces, colors, _HIGH + 64, **more)
 
 
@@ -184,7 +187,7 @@ def work_precision(
     named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
     y_axis = log_axis(_("largest error, relative to the amplitude"), shown)
     along = {"type": "log", "title": axis_title(cost_title), "dtick": 1, "range": list(x_range), "fixedrange": True}
-    notes = beside(named, x_range, tuple(y_axis["range"]), 420)
+    notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 420))
     return laid_out(traces, colors, 480, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
 
 
@@ -198,29 +201,31 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     colors : the theme's
     """
     rows = [(row, part) for row, parts in enumerate(strips.values()) for part in parts]
+    start, end = min(part.start for _row, part in rows), max(part.end for _row, part in rows)
     bars = {
         "type": "bar",
         "orientation": "h",
         "y": [row for row, _part in rows],
         "base": [part.start for _row, part in rows],
         "x": [part.end - part.start for _row, part in rows],
-        "width": 0.4,
+        "width": 2 * _HALF_STRIP,
         "marker": {
             "color": [colors["primary"] if part.right else colors["ink"] for _row, part in rows],
             "line": {"color": colors["paper"], "width": 2},
         },
-        "text": [part.word for _row, part in rows],
+        # In a part too short for letters that can be read, the pointer alone finds the word.
+        "text": [part.word if part.end - part.start > (end - start) / 20 else "" for _row, part in rows],
+        "customdata": [part.word for _row, part in rows],
         "textposition": "inside",
         "insidetextanchor": "middle",
         "textangle": 0,
         "textfont": {"color": colors["paper"], "size": 13},
-        "hovertemplate": "%{text}<extra></extra>",
+        "hovertemplate": "%{customdata}<extra></extra>",
     }
-    start = min(part.start for _row, part in rows)
-    above = {"xanchor": "left", "yanchor": "bottom", "yshift": 11}
-    notes = [note(name, colors["ink"], start, row) | above for row, name in enumerate(strips)]
-    hidden = {"visible": False, "range": [len(strips) - 0.6, -0.75], "fixedrange": True}
-    x_axis = power_axis(quantity, start, max(part.end for _row, part in rows))
+    above = {"xanchor": "left", "yanchor": "bottom"}
+    notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
+    hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
+    x_axis = power_axis(quantity, start, end)
     return laid_out([bars], colors, 76 + _STRIP * len(strips), xaxis=x_axis, yaxis=hidden, annotations=notes)
 
 
@@ -255,7 +260,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     ]
     x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
     along = {"type": "log", "title": axis_title(_("periods")), "dtick": 3, "range": list(x_range), "fixedrange": True}
-    notes = beside(named, x_range, tuple(y_axis["range"]), 320)
+    notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 320))
     return laid_out(traces, colors, 384, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
 
 

@@ -110,7 +110,8 @@ def the_curve() -> None:
             "heavier rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
         ).format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value()),
     )
-    st.caption(_("Click on the curve to build the machine with that mass ratio."))
+    with st.container(key="click_curve"):
+        st.caption(_("Click on the curve to build the machine with that mass ratio."))
 
 
 def take_clicked(point: dict[str, float]) -> None:

@@ -86,13 +86,16 @@ def two_stages(method: str, steps: int, periods: int, precision: str) -> downsam
         shared["layers"] = ()
     left, right = st.columns(2, gap="small")
     with left:
-        stages.mount(stage.payload(machine, compression), key="exact", label=_("Exact: the closed form"), **shared)
+        exact = stage.payload(machine, compression)
+        with st.container(key="observed_exact"):
+            stages.mount(exact, key="stage_exact", label=_("Exact: the closed form"), **shared)
         st.markdown(verdicts.method_facts(METHODS[method], steps))
     with right:
         run = cache.run(method, steps, periods, precision)
         played, first, last, leaves = downsampling.samples(run, machine, compression, stages.LIMITS[1])
         payload = stage.payload(machine, compression, samples=played)
-        stages.mount(payload, key="stepped", label=_("Computed step by step"), **shared)
+        with st.container(key="observed_stepped"):
+            stages.mount(payload, key="stage_stepped", label=_("Computed step by step"), **shared)
         said = [_what_is_shown(run, first + 1, last), verdicts.errors_of(run)]
         if leaves:
             said.insert(1, _("Soon after, the slab leaves the picture."))

@@ -175,9 +175,11 @@ def forty_machines(chosen: BodyChoice) -> None:
     st.caption(
         _(
             "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, "
-            "{best} in two ways, {one} and {other} in one. Click on a machine to build it."
+            "{best} in two ways, {one} and {other} in one."
         ).format(**facts)
     )
+    with st.container(key="click_machine"):
+        st.caption(_("Click on a machine to build it."))
 
 
 def take_clicked() -> None:

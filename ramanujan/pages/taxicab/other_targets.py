@@ -123,6 +123,9 @@ def open_question(facts: cache.Condition) -> None:
         tallies = _counted(pairs)
         figure, words = st.columns([3, 2]) if display_mode.is_projector() else (st.container(), st.container())
         with figure:
+            st.markdown(
+                _("A count confirms that the paper’s lower rollers lead to such sums more often than any others:")
+            )
             count_of_cubes(tallies, paper)
         with words:
             what_stays(facts.number, tallies[paper])
@@ -182,8 +185,7 @@ def the_number_as_a_norm(discriminant: int) -> None:
     st.markdown(
         _(
             "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, "
-            "too. Here ${factored}$. So numbers of this form should be sums of two cubes more often than others. A "
-            "count confirms it:"
+            "too. Here ${factored}$. So numbers of this form should be sums of two cubes more often than others."
         ).format(factored=cache.factored_cubes(discriminant))
     )
 
