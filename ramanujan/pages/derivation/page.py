@@ -201,8 +201,8 @@ def draw(setting: Setting, number: int, part: str | None) -> None:
 def explain(setting: Setting) -> None:
     """Say whose numbers the steps show, and what their symbols mean."""
     if setting.masses:
-        st.markdown(f":small[{numbers_stated(*setting.masses)}]")
-    st.expander(_("What the symbols of this route mean")).markdown(f":small[{cache.symbols(setting.route)}]")
+        st.caption(numbers_stated(*setting.masses))
+    st.expander(_("What the symbols of this route mean")).caption(cache.symbols(setting.route))
 
 
 @st.fragment
@@ -256,7 +256,7 @@ def margin() -> None:
         for note, holds in cache.notes():
             mark = _(":green[:material/check: checked]") if holds else _(":red[:material/close: not confirmed]")
             st.markdown(
-                _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n:small[{note}]").format(
+                _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n{note}").format(
                     where=note.where, mark=mark, printed=note.printed, correct=note.correct, note=note.note
                 )
             )

@@ -79,7 +79,7 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
             "to it."
         )
         sentences.append(sentence.format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3)))
-    note(" ".join(sentences))
+    st.caption(" ".join(sentences))
 
 
 def show_energy(motion: Record, drawn: tuple) -> None:
@@ -104,7 +104,7 @@ def show_energy(motion: Record, drawn: tuple) -> None:
     ]
     if total[0] > motion.energies["spring"][0]:
         sentences.append(_("The initial velocities add the rest."))
-    note(
+    st.caption(
         " ".join(sentences).format(
             total=whole,
             error=number(spread, 1),
@@ -125,7 +125,7 @@ def show_momentum(motion: Record, drawn: tuple) -> None:
             "momenta are conserved: all bodies together {all}, p_Φ/R {top}."
         ).format(all=quantity(-p_X, "kg m/s", 3), top=quantity(p_Phi / motion.oscillator.radius, "kg m/s", 3)),
     )
-    note(
+    st.caption(
         _(
             "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ "
             "nor $\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus "
@@ -160,7 +160,7 @@ def forces_over_time(motion: Record, drawn: tuple) -> None:
 
 def about_forces(motion: Record) -> None:
     """Say what the forces mean, and the bars of the friction that is needed."""
-    note(
+    st.caption(
         _(
             "Forces on the rollers, positive to the right. A contact does not slip while its friction stays "
             "below μ times its normal force; the bars show the least μ that this takes at the worst instant. The axes "
@@ -193,11 +193,6 @@ def friction_needed(motion: Record, friction: Friction) -> None:
 def chart(figure: object, name: str, alt: str) -> None:
     """Put a figure on the page, with Plotly's own legend, hover and zoom."""
     drawings.plot(figure, f"figure_{name}", alt, config={"displaylogo": False})
-
-
-def note(text: str) -> None:
-    """Put small print under a figure, in full contrast."""
-    st.markdown(f":small[{text}]")
 
 
 def listed(names: dict[str, str], values: dict[str, float], unit: str) -> str:

@@ -121,11 +121,12 @@ def open_question(facts: cache.Condition) -> None:
     paper = pairs.index(BodyChoice().bodies[:2])
     with sheet("counts", _("A count")):
         tallies = _counted(pairs)
-        figure, words = st.columns([3, 2]) if display_mode.is_projector() else (st.container(), st.container())
-        with figure:
+        figure, words = st.columns([3, 2]) if display_mode.is_projector() else 2 * [st.container()]
+        with words:
             st.markdown(
-                _("A count confirms that the paper’s lower rollers lead to such sums more often than any others:")
+                _("A count confirms that the paper’s lower rollers lead to such sums more often than any others.")
             )
+        with figure:
             count_of_cubes(tallies, paper)
         with words:
             what_stays(facts.number, tallies[paper])
