@@ -99,7 +99,9 @@ def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
             there = found[other][2]
             apart = np.abs(middles - there.middles[:, [best[other]]]) - half - there.half
             room = np.minimum(room, apart.max(axis=2).min(axis=0))
-        best[i] = int(np.argmax(room + 1e-3 * at[:, 0] - _ON * (side[:, 1] == 0)))
+        # Where it is touched anyway, it must not hide what touches it.
+        on = np.where(room < 0, 4, 1) * _ON * (side[:, 1] == 0)
+        best[i] = int(np.argmax(room + 1e-3 * at[:, 0] - on))
         rooms[i] = float(room[best[i]])
     return [(rooms[i], _written(*found[i], best[i], area, paper)) for i in range(len(found))]
 
