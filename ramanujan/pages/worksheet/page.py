@@ -81,7 +81,7 @@ def choose() -> tuple[str, int, int]:
         has_key, paper = sheet_keys.fits(KEY, address.held(SEED)), "questions"
         if has_key:
             paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
-        seed = widgets.count(SEED, _("Sheet number"), width=190)
+        seed = widgets.count(SEED, _("Sheet number"), width=230)
         level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=280)
         if not is_projector():
             st.button(_("New sheet with its key"), on_click=make_sheet)
