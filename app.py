@@ -23,7 +23,7 @@ else:
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
-    stages.begin(sidebar.BOXES)
+    stages.begin()
     page, runner = navigation.navigate(hidden=stages.alone())
     said = address.opened(
         page.name,

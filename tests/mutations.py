@@ -122,7 +122,7 @@ MUTATIONS = [
     Mutation(
         "the gauge stays at 1",
         "stage/dial.js",
-        "translate(${at(Math.min(normalized, limit))} ",
+        "translate(${at(Math.min(solution.normalized, limit))} ",
         "translate(${at(1)} ",
     ),
     Mutation(

@@ -34,7 +34,7 @@ def box(app, key: str) -> dict[str, object]:
 
 def type_in(app, key: str, text: str):
     """Type into a box, as its callback hears of it, and run the app."""
-    app.session_state["wishes"].typed[key] = text
+    app.session_state["typed"][key] = text
     return app.run()
 
 
@@ -164,7 +164,7 @@ def test_a_fraction_belongs_into_a_box_and_not_into_a_link(app):
     sound(app.run())
     assert values(app) == {**DEFAULTS, "k": 20.0}
     (warning,) = app.warning
-    assert warning.value == "The value of m in the address was ignored: it must be a number from 0.5 to 5 kg."
+    assert warning.value == "The value of m in the address was ignored: it must be a number from 0.5 to 5\u202fkg."
 
 
 def test_a_good_link_is_taken_to_the_last_digit(app):

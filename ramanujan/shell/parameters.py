@@ -53,18 +53,13 @@ class Parameter(URLParameter):
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""
         sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
-        if self.unit:
-            sentence = _(
-                "The value of {name} in the address was ignored: it must be a number from {least} to {most} {unit}."
-            )
-        return sentence.format(name=self.name, least=f"{self.least:g}", most=f"{self.most:g}", unit=self.unit)
+        return sentence.format(name=self.name, least=f"{self.least:g}", most=self.written(self.most))
 
     @property
     def label(self) -> str:
         """The name of the slider, for those who do not see what stands above it."""
-        if not self.unit:
-            return _("{meaning}, {symbol}").format(meaning=self.meaning, symbol=self.symbol)
-        return _("{meaning}, {symbol} [{unit}]").format(meaning=self.meaning, symbol=self.symbol, unit=self.unit)
+        unit = f" [{self.unit}]" if self.unit else ""
+        return f"{self.meaning}, {self.symbol}{unit}"
 
     @property
     def present(self) -> float:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, field
 from functools import partial
 
 import streamlit as st
@@ -20,9 +19,6 @@ from ramanujan.shell import address, cache, display_mode, messages, pending_upda
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, Parameter, read_number
 from ramanujan.translation import _
 
-BOXES = {key: widgets.box(each) for key, each in PARAMETERS.items()}
-"""What the page must know of the sliders' boxes."""
-
 PRESETS = {
     "equal": _("Equal masses"),
     "unit": _("In step (1729)"),
@@ -32,10 +28,10 @@ PRESETS = {
 }
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
 _PRESET = "preset"
-_WISHES = "wishes"
-"""Session state: what has been asked for by box, preset or button and waits for the run that follows.
+_TYPED, _WISHES = "typed", "wishes"
+"""Session state: what has been asked for by box, and by preset or button, and waits for the run that follows.
 
-All of it is changed in place, so that a run that is broken off loses nothing.
+Both are changed in place, so that a run that is broken off loses nothing.
 """
 _JUDGED = "judged"
 _FIRST = "first_run"
@@ -107,21 +103,19 @@ def followed() -> dict[str, object]:
 def _moved() -> None:
     """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due."""
     pending_updates.hold()
-    fragments, wishes = st.session_state.get(_FOLLOW), _wishes()
-    if fragments and not (wishes.typed or wishes.machines or pending_updates.waits() or messages.are_shown()):
+    fragments = st.session_state.get(_FOLLOW)
+    if fragments and not (_typed() or _wishes() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
 
-@dataclass
-class _Wishes:
-    typed: dict[str, str] = field(default_factory=dict)
-    """Key of a parameter → the text typed into its box."""
-    machines: list[Callable[[], None]] = field(default_factory=list)
-    """What gives the sliders a machine: a preset, a click on a curve, a stop."""
+def _typed() -> dict[str, str]:
+    """Return key of a parameter → the text typed into its box."""
+    return st.session_state.setdefault(_TYPED, {})
 
 
-def _wishes() -> _Wishes:
-    return st.session_state.setdefault(_WISHES, _Wishes())
+def _wishes() -> list[Callable[[], None]]:
+    """Return what gives the sliders a machine: a preset, a click on a curve, a stop."""
+    return st.session_state.setdefault(_WISHES, [])
 
 
 def take_wishes() -> None:
@@ -133,13 +127,12 @@ def take_wishes() -> None:
     st.session_state[_FIRST] = _FIRST not in st.session_state
     if not messages.runs_again():
         pending_updates.hold()
-    wishes = _wishes()
-    for key, text in list(wishes.typed.items()):
+    for key, text in list(_typed().items()):
         _take_exact(PARAMETERS[key], text)
-        wishes.typed.pop(key, None)
-    for wish in list(wishes.machines):
+        _typed().pop(key, None)
+    for wish in list(_wishes()):
         wish()
-        wishes.machines.remove(wish)
+        _wishes().remove(wish)
 
 
 def oscillator() -> Oscillator:
@@ -154,7 +147,7 @@ def compression() -> float:
 
 def enter(key: str, text: str) -> None:
     """Take what was typed into the box of a parameter; the next run judges it."""
-    _wishes().typed[key] = text
+    _typed()[key] = text
 
 
 def take_ratio(ratio: float, digits: int = 17) -> None:
@@ -165,7 +158,7 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
     ratio : ε = m′/m
     digits : significant digits of m′ that are wanted, where round values matter more than the exact ratio
     """
-    _wishes().machines.append(partial(_set_ratio, ratio, digits))
+    _wishes().append(partial(_set_ratio, ratio, digits))
 
 
 def _set_ratio(ratio: float, digits: int) -> None:
@@ -193,7 +186,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
 
 def take_machine(machine: Oscillator, metres: float) -> None:
     """Set all sliders to a machine and its x₀ [m] in the run that follows."""
-    _wishes().machines.append(partial(pending_updates.give, _on_sliders(machine, metres)))
+    _wishes().append(partial(pending_updates.give, _on_sliders(machine, metres)))
 
 
 def linked() -> bool:
@@ -247,13 +240,13 @@ def _take_preset() -> None:
     if preset in _RATIOS:
         take_ratio(_RATIOS[preset])
     elif preset:
-        _wishes().machines.append(_reset)
+        _wishes().append(_reset)
     pending_updates.give({_PRESET: None})
 
 
 def slider(key: str) -> None:
     """Draw the slider of a parameter with its box; in one run in one place only, before the sidebar ends."""
-    page.exact(key, partial(enter, key))
+    page.exact(key, widgets.head(PARAMETERS[key]), partial(enter, key))
     messages.show_note(key)
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
 

@@ -39,18 +39,13 @@ _ALONE = "alone"
 """Session state: whether this run draws the machine alone; missing until the first run."""
 
 
-def begin(boxes: Mapping[str, Mapping[str, Any]]) -> None:
-    """Begin a run: bring what every page has, and decide whether the machine is drawn alone.
-
-    Parameters
-    ----------
-    boxes : what the page must know of the sliders' boxes
-    """
+def begin() -> None:
+    """Begin a run: bring what every page has, and decide whether the machine is drawn alone."""
     first = _ALONE not in st.session_state and navigation.is_first_page()
     # Without a browser, which names its time zone, nothing ever moves; a projector's sheets are there from the start.
     waits = first and st.context.timezone is not None and st.query_params.get("view") != "projector"
     # A page whose machine moves says so to a server that was started anew, too, and keeps all that it has.
-    moves = page.bring(theme.current(), boxes, waits, messages.stay)
+    moves = page.bring(theme.current(), waits, messages.stay)
     st.session_state[_ALONE] = waits and not moves
 
 

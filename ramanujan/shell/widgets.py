@@ -19,7 +19,7 @@ Words = Mapping[Any, str]
 """Option → what the person reads."""
 
 
-def chips(key: Choice, label: str, words: Words, **more: Any) -> Any:
+def chips(key: Choice, label: str, words: Words = MappingProxyType({}), **more: Any) -> Any:
     """Draw the options side by side; exactly one of them is chosen."""
     return _choice(st.segmented_control, key, label, words, default=key.default, required=True, **more)
 
@@ -51,6 +51,14 @@ def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
     label = _("{label} ({least} to {most})").format(label=label, least=key.least, most=key.most)
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)
     return address.keep(key)
+
+
+def table(rows: Sequence[Sequence[str]], key: str) -> None:
+    """Draw a table that scrolls by itself where the page is narrow; cells are Markdown, the first row names columns."""
+    head, *others = rows
+    lines = (" | ".join(row) for row in (head, ["---"] * len(head), *others))
+    with st.container(key=f"table_{key}"):
+        st.markdown("\n".join(f"| {line} |" for line in lines))
 
 
 def plain(text: str) -> str:
@@ -121,8 +129,8 @@ def page_slider(parameter: Parameter) -> float:
     return (value if parameter.least <= value <= parameter.most else parameter.default) * parameter.scale
 
 
-def box(parameter: Parameter) -> dict[str, Any]:
-    """Return what the page must know of the box of a slider."""
+def head(parameter: Parameter) -> dict[str, Any]:
+    """Return what stands at the head of a slider: its names, and what its box must know."""
     return {
         "symbol": parameter.symbol,
         "unit": parameter.unit,

@@ -1,8 +1,8 @@
 """The page's side: the components beside the machine, and everything that depends on Streamlit's and Plotly's pages.
 
-bus.js carries messages between the components, dom.js holds every selector into the host pages, page.css every style
-rule for them. sentences.js fills the templates that Python sends and writes numbers. The other files belong to one
-component each. No physics here.
+bus.js carries messages between the components, streamlit_dom.js holds every selector into the host pages, page.css
+every style rule for them. sentences.js fills the templates that Python sends and writes numbers, lasting.js ends with a
+component what it observes and waits for. The other files belong to one component each. No physics here.
 
 Streamlit sends a component's HTML, CSS and script with every run of the page. So a component brings only two lines that
 import its module, which the server offers as a file (`ramanujan.browser.modules`).
@@ -13,11 +13,9 @@ The topics of the bus, where NAME is the name of a stage:
     time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     dragged           true as soon as a slab has been dragged: the hint to do so has served its purpose
-    seek/NAME         {time [s], by}: somebody asks the stage to go to that time and to stay there
+    seek/NAME         {time [s]}: somebody asks the stage to go to that time and to stay there
     enter/KEY         a text that somebody else wants to be typed into the box of a slider
-    box/KEY           what a slider's box must know of it, see `bring`; published by the library
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar
-    moment/NAME       {time [s], label}: the instant to which a button takes the stage, and what the button says
     say               {sentence, urgent}: news for the page's live region
 """
 
@@ -32,7 +30,7 @@ from ramanujan.browser import modules
 from ramanujan.translation import _
 
 
-def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]], waits: bool, on_moving: Callable[[], None]) -> bool:
+def bring(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
     """Bring what every page has, and return whether the page has told that its machine moves; call it before all else.
 
     That is the page’s one live region, which says what the topic `say` brings; a notice while the server is
@@ -43,14 +41,11 @@ def bring(theme: str, boxes: Mapping[str, Mapping[str, Any]], waits: bool, on_mo
     Parameters
     ----------
     theme : the one that this run draws with, light or dark
-    boxes : key of a slider → what its box (`exact`) must know: symbol, unit and meaning; label of the box;
-        longest text; default
     waits : whether the page is to tell when the first page's machine has drawn its first frame; then it runs again
     on_moving : called before that run
     """
     data = {
         "theme": theme,
-        "boxes": boxes,
         "waits": waits,
         "away": _("Reconnecting to the server. The page keeps everything that you set."),
         "label": _("Wide content: scroll it with the arrow keys"),
@@ -109,16 +104,16 @@ def cursor(stage: str) -> Any:
     return modules.component("page/cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
-def moment(stage: str) -> Any:
+def moment(stage: str, time: float, label: str) -> Any:
     """Put a button on the page that moves a stage and all figures against time to one moment and stops them there.
-
-    The topic moment/NAME says which: {time [s], label}.
 
     Parameters
     ----------
     stage : the name of the stage
+    time : the moment, since release [s]
+    label : of the button
     """
-    return modules.component("page/moment")(key="moment", data={"stage": stage})
+    return modules.component("page/moment")(key="moment", data={"stage": stage, "time": time, "label": label})
 
 
 def give_back(*keys: str) -> None:
@@ -142,24 +137,19 @@ def link(private: Sequence[str] = ()) -> Any:
     return modules.component("page/link")(key="link", data={**told, "private": list(private)})
 
 
-def exact(key: str, on_typed: Callable[[str], None]) -> Any:
+def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
     """Put the heading of a slider on the page, with a box that shows its full value and accepts any text.
 
-    What the box must know comes by `bring`. What changes comes by the topic exact/KEY: value, its full text, and
-    judged, the number of texts that have been answered so far.
+    What changes comes by the topic exact/KEY: value, its full text, and judged, the number of texts that have been
+    answered so far.
 
     Parameters
     ----------
     key : of the slider
+    head : its symbol, unit and meaning; label and longest text of the box; default of the slider
     on_typed : called with what was typed
     """
-    own = f"{key}_exact"
-
-    def typed() -> None:
-        if (text := st.session_state[own].typed) is not None:
-            on_typed(text)
-
-    return modules.component("page/exact")(key=own, data={"key": key}, on_typed_change=typed)
+    return _asks("exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed)
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -170,13 +160,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    key = f"{figure}_pick"
-
-    def picked() -> None:
-        if (point := st.session_state[key].picked) is not None:
-            on_picked(point)
-
-    return modules.component("page/pick")(key=key, data={"figure": figure}, on_picked_change=picked)
+    return _asks("pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked)
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
@@ -190,13 +174,8 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     headings : of the steps in their order, for screen readers
     on_turned : called with the route and the step, some time after the last change
     """
-
-    def turned() -> None:
-        at = st.session_state["steps"].at
-        on_turned(at["route"], at["step"])
-
     data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
-    return modules.component("page/steps")(key="steps", data=data, on_at_change=turned)
+    return _asks("steps", "steps", data, "at", lambda at: on_turned(at["route"], at["step"]))
 
 
 def turn(
@@ -216,13 +195,8 @@ def turn(
     on_turned : called with the number of the stop that is asked for
     clicker : whether the page keys turn stops, too
     """
-
-    def turned() -> None:
-        if (to := st.session_state["turn"].to) is not None:
-            on_turned(to)
-
     data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker}
-    return modules.component("page/turn")(key="turn", data=data, on_to_change=turned)
+    return _asks("turn", "turn", data, "to", on_turned)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -234,11 +208,7 @@ def pager(on_turned: Callable[[str], None]) -> Any:
     ----------
     on_turned : called with the name of the sheet some time after the last turn, with "" for the first one
     """
-
-    def turned() -> None:
-        on_turned(st.session_state["pager"].at)
-
-    return modules.component("page/pager")(key="pager", data={"place": "{now} / {count}: {title}"}, on_at_change=turned)
+    return _asks("pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned)
 
 
 def stopwatch(key: str) -> float | None:
@@ -250,3 +220,13 @@ def stopwatch(key: str) -> float | None:
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
     return modules.component("page/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+
+
+def _asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None]) -> Any:
+    """Put a component on the page; a function is called with each value that it sends by this event."""
+
+    def sent() -> None:
+        if (value := getattr(st.session_state[key], event)) is not None:
+            act(value)
+
+    return modules.component(f"page/{name}")(key=key, data=data, **{f"on_{event}_change": sent})

@@ -1,20 +1,17 @@
 // The time cursor on the page: a line across every figure over time, a dot on every orbit. The contract with the figures
-// is in __init__.py, the drawing in marks.js. Cursor and stage are one clock: where the stage is, the cursor is (topic
-// time/NAME), and where a hand puts the cursor, the stage goes (topic seek/NAME). A hand moves it by the slider, by the
-// line itself, or by a click on a figure over time.
+// is in __init__.py. Cursor and stage are one clock: where the stage is, the cursor is (topic time/NAME), and where a hand puts
+// the cursor, the stage goes (topic seek/NAME). A hand moves it by the slider, by the line itself, or by a click on a figure
+// over time.
 
-import { bus, live } from "./bus.js";
+import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
-import { draw, erase, place } from "./marks.js";
+import { along, area, draw, erase } from "./marks.js";
 import { fill, fixed, withUnit } from "./sentences.js";
 
 const CURSOR = "time-cursor";
-const GRIP = 14; // px, the width in which a pointer gets hold of the line
 const STILL = 5; // px that a click may move
 
-export default function ({ data, parentElement }) {
-  return live(parentElement, (signal) => new Cursor(parentElement, data, signal)).end;
-}
+export default ({ data, parentElement }, signal) => void new Cursor(parentElement, data, signal);
 
 class Cursor {
   share = 0; // of the time shown; it stays when the machine changes
@@ -64,12 +61,11 @@ class Cursor {
     if (!this.meta) return;
     const time = Math.min(1, Math.max(0, share)) * this.span;
     this.goTo(time);
-    bus.publish(`seek/${this.stage}`, { time, by: "cursor" });
+    bus.publish(`seek/${this.stage}`, { time });
   }
 
   show(graph) {
-    const panels = dom.panels(graph).map((panel) => panel.getBoundingClientRect());
-    if (panels.length) mark(graph, graph.layout.meta, this.share, panels);
+    if (area(graph)) mark(graph, this.share);
     const { period, periods } = this.meta;
     const time = withUnit(fixed(this.share * period * periods, 2), "s");
     const text = fill(this.place, { time, periods: fixed(this.share * periods, 2) });
@@ -103,35 +99,21 @@ class Cursor {
   }
 
   shareAt({ clientX }) {
-    const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number);
-    const { left, width } = dom.panels(graph)[0].getBoundingClientRect();
-    return (from + ((clientX - left) / width) * (to - from)) / this.span;
+    const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number), { left, width } = area(graph);
+    return (from + ((clientX - graph.getBoundingClientRect().left - left) / width) * (to - from)) / this.span;
   }
 }
 
-function mark(graph, meta, share, panels) {
-  const home = graph.getBoundingClientRect();
-  const [top, bottom] = [Math.min(...panels.map((p) => p.top)), Math.max(...panels.map((p) => p.bottom))];
-  const { left, width } = panels[0];
+function mark(graph, share) {
+  const { xaxis, yaxis, meta } = graph.layout;
   if (meta.cursor === "time") {
-    const x = place(graph.layout.xaxis.range, share * meta.period * meta.periods);
-    const line = {
-      width: `${GRIP}px`,
-      height: `${bottom - top}px`,
-      background: "linear-gradient(currentColor, currentColor) center / 2px 100% no-repeat",
-      pointerEvents: "auto",
-      touchAction: "pan-y",
-      cursor: "ew-resize",
-    };
-    draw(graph, CURSOR, 0, x, { ...line, left: `${left - home.left + x * width - GRIP / 2}px`, top: `${top - home.top}px` });
+    draw(graph, CURSOR, 0, along(xaxis, share * meta.period * meta.periods), 0.5).style.height = `${area(graph).height}px`;
     return;
   }
   graph.data.forEach((orbit, i) => {
-    const x = place(graph.layout.xaxis.range, between(numbers(orbit, "x"), share));
-    const y = place(graph.layout.yaxis.range, between(numbers(orbit, "y"), share));
-    const dot = { background: "currentColor", width: "12px", height: "12px", borderRadius: "50%" };
-    const style = { left: `${left - home.left + x * width - 6}px`, top: `${bottom - home.top - y * (bottom - top) - 6}px` };
-    draw(graph, CURSOR, i, orbit.visible === "legendonly" || y < 0 || y > 1 ? -1 : x, { ...dot, ...style });
+    const [x, y] = ["x", "y"].map((axis) => between(numbers(orbit, axis), share));
+    const seen = orbit.visible !== "legendonly";
+    draw(graph, CURSOR, i, seen ? along(xaxis, x) : NaN, along(yaxis, y)).classList.add("dot");
   });
 }
 

@@ -10,7 +10,7 @@ function shared(secret) {
   return url.href;
 }
 
-export default ({ data, parentElement }) => {
+export default function ({ data, parentElement }) {
   const [button, told, input] = parentElement.querySelectorAll("button, .told, input");
   const tell = (sentence) => {
     told.textContent = sentence;
@@ -27,4 +27,4 @@ export default ({ data, parentElement }) => {
       input.select();
     }
   };
-};
+}

@@ -1,13 +1,24 @@
-// Marks laid over Plotly's figures, so that they move without a redrawing.
+// Marks laid over the panels of Plotly's figures, so that they move without a redrawing; page.css says how each looks.
 
-export const place = ([from, to], value) => (value - from) / (to - from);
+import { dom } from "./streamlit_dom.js";
 
-/** Put the i-th mark of a name on the graph, or hide it where x lies beside the panel. */
-export function draw(graph, name, i, x, style) {
-  const marks = graph.querySelectorAll(`.${name}`);
-  const node = marks[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
-  Object.assign(node.style, { position: "absolute", pointerEvents: "none", ...style });
-  node.style.display = x >= 0 && x <= 1 ? "" : "none";
+/** Where a value lies on an axis, as a share of its length; a logarithmic axis counts in powers of ten. */
+export const along = ({ type, range: [from, to] }, value) => ((type === "log" ? Math.log10(value) : value) - from) / (to - from);
+
+/** The rectangle of all panels of a graph, in pixels from its corner; none before they are drawn. */
+export function area(graph) {
+  const home = graph.getBoundingClientRect(), panels = dom.panels(graph).map((panel) => panel.getBoundingClientRect());
+  if (!panels.length) return null;
+  const [{ left, width }] = panels, top = Math.min(...panels.map((panel) => panel.top));
+  return { left: left - home.left, top: top - home.top, width, height: Math.max(...panels.map((panel) => panel.bottom)) - top };
+}
+
+/** Put the i-th mark of a name on a graph, at shares of the width and the height of its panels; beside them it is hidden. */
+export function draw(graph, name, i, x, y) {
+  const { left, top, width, height } = area(graph);
+  const node = graph.querySelectorAll(`.${name}`)[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
+  node.hidden = !(x >= 0 && x <= 1 && y >= 0 && y <= 1);
+  Object.assign(node.style, { left: `${left + x * width}px`, top: `${top + (1 - y) * height}px` });
   return node;
 }
 

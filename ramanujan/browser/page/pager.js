@@ -1,7 +1,8 @@
 // One sheet of the page at a time, for a projector. Python declares the sheets (shell/display_mode.py) and projector.css lays
 // them out; here it is decided which one is seen.
 
-import { bus, live } from "./bus.js";
+import { bus } from "./bus.js";
+import { atRest, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
@@ -11,37 +12,30 @@ const TELL = 400; // ms from the last turn to the message that keeps the sheet i
 
 let page; // whose sheets were seen last, by this pager or the one before
 
-export default function ({ data, parentElement, setStateValue }) {
-  const { begun, end } = live(parentElement, (signal) => new Pager(parentElement, signal));
-  begun.receive(data, (name) => setStateValue("at", name));
-  return end;
+export default function (component, signal) {
+  const pager = new Pager(component, signal);
+  return () => pager.look();
 }
 
 class Pager {
-  constructor(root, signal) {
-    Object.assign(this, { sheets: [], now: 0, list: root.querySelector("select") });
+  constructor(component, signal) {
+    const root = component.parentElement;
+    Object.assign(this, { component, sheets: [], now: 0, list: root.querySelector("select") });
     [this.back, this.next] = root.querySelectorAll("button");
-    for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by), { signal });
-    this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now), { signal });
+    for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
+    this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
+    this.tell = atRest(TELL, () => component.setStateValue("at", this.now ? this.sheets[this.now].name : ""), signal);
     // Bubbling up to the window: what the page itself does with a key comes first.
     window.addEventListener("keydown", (event) => this.press(event), { signal });
     bus.subscribe("turned", () => this.show(0), { signal }); // another stop of the lesson begins with its first sheet
     bus.publish("sheets", { has: (by) => Boolean(this.sheets[this.now + by]) });
     document.documentElement.dataset.pager = "";
-    const changes = new MutationObserver(() => this.look());
-    changes.observe(document.body, { childList: true, subtree: true });
+    observe(document.body, { childList: true, subtree: true }, () => this.look(), signal);
     signal.addEventListener("abort", () => {
       bus.forget("sheets");
       delete document.documentElement.dataset.pager;
-      changes.disconnect();
-      clearTimeout(this.timer);
       for (const { node } of this.sheets) node.removeAttribute(AWAY);
     });
-  }
-
-  receive(words, send) {
-    Object.assign(this, { words, send });
-    this.look();
   }
 
   /** Take in the page's sheets where they have changed. The sheet that is seen stays; a new page begins where its address says. */
@@ -52,7 +46,7 @@ class Pager {
     const seen = turned ? "" : this.sheets[this.now]?.name ?? new URLSearchParams(location.search).get("sheet");
     page = location.pathname;
     this.sheets = sheets;
-    const title = (sheet, i) => new Option(fill(this.words.place, { now: i + 1, count: sheets.length, title: sheet.title }));
+    const title = (sheet, i) => new Option(fill(this.component.data.place, { now: i + 1, count: sheets.length, title: sheet.title }));
     this.list.replaceChildren(...sheets.map(title));
     this.show(Math.max(sheets.findIndex(({ name }) => name === seen), 0), turned);
   }
@@ -63,8 +57,8 @@ class Pager {
     this.list.selectedIndex = now;
     this.back.disabled = now === 0;
     this.next.disabled = now >= this.sheets.length - 1;
-    clearTimeout(this.timer);
-    if (tell) this.timer = setTimeout(() => this.send(now ? this.sheets[now].name : ""), TELL);
+    if (tell) this.tell();
+    else this.tell.cancel();
   }
 
   turn(by) {

@@ -1,24 +1,16 @@
 // A click on a point of a figure, as one message for each click: Streamlit reports a selection, and a second click on the
 // same point changes none.
 
-import { live } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 
-export default function ({ data, parentElement, setTriggerValue }) {
-  const { begun, end } = live(parentElement, (signal) => {
-    const told = {};
-    const tell = ({ points }) => points.length && told.send({ x: points[0].x, y: points[0].y });
-    const listen = (event) => {
-      const graph = dom.graphOf(event.target);
-      if (!graph?.on || !event.target.closest(told.figure)) return;
-      // Plotly forgets its listeners when it draws a figure anew.
-      graph.removeListener("plotly_click", tell);
-      graph.on("plotly_click", tell);
-    };
-    document.addEventListener("pointerdown", listen, { capture: true, signal });
-    return told;
-  });
-  begun.figure = `.st-key-${CSS.escape(data.figure)}`;
-  begun.send = (point) => setTriggerValue("picked", point);
-  return end;
+export default function (component, signal) {
+  const tell = ({ points }) => points.length && component.setTriggerValue("picked", { x: points[0].x, y: points[0].y });
+  const listen = (event) => {
+    const graph = dom.graphOf(event.target);
+    if (!graph?.on || !event.target.closest(`.st-key-${CSS.escape(component.data.figure)}`)) return;
+    // Plotly forgets its listeners when it draws a figure anew.
+    graph.removeListener("plotly_click", tell);
+    graph.on("plotly_click", tell);
+  };
+  document.addEventListener("pointerdown", listen, { capture: true, signal });
 }

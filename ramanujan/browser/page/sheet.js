@@ -1,58 +1,55 @@
 // On a narrow screen the sidebar is a sheet at the bottom (page.css): this is its handle, which opens and closes it. With the
 // sheet open, sliders and machine are seen together; choosing a page closes it.
 
-import { live } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 import { deferSliders } from "./touch.js";
 
 const PULL = 16; // px that the handle must be pulled to open or close the sheet; less is a tap
 
-export default function ({ parentElement }) {
-  return live(parentElement, (signal) => {
-    const button = parentElement.querySelector("button");
-    const root = document.documentElement;
-    const narrow = matchMedia(dom.NARROW);
-    let back = null; // where the page was scrolled to before the sheet brought the machine into view
-    let pulled = null;
+export default function ({ parentElement }, signal) {
+  const button = parentElement.querySelector("button");
+  const root = document.documentElement;
+  const narrow = matchMedia(dom.NARROW);
+  let back = null; // where the page was scrolled to before the sheet brought the machine into view
+  let pulled = null;
 
-    const set = (open, bring = true) => {
-      root.dataset.sheet = open ? "open" : "closed";
-      button.setAttribute("aria-expanded", String(open));
-      if (!bring || !narrow.matches) return;
-      const main = dom.main();
-      if (open) {
-        back = main?.scrollTop ?? null;
-        const away = dom.stageAway();
-        if (away) main.scrollBy({ top: away });
-      } else if (back !== null) {
-        main.scrollTo({ top: back });
-        back = null;
-      }
-    };
-    // Who comes to a page wants to read it first.
-    set(false, false);
-    const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
-    on(button, "pointerdown", (event) => (pulled = event.clientY));
-    on(button, "pointerup", (event) => {
-      const by = pulled === null ? 0 : event.clientY - pulled;
-      pulled = null;
-      if (Math.abs(by) < PULL) return;
-      set(by < 0);
-      button.dataset.pulled = "yes"; // the click that follows is part of the pull
-    });
-    on(button, "click", () => {
-      if (!button.dataset.pulled) set(root.dataset.sheet !== "open");
-      delete button.dataset.pulled;
-    });
-    on(document, "click", (event) => {
-      if (!dom.isPageLink(event.target)) return;
+  const set = (open, bring = true) => {
+    root.dataset.sheet = open ? "open" : "closed";
+    button.setAttribute("aria-expanded", String(open));
+    if (!bring || !narrow.matches) return;
+    const main = dom.main();
+    if (open) {
+      back = main?.scrollTop ?? null;
+      const away = dom.stageAway();
+      if (away) main.scrollBy({ top: away });
+    } else if (back !== null) {
+      main.scrollTo({ top: back });
       back = null;
-      set(false, false);
-    });
-    for (const type of ["touchstart", "touchmove", "wheel"]) on(window, type, letSwipesThrough, { capture: true, passive: true });
-    deferSliders(signal);
-    dom.showPresentPage();
-  }).end;
+    }
+  };
+  // Who comes to a page wants to read it first.
+  set(false, false);
+  const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
+  on(button, "pointerdown", (event) => (pulled = event.clientY));
+  on(button, "pointerup", (event) => {
+    const by = pulled === null ? 0 : event.clientY - pulled;
+    pulled = null;
+    if (Math.abs(by) < PULL) return;
+    set(by < 0);
+    button.dataset.pulled = "yes"; // the click that follows is part of the pull
+  });
+  on(button, "click", () => {
+    if (!button.dataset.pulled) set(root.dataset.sheet !== "open");
+    delete button.dataset.pulled;
+  });
+  on(document, "click", (event) => {
+    if (!dom.isPageLink(event.target)) return;
+    back = null;
+    set(false, false);
+  });
+  for (const type of ["touchstart", "touchmove", "wheel"]) on(window, type, letSwipesThrough, { capture: true, passive: true });
+  deferSliders(signal);
+  dom.showPresentPage();
 }
 
 /** Plotly takes every touch for the start of a drag, and a wheel for a zoom: it hears of taps alone, which come as clicks. */

@@ -2,6 +2,8 @@
 // says what each is for and whether it holds. Where one breaks, a function here returns null, false or nothing, what depends
 // on it stays still, and the console says so once. .github/upgrading.md tells how to move to another Streamlit.
 
+import { observe } from "./lasting.js";
+
 export const dom = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
@@ -67,9 +69,11 @@ export const dom = {
     };
   },
 
-  /** Whether the page can reach its server; an observer is told of every change. */
-  isConnected: () => document.querySelector("[data-testid=stApp]")?.dataset.testConnectionState === "CONNECTED",
-  watchConnection: (observer) => observer.observe(document.querySelector("[data-testid=stApp]"), { attributeFilter: ["data-test-connection-state"] }),
+  /** Tell a listener, at every change, whether the page can reach its server. */
+  watchConnection(listener, signal) {
+    const app = document.querySelector("[data-testid=stApp]"), tell = () => listener(app.dataset.testConnectionState === "CONNECTED");
+    observe(app, { attributeFilter: ["data-test-connection-state"] }, tell, signal);
+  },
 
   /** A colour of the theme, as Streamlit gives it to a component. */
   color: (parentElement, name) => getComputedStyle(parentElement.host ?? parentElement).getPropertyValue(`--st-${name}-color`).trim(),
@@ -90,29 +94,16 @@ export const dom = {
    * Streamlit loads figures when it likes and says nothing of it, so that the page itself must be observed.
    */
   watchGraphs(listener, signal) {
-    const known = new Map(); // graph → its own listener
+    const known = new WeakSet();
     const look = () => {
-      const present = new Set(dom.graphs().filter((graph) => graph.on));
-      for (const [graph, drawn] of known)
-        if (!present.has(graph)) {
-          graph.removeListener?.("plotly_afterplot", drawn);
-          known.delete(graph);
-        }
-      for (const graph of present)
-        if (!known.has(graph)) {
-          const drawn = () => listener(graph);
-          known.set(graph, drawn);
-          graph.on("plotly_afterplot", drawn);
-          if (graph.layout) drawn();
-        }
+      for (const graph of dom.graphs().filter((graph) => graph.on && !known.has(graph))) {
+        const drawn = () => signal.aborted || listener(graph);
+        known.add(graph);
+        graph.on("plotly_afterplot", drawn);
+        if (graph.layout) drawn();
+      }
     };
-    const observer = new MutationObserver(look);
-    observer.observe(document.body, { childList: true, subtree: true });
-    signal.addEventListener("abort", () => {
-      observer.disconnect();
-      for (const [graph, drawn] of known) graph.removeListener?.("plotly_afterplot", drawn);
-      known.clear();
-    });
+    observe(document.body, { childList: true, subtree: true }, look, signal);
     look();
   },
 
@@ -148,7 +139,7 @@ export const dom = {
   TAKES_SPACE: "input, textarea, select, button, summary, a[href], [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=button], [role=option], .stage",
 
   /** What may be wider than its place: formulas, paragraphs with formulas, tables and their boxes. */
-  boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), .st-key-results, [class*='st-key-table_']")],
+  boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), [class*='st-key-table_']")],
 
   /** Whether a box can be scrolled sideways. */
   scrollsAside: (box) => box.scrollWidth > box.clientWidth && /auto|scroll/.test(getComputedStyle(box).overflowX),

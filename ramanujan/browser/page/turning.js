@@ -7,16 +7,43 @@ import { fill } from "./sentences.js";
 export const turnOf = (event, table) =>
   event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey ? 0 : table[event.key] ?? 0;
 
-/** Show on the buttons and the slider of steps.html where one is. `data`: the headings, and the template of a place. */
-export function showPlace(root, data, now, speak) {
-  const [back, next] = root.querySelectorAll("button");
-  const slider = root.querySelector("input");
-  const count = data.headings.length;
-  const place = fill(data.place, { now, count, heading: data.headings[now - 1] });
-  slider.value = now;
-  slider.setAttribute("aria-valuetext", place);
-  root.querySelector("output").textContent = `${now}/${count}`;
-  back.setAttribute("aria-disabled", String(now === 1));
-  next.setAttribute("aria-disabled", String(now === count));
-  if (speak) bus.publish("say", { sentence: place, urgent: true });
+/** The buttons and the slider of steps.html: what they turn is numbered from 1 on, and has headings. */
+export class Turner {
+  now = 0;
+
+  /** `moves`: the event of the slider that turns; `keyed(event)`: how far a key turns; `turned(to)` hears of every turn. */
+  constructor(component, signal, { moves, keyed, turned }) {
+    const root = component.parentElement;
+    Object.assign(this, { component, turned, slider: root.querySelector("input"), output: root.querySelector("output") });
+    this.buttons = [...root.querySelectorAll("button")];
+    for (const button of this.buttons) button.addEventListener("click", () => this.go(this.now + Number(button.dataset.by)));
+    this.slider.addEventListener(moves, () => this.go(Number(this.slider.value)));
+    const press = (event) => {
+      const by = keyed(event);
+      // The space bar scrolls the page no further at the end, either.
+      if (by && (this.go(this.now + by) || event.key === " ")) event.preventDefault();
+    };
+    document.addEventListener("keydown", press, { signal });
+  }
+
+  /** Go somewhere, and return whether there was anything to go to. */
+  go(wanted) {
+    const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
+    if (to === this.now) return false;
+    this.show(to);
+    bus.publish("say", { sentence: this.slider.ariaValueText, urgent: true });
+    this.turned(to);
+    return true;
+  }
+
+  /** Show where one is. */
+  show(now) {
+    const { headings, place } = this.component.data, count = headings.length;
+    this.now = now;
+    Object.assign(this.slider, { max: count, value: now, ariaValueText: fill(place, { now, count, heading: headings[now - 1] }) });
+    this.output.textContent = `${now}/${count}`;
+    const [back, next] = this.buttons;
+    back.ariaDisabled = now === 1;
+    next.ariaDisabled = now === count;
+  }
 }

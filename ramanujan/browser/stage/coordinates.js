@@ -1,9 +1,9 @@
 // The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and what the lower rollers share. Lengths in centimetres
 // of the picture, y UP.
 
-import { CM, ROLLERS, arc, headOf, velocityArrow } from "./drawing.js";
+import { CM, ROLLERS, arc, headOf, moved, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
-import { TURN, mapValues } from "./motion.js";
+import { TURN } from "./motion.js";
 import { element, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
@@ -12,7 +12,7 @@ const SENSE = { from: 44, to: 74, label: 68, at: 1.12 }; // the arrow of the pos
 
 /** Each mark's attributes: `d` of a line, or x and y of a label. Pure. */
 function coordinateMarks(known, g, shift) {
-  const over = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+  const over = moved(known, shift);
   return {
     ...blockMarks(over.block, -shift * CM, g),
     ...Object.assign({}, ...ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), over[name], g))),

@@ -48,7 +48,12 @@ export function makeDial(root) {
   const find = finder(root);
   const reads = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
   const write = (node, text) => node.textContent === text || (node.textContent = text);
-  for (let i = 0; i < 12; i++) element("line", { y1: -46, y2: -52, transform: `rotate(${30 * i})` }, find(".dial .ticks"));
+  const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
+  set(find(".unity"), { x: at(1) });
+  for (let value = 0; value <= limit; value += 0.5) {
+    element("path", { d: `M${at(value)} ${value === 1 ? 18 : 30}V36` }, find(".gauge .ticks"));
+    element("text", { x: at(value), y: 48 }, find(".gauge .ticks")).textContent = value;
+  }
 
   /** Without clocks, nothing on the page tells how near the two frequencies are. */
   function machine(solution, clocks) {
@@ -57,20 +62,7 @@ export function makeDial(root) {
     reads.period.textContent = withUnit(number(TURN / solution.Omega, 4), "s");
     set(find(".step"), { "data-step": clocks ? nearness(solution) : "" });
     write(find(".parting"), parting(solution));
-    drawGauge(solution.normalized);
-  }
-
-  function drawGauge(normalized) {
-    const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
-    set(find(".scale"), { d: "M10 30H190" });
-    set(find(".unity"), { x: at(1) });
-    set(find(".pointer"), { transform: `translate(${at(Math.min(normalized, limit))} 30)` });
-    const ticks = find(".gauge .ticks");
-    ticks.replaceChildren();
-    for (let value = 0; value <= limit; value += 0.5) {
-      element("path", { d: `M${at(value)} ${value === 1 ? 18 : 30}V36` }, ticks);
-      element("text", { x: at(value), y: 48 }, ticks).textContent = value;
-    }
+    set(find(".pointer"), { transform: `translate(${at(Math.min(solution.normalized, limit))} 30)` });
   }
 
   function frame(phase, plainPhase, running) {

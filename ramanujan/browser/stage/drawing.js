@@ -29,8 +29,9 @@ export function layout({ radius }, [, largest]) {
   const view = fitted({ left: -9, right: right + travel + 2, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
   const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
-  const middle = { block: (low * deck + high * upper) / (low + high) / 2, slab: slab.bottom + thick / 2, ...mapValues(centre, ([, y]) => y) };
-  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, middle, shelf };
+  const block = [low * riser + high * (riser + right), low * deck + high * upper].map((sum) => sum / (low + high) / 2);
+  const home = { block, slab: [(slab.left + slab.right) / 2, slab.bottom + thick / 2], ...centre }; // centres of mass
+  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, home, shelf };
 }
 
 /** The view widened to both sides, or upwards, until it has the shape of every picture. */
@@ -39,12 +40,8 @@ function fitted({ left, right, bottom, top }) {
   return { left: left - more, right: right + more, bottom, top: bottom + wide / ASPECT };
 }
 
-/** Centres of mass at φ = 0, along the floor. */
-function centresOfMass(g) {
-  const low = g.riser * g.deck, high = (g.right - g.riser) * g.upper; // areas of the block's two steps
-  const block = (low * (g.riser / 2) + high * ((g.riser + g.right) / 2)) / (low + high);
-  return { block, slab: (g.slab.left + g.slab.right) / 2, ...mapValues(g.centre, ([x]) => x) };
-}
+/** How far each body has moved in a view that has moved by `shift` [m]. */
+export const moved = (known, shift) => mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
 
 /** Where a velocity arrow begins, at φ = 0. */
 export function anchors(g) {
@@ -100,8 +97,7 @@ const ASIDE = 1.1; // cm, how far beside the surface a friction force is drawn, 
  * opposite and equal. `forces` lie along the floor, `weights` upright.
  */
 export function forcesOn(known, g, shift) {
-  const over = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
-  const home = centresOfMass(g), beside = 0.22 * g.R, weights = mapValues(FORMULAS.weight, (weight) => weight(known)), forces = {}, upright = {};
+  const over = moved(known, shift), beside = 0.22 * g.R, weights = mapValues(FORMULAS.weight, (weight) => weight(known)), forces = {}, upright = {};
   for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
     const other = contact.split("_")[1], x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
     const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
@@ -114,9 +110,9 @@ export function forcesOn(known, g, shift) {
   forces["spring slab"] = ["slab", g.slab.right + over.slab, along, FORMULAS.spring_force.slab(known)];
   forces["spring block"] = ["block", g.riser + over.block, along, FORMULAS.spring_force.block(known)];
   // Beside the line of a roller's normal forces, which would hide its weight.
-  for (const name of BODIES) upright[`weight ${name}`] = [name, home[name] + over[name] + (ROLLERS.includes(name) ? beside : 0), g.middle[name], -weights[name]];
+  for (const [name, [x, y]] of Object.entries(g.home)) upright[`weight ${name}`] = [name, x + over[name] + (ROLLERS.includes(name) ? beside : 0), y, -weights[name]];
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
-  const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.middle[name] / CM]));
+  const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.home[name][1] / CM]));
   upright["floor block"] = ["block", centreOfMass(known, g, shift) + FORMULAS.floor_lever({ ...known, ...heights }) * CM, 0, total];
   return { forces, weights: upright };
 }
@@ -176,7 +172,7 @@ export function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
 
 /** Where the coordinates put every body and the spring: the attribute `transform` of each, `d` of the spring. */
 export function placed(known, g, shift = 0) {
-  const x = mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
+  const x = moved(known, shift);
   const home = { block: [0, 0], slab: [0, 0], ...g.centre };
   return {
     bodies: mapValues(home, ([x0, y0], name) => `translate(${x0 + x[name]} ${-y0})`),
@@ -188,12 +184,12 @@ export function placed(known, g, shift = 0) {
 
 /** Where the centre of mass of the whole machine lies in a view that has moved by `shift` [m]. */
 export function centreOfMass(known, g, shift) {
-  const home = centresOfMass(g);
+  const over = moved(known, shift);
   let moment = 0, total = 0;
-  for (const name of BODIES) {
+  for (const [name, [x]] of Object.entries(g.home)) {
     const mass = FORMULAS.mass[name](known);
     total += mass;
-    moment += mass * (home[name] + (FORMULAS.displacement[name](known) - shift) * CM);
+    moment += mass * (x + over[name]);
   }
   return moment / total;
 }

@@ -62,6 +62,9 @@ def formulas() -> dict[str, Any]:
         "displacement": {body.name: body.displacement for body in bodies.bodies},
         "angle": {body.name: body.angle for body in bodies.bodies},
         "velocity": {body.name: body.velocity for body in bodies.bodies},
+        "centre_velocity": sp.cancel(
+            sum(body.mass * body.velocity for body in bodies.bodies) / sum(body.mass for body in bodies.bodies)
+        ),
         "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
         "potential_energy": bodies.potential_energy,
         "rolling": _rolling(bodies),

@@ -1,6 +1,7 @@
 // What the address keeps of the stages on one clock, so that a link shows the same picture: layers, speed, from where it is seen,
 // and where it is paused. shell/stages.py has the names and what they may say.
 
+import { atRest } from "../page/lasting.js";
 import { finder } from "./parts.js";
 import { TURN } from "./motion.js";
 
@@ -14,9 +15,8 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
   const known = new URLSearchParams(mine ? location.search : "");
   const stages = () => [...stage.clock.stages];
   const said = (key) => known.get(prefix + key);
-  let timer = 0, active = false;
+  let active = false;
   owners.set(place, name); // another stop of the lesson begins anew
-  signal.addEventListener("abort", () => clearTimeout(timer));
 
   function write() {
     const url = new URL(location.href), { clock, layers } = stage;
@@ -29,6 +29,7 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
     history.replaceState(history.state, "", url);
   }
 
+  const soon = atRest(PAUSE, write, signal);
   return {
     /** What the address says of the clock. */
     clock: () => ({ speed: SPEEDS.find((speed) => String(speed) === said("speed")) ?? 1, seenFrom: said("from") === "block" ? "block" : "ground" }),
@@ -43,8 +44,7 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
     /** Write what a person has set, once it rests. */
     set() {
       active = true;
-      clearTimeout(timer);
-      timer = setTimeout(write, PAUSE);
+      soon();
     },
     /** Write again what has been written once. */
     update: () => active && stage.keeper.set(),

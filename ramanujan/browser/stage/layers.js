@@ -19,18 +19,7 @@ export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
   let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground";
 
-  const bars = [], shares = [], names = [];
-  for (const name of [...BODIES, "spring"]) {
-    const bar = document.createElement("i"), entry = document.createElement("li");
-    entry.append(document.createElement("span"), " ", document.createElement("b"));
-    bar.dataset.body = name;
-    for (const node of [bar, entry]) node.style.setProperty("--fill", `var(--${name})`);
-    find(".bar").append(bar);
-    find(".legend").append(entry);
-    bars.push(bar);
-    shares.push(entry.lastChild);
-    names.push(entry.firstChild);
-  }
+  const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
   const line = (layer, name, data) => makeLine(name, data, find(`.${layer}`));
   const arrows = Object.fromEntries(BODIES.map((name) => [name, line("arrows", name, { body: name })]));
   const forces = {}, weights = {}; // name → its line

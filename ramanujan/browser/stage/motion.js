@@ -14,25 +14,15 @@ export function solve(parameters, initial) {
   const start = initial ?? { X: 0, phi: FORMULAS.released_angle(parameters), Phi: 0, X_dot: 0, phi_dot: 0, Phi_dot: 0 };
   const known = { ...parameters, ...start, Omega };
   const motion = mapValues(FORMULAS.motion, (parts) => mapValues(parts, (part) => part(known)));
+  // Nothing outside pushes the centre of mass, so only the drifts b count.
+  const drifts = Object.fromEntries(COORDINATES.map((name) => [`${name}_dot`, motion[name].b]));
   return {
     Omega,
     plain: FORMULAS.plain_frequency(parameters),
     normalized: FORMULAS.normalized_frequency_squared(parameters),
     motion,
-    drift: driftOf(parameters, motion),
+    drift: FORMULAS.centre_velocity({ ...parameters, ...drifts }),
   };
-}
-
-/** The velocity of the centre of mass over the floor: nothing outside pushes it, so only the drifts b count. */
-function driftOf(parameters, motion) {
-  const rates = Object.fromEntries(COORDINATES.map((name) => [`${name}_dot`, motion[name].b]));
-  const known = { ...parameters, ...rates };
-  let momentum = 0, total = 0;
-  for (const [body, mass] of Object.entries(FORMULAS.mass)) {
-    momentum += mass(known) * FORMULAS.velocity[body](known);
-    total += mass(known);
-  }
-  return momentum / total;
 }
 
 /** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. */

@@ -22,13 +22,13 @@ import { pictured } from "./words.js";
  * ghosts(states | null)                             the still of the present machine
  * place                                             the layout's lengths
  * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
- * dispose()
  */
-export function makePicture(root, { compact, dials, narrow, limits, label }) {
+export function makePicture(root, { compact, dials, narrow, limits, label }, signal) {
   const find = finder(root);
   const host = find(".stage"), svg = find(".machine"), moving = find(".moving");
   const parts = movingParts(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
+  signal.addEventListener("abort", () => sizes.disconnect());
   let place = null, ghosts = [], shifted = 0, ends = [0, 0];
 
   host.classList.toggle("compact", compact);
@@ -126,7 +126,6 @@ export function makePicture(root, { compact, dials, narrow, limits, label }) {
       return place;
     },
     toMetres: (clientX) => new DOMPoint(clientX, 0).matrixTransform(svg.getScreenCTM().inverse()).x / CM,
-    dispose: () => sizes.disconnect(),
   };
 }
 

@@ -1,7 +1,7 @@
 // The machine on the page, put together: clock, playback, picture, hand and words. All physics is in formulas.js, which SymPy
 // prints; texts.js holds the words. The contract with Python is in __init__.py.
 
-import { bus, live } from "../page/bus.js";
+import { bus } from "../page/bus.js";
 import { EYE, joinClock } from "./clock.js";
 import { leftPlace } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
@@ -20,7 +20,7 @@ const STEPS = 24; // steps of the step buttons in one period
 const TEXT_INTERVAL = 0.12; // s between two updates of running numbers; faster ones cannot be read
 const SHAPES = ["radius", "beta_hoop", "beta_cylinder", "beta_top"];
 
-export default ({ data, parentElement }) => live(parentElement, (signal) => new Stage(parentElement, data, signal)).end;
+export default ({ data, parentElement }, signal) => void new Stage(parentElement, data, signal);
 
 class Stage {
   constructor(root, options, signal) {
@@ -29,7 +29,7 @@ class Stage {
     this.host = root.querySelector(".stage");
     this.scrubber = root.querySelector(".scrub input");
     this.playback = new Playback();
-    this.picture = makePicture(root, options);
+    this.picture = makePicture(root, options, signal);
     this.parts = makeParts(root);
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
@@ -39,14 +39,9 @@ class Stage {
     this.calm.addEventListener("change", () => this.calmed(), { signal });
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
     this.keeper = makeKeeper(this, options, signal);
-    signal.addEventListener("abort", () => this.dispose());
+    signal.addEventListener("abort", () => ["time", "present", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
-  }
-
-  dispose() {
-    this.picture.dispose();
-    for (const topic of ["time", "present", "seek"]) bus.forget(`${topic}/${this.name}`);
   }
 
   // ---- what comes from Python, and what changes

@@ -25,12 +25,6 @@ export function listenToControls(root, stage, signal) {
   on(speed, "change", () => stage.setClock({ speed: Number(speed.value) }));
   for (const label of all("[data-layer]")) on(label, "change", () => stage.layer(label.dataset.layer));
   for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
-  // What opens lies over the whole page: its place is above its button.
-  const [show, layers] = all(".show, [popover]");
-  on(layers, "beforetoggle", () => {
-    const { right, top } = show.getBoundingClientRect();
-    Object.assign(layers.style, { right: `${innerWidth - right}px`, bottom: `${innerHeight - top + 4}px` });
-  });
   const scrub = root.querySelector(".scrub input");
   on(scrub, "input", () => stage.scrub(Number(scrub.value)));
 

@@ -1,6 +1,7 @@
 // What a stage says: sentences from WORDS, the note over the picture, news for the page's live region.
 
 import { bus } from "../page/bus.js";
+import { atRest } from "../page/lasting.js";
 import { fill, fixed, number, withUnit } from "../page/sentences.js";
 import { ROLLERS, shapeOf } from "./drawing.js";
 import { TURN } from "./motion.js";
@@ -38,19 +39,18 @@ export const moment = (phase, time, { hides }) =>
  */
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
-  let message = null, slowing = "", noting = 0, described = "", told = "";
+  let message = null, slowing = "", described = "", told = "";
   const show = () => (node.textContent = message ?? slowing);
   const say = (sentence, urgent) => compact || bus.publish("say", { sentence, urgent });
-  signal.addEventListener("abort", () => clearTimeout(noting));
+  const write = (sentence) => {
+    message = sentence;
+    show();
+  };
+  const fade = atRest(NOTE_TIME, () => write(null), signal);
   return {
     note(sentence) {
-      message = sentence;
-      clearTimeout(noting);
-      noting = setTimeout(() => {
-        message = null;
-        show();
-      }, NOTE_TIME);
-      show();
+      write(sentence);
+      fade();
     },
     slowed(factor, speed) {
       const sentence = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;

@@ -68,7 +68,6 @@ class Setting:
 
 def show() -> None:
     """Draw the page."""
-    color_bodies()
     setting = the_route()
     with sheet("results", _("The results")):
         compare()
@@ -240,8 +239,7 @@ def compare() -> None:
     ]
     titles = (_("Route"), _("Steps"), _("$\\Omega^2$ in symbols"), _("$\\Omega^2$ with your numbers"))
     columns = 3 if display_mode.hides("numbers") else 4
-    with st.container(key="results"):
-        st.markdown("\n".join(f"| {' | '.join(row[:columns])} |" for row in (titles, ("---",) * 4, *rows)))
+    widgets.table([row[:columns] for row in (titles, *rows)], "results")
     if cache.all_agree():
         st.markdown(_(":material/check: SymPy has checked that the difference between any two results is exactly 0."))
 
@@ -260,18 +258,6 @@ def margin() -> None:
                     where=note.where, mark=mark, printed=note.printed, correct=note.correct, note=note.note
                 )
             )
-
-
-def color_bodies() -> None:
-    """Give the bodies' names their colours."""
-    colors = theme.colors()
-    # A shadow would hide the ring that Streamlit draws around the focus.
-    bodies = "".join(
-        f".st-key-body button:nth-of-type({place}){{background-image:linear-gradient({colors[body]},{colors[body]});"
-        "background-size:100% 4px;background-position:0 100%;background-repeat:no-repeat}"
-        for place, body in enumerate(PARTS, start=1)
-    )
-    st.html(f"<style>{bodies}</style>")
 
 
 if __name__ == "__main__":

@@ -59,8 +59,8 @@ def go_on(stop: Stop, option: str | None, phase: str) -> None:
 
 def is_answered(stop: Stop) -> bool:
     """Tell whether the page may show the right answer: the reader has asked for it, or the class has seen it."""
-    seen = class_session.has_seen(stop)
-    return progress.prediction(stop)[1] == progress.ANSWERED if seen is None else seen
+    seen = class_session.phase_of(stop)
+    return progress.prediction(stop)[1] == progress.ANSWERED if seen is None else seen == Phase.SOLVED
 
 
 def draw(stop: Stop, number: int) -> None:
@@ -191,9 +191,7 @@ def _compare_hands(stop: Stop) -> None:
     machine = sidebar.oscillator()
     time = stop.periods * 2 * math.pi * math.sqrt(machine.m / machine.k)
     label = _("Show the hands after {n} periods").format(n=stop.periods)
-    name = f"stage_{stop.id}_0"
-    page.publish("moment_published", {f"moment/{name}": {"time": time, "label": label}})
-    page.moment(name)
+    page.moment(f"stage_{stop.id}_0", time, label)
 
 
 def observe(stop: Stop, running: bool) -> None:

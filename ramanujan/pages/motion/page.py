@@ -111,8 +111,7 @@ def freeze(motion: Record) -> None:
     label = _("Pause at the greatest friction ({contact}, t = {time})").format(
         contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)
     )
-    page.publish("moment_published", {"moment/motion": {"time": instant, "label": label}})
-    page.moment("motion")
+    page.moment("motion", instant, label)
 
 
 def greatest_friction(motion: Record) -> tuple[float, str]:
