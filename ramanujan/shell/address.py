@@ -103,13 +103,8 @@ class Choice(URLParameter):
 
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""
-        texts = [self.write(option) for option in self.options]
-        if len(texts) > _FEW:
-            return _(
-                "The value of {name} in the address was ignored: it must be one of {count} options, such as {example}."
-            ).format(name=self.name, count=len(texts), example=texts[0])
         return _("The value of {name} in the address was ignored: it must be one of these: {options}.").format(
-            name=self.name, options=", ".join(texts)
+            name=self.name, options=_listed(map(self.write, self.options))
         )
 
 
@@ -134,15 +129,16 @@ class Several(URLParameter):
 
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""
-        if len(self.options) > _FEW:
-            return _(
-                "The value of {name} in the address was ignored: it must be one or more of {count} options, with "
-                "commas between them, such as {example}."
-            ).format(name=self.name, count=len(self.options), example=",".join(self.options[:2]))
         return _(
             "The value of {name} in the address was ignored: it must be one or more of these, with commas between "
             "them: {options}."
-        ).format(name=self.name, options=", ".join(self.options))
+        ).format(name=self.name, options=_listed(self.options))
+
+
+def _listed(options: Iterable[str]) -> str:
+    """Return options with commas between them; of many, the first few."""
+    texts = list(options)
+    return ", ".join([*texts[:_FEW], "…"] if len(texts) > _FEW else texts)
 
 
 @dataclass(frozen=True)
@@ -226,34 +222,31 @@ def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:
 
 def fits(parameter: URLParameter) -> bool:
     """Tell whether the address says nothing of a parameter, or says it once and readably."""
+    _value, sentence = _read(parameter)
+    return sentence is None
+
+
+def _read(parameter: URLParameter) -> tuple[Any, str | None]:
+    """Return the value that the address has of a parameter, if any, and the sentence on what it cannot use."""
     texts = st.query_params.get_all(parameter.name)
+    if len(texts) > 1:
+        return None, _("The address contains {name} more than once, so it was ignored.").format(name=parameter.name)
     try:
-        return not texts or (len(texts) == 1 and parameter.read(texts[0]) is not None)
+        return parameter.read(texts[0]) if texts else None, None
     except ValueError:
-        return False
+        return None, parameter.message()
 
 
 def _take(parameter: URLParameter, back: bool) -> str | None:
     """Put what the address says of a parameter into the session, or drop it and return a sentence."""
-    texts = st.query_params.get_all(parameter.name)
-    if not texts:
-        if back and not parameter.bound:
-            st.session_state[parameter.name] = parameter.default
-        return None
-    if len(texts) > 1:
-        sentence = _("The address contains {name} more than once, so it was ignored.").format(name=parameter.name)
-    else:
-        try:
-            value = parameter.read(texts[0])
-        except ValueError:
-            sentence = parameter.message()
-        else:
-            if not parameter.bound:
-                st.session_state[parameter.name] = value
-            return None
-    # A bound slider drops by itself what it cannot use.
-    if not parameter.bound:
+    value, sentence = _read(parameter)
+    # A bound slider takes by itself what it can use, and drops the rest.
+    if parameter.bound:
+        return sentence
+    if sentence:
         del st.query_params[parameter.name]
+    elif value is not None or back:
+        st.session_state[parameter.name] = parameter.default if value is None else value
     return sentence
 
 

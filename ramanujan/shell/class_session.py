@@ -72,12 +72,6 @@ def phase_of(stop: Stop) -> Phase | None:
     return last.phase if last else Phase.ASKED
 
 
-def has_seen(stop: Stop) -> bool | None:
-    """Return whether the class has seen the right answer of a stop; None for whoever is no lecturer."""
-    phase = phase_of(stop)
-    return None if phase is None else phase == Phase.SOLVED
-
-
 def open_class(lifetime: float = DAY) -> None:
     """Become the lecturer of a new class, which is kept for so many seconds."""
     st.session_state[_KEY] = shared().open_class(lifetime).key

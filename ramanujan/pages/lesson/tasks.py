@@ -2,40 +2,35 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import streamlit as st
 
 from ramanujan.browser import page, stage
+from ramanujan.browser.stage.words import BODIES as BODY_WORDS
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting, Task, Verdict
 from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
+from ramanujan.pages.motion import page as motion
+from ramanujan.pages.taxicab import other_bodies
 from ramanujan.shell import address, sidebar, stages, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
 from ramanujan.translation import _
 
 RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
-GLIDE = Parameter(
-    "task_glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01
-)
-SPIN = Parameter("task_spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+GLIDE, SPIN = replace(motion.GLIDE, name="task_glide"), replace(motion.SPIN, name="task_spin")
 METHOD = address.Choice("task_method", tuple(METHODS), "rk4")
 STEPS = address.Count("task_steps", MOST_STEPS, 100, FEWEST_STEPS)
 PERIODS = address.Count("task_periods", 100, 10)
 PLACES = {
-    address.Choice("task_left", tuple(BODIES), "hoop"): _("Left roller"),
-    address.Choice("task_right", tuple(BODIES), "cylinder"): _("Right roller"),
-    address.Choice("task_top", tuple(BODIES), "cylinder"): _("Body on top"),
+    address.Choice(f"task_{place}", tuple(BODIES), body): other_bodies.PLACE_WORDS[place]
+    for place, body in other_bodies.PAPER.items()
 }
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 METHOD_WORDS = {name: METHODS[name].title for name in METHODS}
-BODY_WORDS = {
-    "hoop": _("hoop"),
-    "shell": _("spherical shell"),
-    "cylinder": _("solid cylinder"),
-    "sphere": _("solid sphere"),
-}
 _LONGEST = 200
 _WIDTH = 160
 

@@ -33,7 +33,7 @@ def costs(periods: int) -> Callable[[], None]:
     asked = st.session_state.get(_ASKED, False)
     by, tolerance = costs_controls(asked)
     if not asked:
-        what_is_measured(periods)
+        what_is_measured()
         return lambda: None
     place = st.container()
 
@@ -117,33 +117,27 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     st.caption(_how_measured(periods, spread))
     with st.expander(_("The cheapest run of each method")):
         if ranked:
-            verdicts.show_table(verdicts.choice_table(ranked), "cheapest")
+            widgets.table(verdicts.choice_table(ranked), "cheapest")
         else:
             st.markdown(_("No run has an error that small."))
 
 
 def _how_measured(periods: int, spread: float) -> str:
-    return ngettext(
-        "Each point is the largest error in {n} period. Errors and evaluations are the same for every machine. Solid: "
-        "float64; dotted: float32. Times were measured on this server: medians of repeated runs, of which the middle "
-        "half typically spans {spread} of the median.",
-        "Each point is the largest error in {n} periods. Errors and evaluations are the same for every machine. Solid: "
-        "float64; dotted: float32. Times were measured on this server: medians of repeated runs, of which the middle "
-        "half typically spans {spread} of the median.",
-        periods,
-    ).format(n=periods, spread=percent(spread))
+    points = ngettext(
+        "Each point is the largest error in {n} period.", "Each point is the largest error in {n} periods.", periods
+    ).format(n=periods)
+    times = _(
+        "Errors and evaluations are the same for every machine. Solid: float64; dotted: float32. Times were measured "
+        "on this server: medians of repeated runs, of which the middle half typically spans {spread} of the median."
+    ).format(spread=percent(spread))
+    return f"{points} {times}"
 
 
-def what_is_measured(periods: int) -> None:
+def what_is_measured() -> None:
     """Say what the button would measure."""
-    counts = {"methods": len(METHODS), "precisions": len(DTYPES), "n": periods}
-    counts |= {"least": STEPS_PER_PERIOD[0], "most": STEPS_PER_PERIOD[-1]}
     st.markdown(
-        ngettext(
+        _(
             "Press the button: this server then runs {methods} methods in {precisions} precisions with {least} to "
-            "{most} steps per period, {n} period each. Then choose the error that you allow.",
-            "Press the button: this server then runs {methods} methods in {precisions} precisions with {least} to "
-            "{most} steps per period, {n} periods each. Then choose the error that you allow.",
-            periods,
-        ).format(**counts)
+            "{most} steps per period. Then choose the error that you allow."
+        ).format(methods=len(METHODS), precisions=len(DTYPES), least=STEPS_PER_PERIOD[0], most=STEPS_PER_PERIOD[-1])
     )

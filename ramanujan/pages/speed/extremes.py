@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.extremes import FORMS
+from ramanujan.accuracy.extremes import FORMS, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import number
 from ramanujan.pages.speed import cache, own_choices, verdicts
@@ -22,8 +24,8 @@ SWEEP_WORDS = {
 }
 
 
-def forms_at_extremes() -> str:
-    """Draw the forms of Ω² over the range of floating point; return where each of them fails."""
+def forms_at_extremes() -> list[Sweep]:
+    """Draw the forms of Ω² over the range of floating point; return what is shown."""
     st.header(
         _("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)),
         anchor=False,
@@ -39,12 +41,11 @@ def forms_at_extremes() -> str:
     name = widgets.chips(SWEEP, _("What is varied, and the precision"), SWEEP_WORDS, label_visibility="collapsed")
     along, _between, dtype = name.partition("_")
     shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
-    sentence = verdicts.where_forms_fail(shown, cache.ALONG[along][0])
     drawings.plot(
         cache.forms_figure(name, theme.colors(), shown),
         "forms",
-        _("Ω² and its error for {count} forms. {findings}").format(
-            count=len(FORMS), findings=sentence.replace("**", "").replace("- ", "")
+        _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.").format(
+            count=len(FORMS), findings="; ".join(map(verdicts.in_words, shown))
         ),
     )
     st.caption(
@@ -53,15 +54,14 @@ def forms_at_extremes() -> str:
             "right. Errors are in ulp (unit in the last place), measured against {digits} digits."
         ).format(digits=REFERENCE.dps)
     )
-    return sentence
+    return shown
 
 
-def where_forms_fail(sentence: str) -> None:
+def where_forms_fail(shown: Sequence[Sweep]) -> None:
     """Say where each form fails, and which formulas they are."""
-    st.markdown(sentence)
+    widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].along][0]), "forms")
     item = _("- **{name}**: Ω² = {formula}")
-    listed = "\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values())
-    st.markdown(listed)
+    st.markdown("\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values()))
 
 
 def many_periods(machine: Oscillator) -> None:
@@ -88,7 +88,7 @@ def general_solver() -> None:
         )
     )
     st.markdown(verdicts.zero_modes(sweeps))
-    verdicts.show_table(verdicts.zero_mode_table(sweeps), "zero_modes")
+    widgets.table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 
 def what_the_app_uses() -> None:

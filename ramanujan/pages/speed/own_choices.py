@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
@@ -12,110 +13,89 @@ from ramanujan.numerals import duration, number
 from ramanujan.pages.speed.downsampling import SCREEN_HEIGHT
 from ramanujan.translation import _
 
-
-def what_the_app_uses(found: Sequence[object], sweeps: Sequence[Sweep]) -> str:
-    """List what the app uses where, why, and the measurement behind it."""
-    kinds = [f for f in found if isinstance(f, Arithmetic)]
-    items = [
-        _motion([f for f in found if isinstance(f, ClosedForm)]),
-        *_frequency(kinds, {s.form: s for s in sweeps if (s.along, s.dtype) == ("machines", "float64")}),
-        _formulas(kinds),
-        _curves([f for f in found if isinstance(f, CurveSampling)]),
-        _bytes(),
-        *(_kept(f) for f in found if isinstance(f, Comparison)),
-    ]
-    return "\n".join(f"- {item}" for item in items)
-
-
-def _motion(states: Sequence[ClosedForm]) -> str:
-    return _(
+_CHOICES = (
+    _(
         "**Motion, stage and figures**: the closed form. For equal masses of 1 kg and k = 1 N/m its phase error is at "
-        "most {error} rad from {first} to {last} periods. A state takes {time}, however long after the release."
-    ).format(
-        first=states[0].periods,
-        last=number(states[-1].periods),
-        error=number(max(s.phase_error for s in states)),
-        time=duration(float(np.median([s.seconds.median for s in states]))),
-    )
-
-
-def _only(kinds: Sequence[Arithmetic], name: str) -> Arithmetic:
-    return next(each for each in kinds if each.kind == name)
-
-
-def _frequency(kinds: Sequence[Arithmetic], drawn: Mapping[str, Sweep]) -> tuple[str, str]:
-    machine, curve = drawn["integers"], drawn["partial_fractions"]
-    right = curve.verdict == RIGHT
-    return (
-        _(
-            "**Ω² of a machine**: {formula}. For {count} random machines over the whole range of float64, the "
-            "error is at most {error} ulp. A value takes {integers}. Fractions give the same digits in {fractions}."
-        ).format(
-            formula=FORMS["integers"].formula,
-            count=machine.x.size,
-            error=number(machine.worst_right_ulp),
-            integers=duration(_only(kinds, "integers").seconds.median),
-            fractions=duration(_only(kinds, "fraction").seconds.median),
-        ),
-        _(
-            "**The curve of Ω²m/k**: {formula}, for k = m. It computes whole arrays: a value takes {many} in an array "
-            "and {one} by itself. For the same machines its error is up to {error} ulp, and it fails for {failed} of "
-            "them."
-        ).format(
-            formula=FORMS["partial_fractions"].formula,
-            many=duration(_only(kinds, "array").seconds.median),
-            one=duration(_only(kinds, "float64").seconds.median),
-            error=number(curve.worst_right_ulp),
-            failed=int(np.count_nonzero(~right)),
-        ),
-    )
-
-
-def _formulas(kinds: Sequence[Arithmetic]) -> str:
-    digits = [each for each in kinds if each.kind == "mpmath"]
-    return _(
+        "most {phase_error} rad from {first} to {last} periods. A state takes {state}, however long after the release."
+    ),
+    _(
+        "**Ω² of a machine**: {machine_formula}. For {machines} random machines over the whole range of float64, the "
+        "error is at most {machine_error} ulp. A value takes {integers}. Fractions give the same digits in {fraction}."
+    ),
+    _(
+        "**The curve of Ω²m/k**: {curve_formula}, for k = m. It computes whole arrays: a value takes {array} in an "
+        "array and {float64} by itself. For the same machines its error is up to {curve_error} ulp, and it fails for "
+        "{failed} of them."
+    ),
+    _(
         "**Formulas and steps of the derivation**: exact fractions. One value of Ω² takes {fraction} and has no "
         "error. With mpmath it takes {few} with {few_digits} digits and {many} with {many_digits} digits."
-    ).format(
-        fraction=duration(_only(kinds, "fraction").seconds.median),
-        few=duration(digits[0].seconds.median),
-        few_digits=digits[0].digits,
-        many=duration(digits[-1].seconds.median),
-        many_digits=digits[-1].digits,
-    )
-
-
-def _curves(curves: Sequence[CurveSampling]) -> str:
-    enough = {name: next(c for c in curves if c.curve == name and c.pixels < 0.5) for name in ("cosine", "frequency")}
-    return _(
+    ),
+    _(
         "**Curves**: enough points for an error below half a pixel. In a figure {height} pixels high, {cosine} points "
-        "draw one period to {cosine_error} pixel, and {curve} points draw the curve of Ω² to {curve_error} "
+        "draw one period to {cosine_error} pixel, and {frequency} points draw the curve of Ω² to {frequency_error} "
         "pixel."
-    ).format(
-        height=HEIGHT,
-        cosine=enough["cosine"].points,
-        cosine_error=number(enough["cosine"].pixels),
-        curve=enough["frequency"].points,
-        curve_error=number(enough["frequency"].pixels),
-    )
-
-
-def _bytes() -> str:
-    rounding = float(np.finfo(np.float32).eps) / 2
-    return _(
+    ),
+    _(
         "**Numbers sent to the browser**: float32. They take half the bytes of float64. Rounding changes a number by "
-        "at most one part in {part}, {finer} times less than half a pixel of a screen {height} pixels high."
-    ).format(part=number(1 / rounding), finer=number(0.5 / SCREEN_HEIGHT / rounding), height=SCREEN_HEIGHT)
+        "at most one part in {part}, {finer} times less than half a pixel of a screen {screen} pixels high."
+    ),
+    _("**Ω** is stored with its machine. Reading it again is {kept_frequency} times faster than computing it."),
+    _("**The solution** is stored with its machine. The next state is {kept_state} times faster than the first."),
+    _("**Many states** are computed in one call. For {n} states this is {kept_states} times faster than one by one."),
+)
+"""What the app uses where, and why."""
 
 
-def _kept(compared: Comparison) -> str:
-    sentences = {
-        "frequency": _("**Ω** is stored with its machine. Reading it again is {ratio} times faster than computing it."),
-        "state": _(
-            "**The solution** is stored with its machine. The next state is {ratio} times faster than the first."
-        ),
-        "states": _(
-            "**Many states** are computed in one call. For {n} states this is {ratio} times faster than one by one."
-        ),
+def what_the_app_uses(found: Iterable[object], sweeps: Iterable[Sweep]) -> str:
+    """List what the app uses where, why, and the measurement behind it."""
+    kinds: dict[type, list[Any]] = {}
+    for each in found:
+        kinds.setdefault(type(each), []).append(each)
+    drawn = {each.form: each for each in sweeps if (each.along, each.dtype) == ("machines", "float64")}
+    values = {
+        **_motion(kinds[ClosedForm]),
+        **_frequency(kinds[Arithmetic], drawn["integers"], drawn["partial_fractions"]),
+        **_on_screen(kinds[CurveSampling]),
+        **{f"kept_{each.name}": number(each.ratio) for each in kinds[Comparison]},
     }
-    return sentences[compared.name].format(ratio=number(compared.ratio), n=STATES)
+    return "\n".join(f"- {sentence}" for sentence in _CHOICES).format(**values, n=STATES)
+
+
+def _motion(states: list[ClosedForm]) -> dict[str, Any]:
+    return {
+        "first": states[0].periods,
+        "last": number(states[-1].periods),
+        "phase_error": number(max(each.phase_error for each in states)),
+        "state": duration(float(np.median([each.seconds.median for each in states]))),
+    }
+
+
+def _frequency(arithmetics: list[Arithmetic], machine: Sweep, curve: Sweep) -> dict[str, Any]:
+    few, *_others, many = (each for each in arithmetics if each.kind == "mpmath")
+    return {
+        **{each.kind: duration(each.seconds.median) for each in arithmetics},
+        "few": duration(few.seconds.median),
+        "few_digits": few.digits,
+        "many": duration(many.seconds.median),
+        "many_digits": many.digits,
+        "machines": machine.x.size,
+        "machine_formula": FORMS[machine.form].formula,
+        "machine_error": number(machine.worst_right_ulp),
+        "curve_formula": FORMS[curve.form].formula,
+        "curve_error": number(curve.worst_right_ulp),
+        "failed": int(np.count_nonzero(curve.verdict != RIGHT)),
+    }
+
+
+def _on_screen(curves: list[CurveSampling]) -> dict[str, Any]:
+    enough = {name: next(c for c in curves if c.curve == name and c.pixels < 0.5) for name in ("cosine", "frequency")}
+    rounding = float(np.finfo(np.float32).eps) / 2
+    return {
+        **{name: each.points for name, each in enough.items()},
+        **{f"{name}_error": number(each.pixels) for name, each in enough.items()},
+        "height": HEIGHT,
+        "part": number(1 / rounding),
+        "finer": number(0.5 / SCREEN_HEIGHT / rounding),
+        "screen": SCREEN_HEIGHT,
+    }

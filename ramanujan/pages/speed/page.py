@@ -24,8 +24,6 @@ PERIODS = address.Choice("periods", cache.PERIODS, 30)
 PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
 URL_PARAMETERS = (METHOD, STEPS, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
 
-PRECISION_WORDS = {"float64": _("float64"), "float32": _("float32")}
-
 
 def show() -> None:
     """Draw the page, then take its experiments."""
@@ -38,10 +36,10 @@ def show() -> None:
     with sheet("costs", _("What accuracy costs")):
         costs_on_this_server = costs(periods)
     with sheet("forms", _("Extreme values")):
-        failures = extremes.forms_at_extremes()
+        forms = extremes.forms_at_extremes()
     if not display_mode.is_projector():
         with st.expander(_("Where each form fails, and the formulas")):
-            extremes.where_forms_fail(failures)
+            extremes.where_forms_fail(forms)
     with sheet("periods", _("Very many periods")):
         extremes.many_periods(sidebar.oscillator())
     with folded("solver", _("A general eigen-solver, which does not know this machine")):
@@ -74,7 +72,7 @@ def choose() -> tuple[str, int, int, str]:
     with third:
         periods = widgets.ladder(PERIODS, _("Number of periods"))
     with fourth:
-        precision = widgets.chips(PRECISION, _("Precision"), PRECISION_WORDS)
+        precision = widgets.chips(PRECISION, _("Precision"))
     return method, steps, periods, precision
 
 

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 
 import numpy as np
-import streamlit as st
 
 from ramanujan.accuracy.choices import ClosedForm
 from ramanujan.accuracy.extremes import FORMS, INACCURATE, OVERFLOW, PLAUSIBLE, RIGHT, ZERO, Stretch, Sweep
@@ -26,18 +25,6 @@ _ROUNDING, _SMALL, _STEEPER = 1e-12, 0.5, 0.3
 """Errors between which a curve has a slope, and by how much it has to exceed the order to be worth a sentence."""
 
 Table = list[tuple[str, ...]]
-
-
-def table(rows: Table) -> str:
-    """Return rows as a Markdown table; the first row names the columns."""
-    lines = [" | ".join(row) for row in rows]
-    return "\n".join([lines[0], " | ".join(["---"] * len(rows[0])), *lines[1:]])
-
-
-def show_table(rows: Table, key: str) -> None:
-    """Draw a table that scrolls by itself where the page is narrow."""
-    with st.container(key=f"table_{key}"):
-        st.markdown(table(rows))
 
 
 def method_facts(method: Method, steps: int) -> str:
@@ -64,30 +51,18 @@ def method_facts(method: Method, steps: int) -> str:
 def errors_of(run: Run) -> str:
     """Say how far a run is off at its end, and whether it shows."""
     worst = float(np.max(run.energy))
-    counts = {"n": run.periods, "evaluations": number(run.evaluations, 3)}
+    evaluated = ngettext(
+        "In {n} period the force was evaluated {evaluations} times.",
+        "In {n} periods the force was evaluated {evaluations} times.",
+        run.periods,
+    ).format(n=run.periods, evaluations=number(run.evaluations, 3))
     if not math.isfinite(run.energy_at_end) or worst > 1e6:
-        return ngettext(
-            "After {n} period and {evaluations} evaluations of the force, the energy has grown beyond all bounds.",
-            "After {n} periods and {evaluations} evaluations of the force, the energy has grown beyond all bounds.",
-            run.periods,
-        ).format(**counts)
+        return " ".join((evaluated, _("The energy has grown beyond all bounds.")))
     phase = (
-        ngettext(
-            "After {n} period and {evaluations} evaluations of the force, the computed machine is **{turns} of a "
-            "full turn ahead** ({phase} rad).",
-            "After {n} periods and {evaluations} evaluations of the force, the computed machine is **{turns} of a "
-            "full turn ahead** ({phase} rad).",
-            run.periods,
-        )
+        _("At the end the computed machine is **{turns} of a full turn ahead** ({phase} rad).")
         if run.phase_at_end > 0
-        else ngettext(
-            "After {n} period and {evaluations} evaluations of the force, the computed machine is **{turns} of a "
-            "full turn behind** ({phase} rad).",
-            "After {n} periods and {evaluations} evaluations of the force, the computed machine is **{turns} of a "
-            "full turn behind** ({phase} rad).",
-            run.periods,
-        )
-    )
+        else _("At the end the computed machine is **{turns} of a full turn behind** ({phase} rad).")
+    ).format(phase=number(abs(run.phase_at_end)), turns=number(abs(run.phase_at_end) / math.tau))
     if worst > 1:
         energy = _("Its energy grew to **{factor} times** the true value.").format(factor=number(1 + worst))
     elif worst >= 1e-4:
@@ -96,47 +71,38 @@ def errors_of(run: Run) -> str:
         energy = _("Its relative energy error was at most **{error}**.").format(error=number(worst))
     seen = abs(run.phase_at_end) > _SEEN or worst > _SEEN
     verdict = _("The difference is visible.") if seen else _("The difference is too small to see.")
-    counts |= {"phase": number(abs(run.phase_at_end)), "turns": number(abs(run.phase_at_end) / math.tau)}
-    return f"{phase.format(**counts)} {energy} {verdict}"
+    return f"{evaluated} {phase} {energy} {verdict}"
 
 
 def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: ClosedForm | None) -> str:
     """Name the cheapest run within the tolerance, its cost, and the closed form's."""
     said = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
     if exact is not None:
-        said.append(
-            ngettext(
-                "The closed form takes {time} for a state after {n} period, and its phase error is {error} rad.",
-                "The closed form takes {time} for a state after {n} periods, and its phase error is {error} rad.",
-                exact.periods,
-            ).format(time=duration(exact.seconds.median), n=exact.periods, error=number(exact.phase_error))
-        )
+        sentence = _("The closed form takes {time} for the last state, and its phase error is {error} rad.")
+        said.append(sentence.format(time=duration(exact.seconds.median), error=number(exact.phase_error)))
     return " ".join(said)
 
 
 def _cheapest(best: Choice, tolerance: float, by: str) -> str:
-    sentence = (
+    named = (
         _(
             "For an error of at most {tolerance} of the amplitude, the fastest run on this server is **{method}** in "
-            "{precision} with **{steps} steps per period**. It takes {time} and {evaluations} evaluations of the "
-            "force, and its largest error is {error}."
+            "{precision} with **{steps} steps per period**."
         )
         if by == "seconds"
         else _(
             "For an error of at most {tolerance} of the amplitude, the run with the fewest evaluations of the force is "
-            "**{method}** in {precision} with **{steps} steps per period**. It takes {evaluations} evaluations and "
-            "{time} on this server, and its largest error is {error}."
+            "**{method}** in {precision} with **{steps} steps per period**."
         )
-    )
-    return sentence.format(
+    ).format(
         tolerance=number(tolerance, 1),
         method=METHODS[best.method].title,
         precision=best.dtype,
         steps=best.steps_per_period,
-        error=number(best.error),
-        evaluations=number(best.evaluations, 3),
-        time=duration(best.seconds),
     )
+    cost = _("It takes {evaluations} evaluations and {time} on this server, and its largest error is {error}.")
+    cost = cost.format(error=number(best.error), evaluations=number(best.evaluations, 3), time=duration(best.seconds))
+    return f"{named} {cost}"
 
 
 def _none_reaches(tolerance: float) -> str:
@@ -156,101 +122,72 @@ def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, in
             continue
         if (slope := math.log2(coarse_error / fine_error)) > method.order + _STEEPER:
             coarse, end = (run(curve.method, each, curve.periods, "float64").phase_at_end for each in (fine // 2, fine))
-            words = {"method": method.title, "order": method.order, "n": curve.periods}
-            words |= {"slope": f"{slope:.1f}", "phase": f"{math.log2(coarse / end):.1f}"}
-            said.append(
-                ngettext(
-                    "The method {method} has order {order}, but its error falls with slope {slope}: in {n} period a "
-                    "phase error grows, and that falls with slope {phase}.",
-                    "The method {method} has order {order}, but its error falls with slope {slope}: in {n} periods a "
-                    "phase error grows, and that falls with slope {phase}.",
-                    curve.periods,
-                ).format(**words)
+            sentence = _(
+                "The method {method} has order {order}, but its error falls with slope {slope}: a phase error grows "
+                "from period to period, and that falls with slope {phase}."
             )
+            words = {"method": method.title, "order": method.order, "slope": f"{slope:.1f}"}
+            said.append(sentence.format(**words, phase=f"{math.log2(coarse / end):.1f}"))
     return " ".join(said)
 
 
 def choice_table(choices: Iterable[Choice]) -> Table:
     """List the cheapest run of each method and precision."""
-    rows: Table = [
-        (_("Method"), _("Precision"), _("Steps per period"), _("Error"), _("Evaluations"), _("Time")),
-    ]
+    rows: Table = [(_("Method"), _("Precision"), _("Steps per period"), _("Error"), _("Evaluations"), _("Time"))]
     for c in choices:
-        cells = (METHODS[c.method].title, c.dtype, str(c.steps_per_period), number(c.error))
-        rows.append((*cells, number(c.evaluations, 3), duration(c.seconds)))
+        cost = number(c.evaluations, 3), duration(c.seconds)
+        rows.append((METHODS[c.method].title, c.dtype, str(c.steps_per_period), number(c.error), *cost))
     return rows
 
 
-def where_forms_fail(sweeps: Sequence[Sweep], symbol: str) -> str:
-    """Say of each form where it fails and what it then returns, and name those that never do."""
-    sound = [sweep for sweep in sweeps if set(sweep.verdict) == {RIGHT}]
-    lines = []
-    for sweep in (sweep for sweep in sweeps if sweep not in sound):
-        failures = " ".join(_failure(sweep, each, symbol) for each in sweep.stretches if each.verdict != RIGHT)
-        lines.append(_("- **{form}**: {failures}").format(form=_form(sweep), failures=failures))
-    if sound:
-        lines.append(
-            _("- **Right over the whole range**, to within {error} ulp: {forms}.").format(
-                error=number(max(sweep.worst_right_ulp for sweep in sound)), forms=", ".join(map(_form, sound))
-            )
-        )
-    return "\n".join(lines)
+def failure_table(sweeps: Sequence[Sweep], symbol: str) -> Table:
+    """List where and how each form fails; the symbol is that of what is varied."""
+    rows: Table = [(_("Form"), _("Where it fails"), _("What it returns there"))]
+    for sweep in sweeps:
+        failures = [(_place(each, symbol), _word(sweep, each)) for each in sweep.stretches if each.verdict != RIGHT]
+        sound = _("nowhere"), _word(sweep, sweep.stretches[0])
+        rows += [(FORMS[sweep.form].title, *cells) for cells in failures or [sound]]
+    return rows
 
 
-def _form(sweep: Sweep) -> str:
-    return FORMS[sweep.form].title
+def _place(stretch: Stretch, symbol: str) -> str:
+    place = _("{symbol} = {first}") if stretch.first == stretch.last else _("{symbol} from {first} to {last}")
+    return place.format(symbol=symbol, first=number(float(stretch.first)), last=number(float(stretch.last)))
 
 
-_FAILURES = {
-    ZERO: _("For {symbol} from {first} to {last} it returns 0."),
-    "−0": _("For {symbol} from {first} to {last} it returns −0."),
-    OVERFLOW: _("For {symbol} from {first} to {last} it returns infinity or NaN."),
-    PLAUSIBLE: _("For {symbol} from {first} to {last} it returns a plausible wrong value, such as {value}."),
-    INACCURATE: _("For {symbol} from {first} to {last} it loses digits."),
-}
-_FAILURES_AT_A_POINT = {
-    ZERO: _("For {symbol} = {first} it returns 0."),
-    "−0": _("For {symbol} = {first} it returns −0."),
-    OVERFLOW: _("For {symbol} = {first} it returns infinity or NaN."),
-    PLAUSIBLE: _("For {symbol} = {first} it returns a plausible wrong value, {value}."),
-    INACCURATE: _("For {symbol} = {first} it loses digits."),
-}
-
-
-def _failure(sweep: Sweep, stretch: Stretch, symbol: str) -> str:
-    verdict, usual = _returned(sweep, stretch)
-    sentence = (_FAILURES_AT_A_POINT if stretch.first == stretch.last else _FAILURES)[verdict]
-    ends = {"first": number(float(stretch.first)), "last": number(float(stretch.last))}
-    return sentence.format(symbol=symbol, value=usual, **ends)
-
-
-def _returned(sweep: Sweep, stretch: Stretch) -> tuple[str, str]:
-    """Return a stretch's verdict, where −0 is told from 0, and the usual value if it looks like an answer."""
-    inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
-    verdict = "−0" if stretch.verdict == ZERO and np.signbit(inside).all() else stretch.verdict
-    return verdict, number(float(np.median(inside)), 4) if verdict == PLAUSIBLE else ""
+def in_words(sweep: Sweep) -> str:
+    """Return what the strip of a form says, from left to right."""
+    words = ", ".join(_word(sweep, each) for each in sweep.stretches)
+    return _("{form}: {words}").format(form=FORMS[sweep.form].title, words=words)
 
 
 def strip(sweep: Sweep) -> list[Part]:
     """Return the stretches of a form as parts of its strip."""
-    stretches, parts = sweep.stretches, []
+    stretches = sweep.stretches
     ends = [*(each.first for each in stretches[1:]), stretches[-1].last]
-    for stretch, end in zip(stretches, ends, strict=True):
-        verdict, usual = _returned(sweep, stretch)
-        word = _RETURNS[verdict].format(value=usual, error=number(sweep.worst_right_ulp))
-        parts.append(Part(math.log10(stretch.first), math.log10(end), verdict == RIGHT, word))
-    return parts
+    return [
+        Part(math.log10(each.first), math.log10(end), each.verdict == RIGHT, _word(sweep, each))
+        for each, end in zip(stretches, ends, strict=True)
+    ]
 
 
 _RETURNS = {
     RIGHT: _("right to {error} ulp"),
     ZERO: "0",
-    "−0": "−0",
     OVERFLOW: _("∞ or NaN"),
     PLAUSIBLE: _("{value}: wrong"),
     INACCURATE: _("loses digits"),
 }
-"""Verdict → what a strip says there."""
+"""Verdict → what a form returns there."""
+
+
+def _word(sweep: Sweep, stretch: Stretch) -> str:
+    """Return what a form returns in a stretch; −0 is told from 0, and of wrong values the usual one is named."""
+    inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
+    if stretch.verdict == ZERO and np.signbit(inside).all():
+        return "−0"
+    usual = number(float(np.median(inside)), 4) if stretch.verdict == PLAUSIBLE else ""
+    return _RETURNS[stretch.verdict].format(value=usual, error=number(sweep.worst_right_ulp))
 
 
 def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
@@ -314,14 +251,8 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
         ),
     ]
     for s in sweeps:
-        largest = float(np.nanmax(np.abs(s.zero_modes)))
-        rows.append(
-            (
-                SOLVERS[s.solver].title,
-                s.dtype,
-                quantity(float(np.nanmax(s.error_ulp)), "ulp"),
-                quantity(largest, "rad²/s²") if largest else _("exactly 0"),
-                _("{count} of {all}").format(count=int(s.without_frequency.sum()), all=s.error_ulp.size),
-            )
-        )
+        largest, error = (float(np.nanmax(np.abs(each))) for each in (s.zero_modes, s.error_ulp))
+        zero = quantity(largest, "rad²/s²") if largest else _("exactly 0")
+        count = _("{count} of {all}").format(count=int(s.without_frequency.sum()), all=s.error_ulp.size)
+        rows.append((SOLVERS[s.solver].title, s.dtype, quantity(error, "ulp"), zero, count))
     return rows

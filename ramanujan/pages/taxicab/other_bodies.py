@@ -84,7 +84,7 @@ def told(story: cache.Story) -> None:
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root}")
     st.latex(story.square)
-    st.markdown(_about_cubes(story))
+    st.markdown(about_cubes(story))
     with_your_masses(machine)
     with st.expander(_("The discriminant of the number field")):
         st.markdown(_about_field(machine))
@@ -109,7 +109,8 @@ def with_your_masses(machine: BodyChoice) -> None:
     )
 
 
-def _about_cubes(story: cache.Story) -> str:
+def about_cubes(story: cache.Story) -> str:
+    """Say of a discriminant, with its prime factors, whether it is a sum of two cubes."""
     ways = len(story.machine.cubes)
     sentence = (
         ngettext(
@@ -120,7 +121,9 @@ def _about_cubes(story: cache.Story) -> str:
         if ways
         else _("The discriminant {number} is not a sum of two positive cubes.")
     )
-    return sentence.format(number=factored(story), cubes=story.cubes, n=ways)
+    discriminant = str(story.machine.discriminant)
+    factors = "" if story.factors == discriminant else f" $={story.factors}$"
+    return sentence.format(number=f"**{discriminant}**{factors}", cubes=story.cubes, n=ways)
 
 
 def _about_field(machine: BodyChoice) -> str:
@@ -136,13 +139,6 @@ def _about_field(machine: BodyChoice) -> str:
         )
     )
     return sentence.format(field=machine.field_discriminant)
-
-
-def factored(story: cache.Story) -> str:
-    """Return the discriminant with its prime factors, as Markdown."""
-    discriminant = story.machine.discriminant
-    prime = story.factors == str(discriminant)
-    return f"**{discriminant}**" if prime else f"**{discriminant}** $={story.factors}$"
 
 
 def forty_machines(chosen: BodyChoice) -> None:

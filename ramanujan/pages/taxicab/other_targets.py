@@ -13,7 +13,7 @@ from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache
-from ramanujan.pages.taxicab.other_bodies import PAPER, factored, pair
+from ramanujan.pages.taxicab.other_bodies import PAPER, about_cubes, pair
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
@@ -61,12 +61,7 @@ def told(story: cache.Story) -> None:
     target, discriminant = story.machine.target, story.machine.discriminant
     st.latex(story.quadratic)
     st.latex(rf"\varepsilon = {story.root}")
-    sentence = (
-        _("The discriminant {number} is a sum of two positive cubes, ${cubes}$.")
-        if story.cubes
-        else _("The discriminant {number} is not a sum of two positive cubes.")
-    )
-    said = [sentence.format(number=factored(story), cubes=story.cubes)]
+    said = [about_cubes(story)]
     if isqrt(discriminant) ** 2 == discriminant:
         said.append(_("The discriminant is a square, so this $\\varepsilon$ is a fraction."))
     st.markdown(" ".join(said))

@@ -92,22 +92,18 @@ def digits_and_fractions() -> None:
                 "a fraction, and no other with such a small denominator is closer. A workshop could use these:"
             ).format(first=first, others=", ".join(map(str, others)))
         )
-        st.markdown(practical_ratios())
+        widgets.table(practical_ratios(), "ratios")
 
 
-def practical_ratios() -> str:
-    """Return the table of ratios for the workshop as Markdown."""
-    head = (_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))
-    rows = [f"| {' | '.join(head)} |", "|--|--|--|"]
+def practical_ratios() -> list[tuple[str, ...]]:
+    """Return the table of ratios for the workshop."""
+    rows = [(_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))]
     for entry in cache.practical_machines():
         periods = round(entry.periods)
         lasting = ngettext("{n} period", "{n} periods", periods).format(n=number(periods, 4))
-        rows.append(
-            f"| ${entry.ratio.numerator}/{entry.ratio.denominator}$ "
-            f"| ${{{entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}}}$ "
-            f"| {lasting} |"
-        )
-    return "\n".join(rows)
+        error = f"{entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}"
+        rows.append((f"${entry.ratio.numerator}/{entry.ratio.denominator}$", f"${{{error}}}$", lasting))
+    return rows
 
 
 def scientific(value: Fraction) -> str:
