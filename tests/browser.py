@@ -56,32 +56,37 @@ class running:  # noqa: N801 (reads as a sentence: with running(app) as address)
     """Run a Streamlit script on a free port for as long as the block lasts."""
 
     def __init__(self, script: Path) -> None:
-        self.script = script
-
-    def __enter__(self) -> str:
         with socket.socket() as probe:
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
-        command = [sys.executable, "-m", "streamlit", "run", str(self.script), "--server.headless", "true"]
+        self.address = f"http://127.0.0.1:{port}"
+        command = [sys.executable, "-m", "streamlit", "run", str(script), "--server.headless", "true"]
         self.process = subprocess.Popen(
             [*command, "--server.address", "127.0.0.1", "--server.port", str(port)],
             cwd=ROOT,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
-        address = f"http://127.0.0.1:{port}"
-        for _ in range(240):
-            try:
-                urllib.request.urlopen(f"{address}/_stcore/health", timeout=1)
-                return address
-            except OSError:
-                time.sleep(0.25)
-        self.__exit__()
-        raise RuntimeError("the app did not start")
+
+    def __enter__(self) -> str:
+        try:
+            return started(self.address)
+        except BaseException:
+            self.__exit__()
+            raise
 
     def __exit__(self, *_: object) -> None:
         self.process.terminate()
         self.process.wait()
+
+
+def started(address: str) -> str:
+    """Return the address of an app when it answers."""
+    for _ in range(240):
+        with contextlib.suppress(OSError), urllib.request.urlopen(f"{address}/_stcore/health", timeout=1):
+            return address
+        time.sleep(0.25)
+    raise RuntimeError("the app did not start")
 
 
 def listen(page: Page) -> None:

@@ -1,7 +1,8 @@
 """What the tests share: the app under AppTest, a running server, a Chromium.
 
 Browser tests need a Chromium or Chrome on the system; without one they are skipped, unless RAMANUJAN_REQUIRE_BROWSER
-is set, as it is in CI. Those of one file stay together in one worker, which starts their server and browser once.
+is set, as it is in CI. Those of one file stay together in one worker, which starts their browser once; all workers of
+a run share one server, and what it has worked out.
 In CI, whose machine others share, a browser test that fails gets a second try, which the report counts as a rerun; on
 your own machine it gets none, so that a race is seen.
 """
@@ -20,7 +21,20 @@ from streamlit.testing.v1 import AppTest, app_test
 from streamlit.testing.v1.element_tree import ElementTree, parse_tree_from_messages
 from streamlit.testing.v1.local_script_runner import LocalScriptRunner
 
-from tests.browser import CHROMIUM, FLAGS, MOUNTED, ROOT, arrived, count_anew, is_back, listen, rest, running, settle
+from tests.browser import (
+    CHROMIUM,
+    FLAGS,
+    MOUNTED,
+    ROOT,
+    arrived,
+    count_anew,
+    is_back,
+    listen,
+    rest,
+    running,
+    settle,
+    started,
+)
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
 UNOPTIMIZED = "--js-flags=--no-opt --no-maglev"
@@ -49,9 +63,30 @@ def app() -> AppTest:
     return AppTest.from_file(str(ROOT / "app.py"), default_timeout=60)
 
 
+_APP = pytest.StashKey[running]()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: object) -> None:
+    """Tell a worker the address of the app that all of them share."""
+    if CHROMIUM:
+        stash = node.config.stash
+        stash[_APP] = stash.get(_APP, None) or running(ROOT / "app.py")
+        node.workerinput["server"] = stash[_APP].address
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """End the app that the workers have shared."""
+    if app := config.stash.get(_APP, None):
+        app.__exit__()
+
+
 @pytest.fixture(scope="session")
-def server() -> Iterator[str]:
+def server(pytestconfig: pytest.Config) -> Iterator[str]:
     """The address of the running app."""
+    if shared := getattr(pytestconfig, "workerinput", {}).get("server"):
+        yield started(shared)
+        return
     with running(ROOT / "app.py") as address:
         yield address
 

@@ -1,34 +1,67 @@
-"""Nothing that somebody has set is lost when two things happen at once, or when the server is away."""
+"""Nothing that somebody has set is lost: over slow and broken networks, and when the server is away.
+
+RAMANUJAN_CHANGES sets how many quick changes each page sees (500 for a thorough run).
+"""
 
 from __future__ import annotations
 
 import contextlib
+import os
+import random
+from collections.abc import Callable, Iterator
+from itertools import pairwise
 from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser import ROOT, listen, next_frame, running, settle
-from tests.slow_network import delayed, network
-from tests.test_browser_hand import TOLD, take_slab
+from ramanujan import Oscillator
+from ramanujan.shell import navigation
+from tests.browser import ROOT, inside, listen, next_frame, running, settle, thumb
+from tests.slow_network import network
+from tests.test_browser_hand import HINT, PRESENT, TOLD, normalized, take_slab
 
+CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "1"))
 COMPRESSION = ".st-key-compression input[type=range]"
 BOX = ".st-key-m_prime_exact input"
+M_PRIME = ".st-key-m_prime input[type=range]"
+LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
+HEADING = ".st-key-lecture h2:visible"
 
 
-@contextlib.contextmanager
-def opened(profile, server: str, delay: float, link: str = ""):
-    """Open a page over a network that is late by so much."""
-    with delayed(server, delay) if delay else contextlib.nullcontext(server) as address:
-        page = profile.new_page()
-        listen(page)
-        page.set_viewport_size({"width": 1280, "height": 720})
-        page.emulate_media(reduced_motion="reduce")
-        page.goto(f"{address}/{link}")
-        page.wait_for_selector(BOX, timeout=60_000)
-        settle(page)
-        yield page
-        page.close()
+def open_tab(profile, address: str):
+    page = profile.new_page()
+    listen(page)
+    page.set_viewport_size({"width": 1280, "height": 720})
+    page.emulate_media(reduced_motion="reduce")
+    page.goto(address)
+    page.wait_for_selector(BOX, timeout=60_000)
+    settle(page)
+    return page
+
+
+@pytest.fixture(scope="module")
+def late(profile, server) -> Iterator[Callable]:
+    """Open a page over a network that is late by so many seconds each way; each address has one tab."""
+    tabs = {}
+    with network(server) as way:
+
+        def at(seconds: float, link: str = ""):
+            way.seconds = 0.0
+            if link in tabs:
+                page = tabs[link]
+                page.bring_to_front()
+                page.get_by_text("Reset", exact=True).click()
+                page.evaluate("document.activeElement.blur()")
+                settle(page)
+            else:
+                page = tabs[link] = open_tab(profile, f"{way.address}/{link}")
+            way.seconds = seconds
+            return page
+
+        yield at
+        for page in tabs.values():
+            page.close()
 
 
 def address(page) -> dict[str, list[str]]:
@@ -41,40 +74,172 @@ def calm(page, delay: float) -> None:
     settle(page)
 
 
-@pytest.mark.parametrize(("delay", "link"), [(0.0, ""), (0.4, ""), (0.1, "derivation")])
-def test_a_preset_wins_over_what_was_typed_before_it(profile, server, delay, link):
-    with opened(profile, server, delay, link) as page:
-        for preset in ("Equal masses", "Reset"):
-            page.locator(BOX).fill("4.44")
-            page.get_by_text(preset, exact=True).click()
-            calm(page, delay)
-            expect(page.locator(BOX)).to_have_value("1.0")
-            assert page.locator(".st-key-m_prime input[type=range]").input_value() == "1"
-            assert "m_prime" not in address(page)
-            assert page.evaluate(TOLD.replace("oscillator", "beside" if link else "oscillator"))["m_prime"] == 1.0
+def drag(page, key: str, by: int, steps: int = 4, pause: int = 0) -> None:
+    """Drag the thumb of a slider by so many pixels."""
+    x, y = thumb(page, key)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for i in range(1, steps + 1):
+        page.mouse.move(x + by * i / steps, y)
+        page.wait_for_timeout(pause)
+    page.mouse.up()
 
 
-@pytest.mark.parametrize("pause", [0, 150])
-def test_no_key_press_is_lost_behind_a_released_slab(profile, server, pause):
-    with opened(profile, server, 0.1) as page:
-        page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
-        for presses in (5, 10):
-            take_slab(page, -1 if presses == 5 else 1)
-            page.mouse.up()
+def watch(page, name: str, topic: str, what: str) -> None:
+    """Keep what is said of the machine from now on, in window[name]."""
+    page.evaluate(
+        f"window.{name} = []; ramanujan.subscribe('{topic}', (said) => window.{name}.push(said.{what}))",
+    )
+
+
+# ---- the sliders
+
+
+def test_a_slow_answer_to_one_slider_does_not_take_another_back(late):
+    page = late(0.3)
+    before = normalized(page)
+    drag(page, "m_prime", 40)
+    watch(page, "seen", "present/oscillator", "normalized")
+    # While the answer is on its way, another slider moves; it must not show the old m′ again.
+    drag(page, "m", 72, steps=24, pause=40)
+    settle(page)
+    seen, machine = page.evaluate("window.seen"), page.evaluate(TOLD)
+    final = Oscillator(machine["m"], machine["m_prime"], machine["k"], machine["radius"])
+    assert machine["m"] > 1.5
+    assert machine["m_prime"] > 1.5
+    assert normalized(page) == pytest.approx(final.normalized_frequency_squared, rel=1e-6)
+    # m′ grew, then m: Ω²m/k fell at once and then rose step by step. A message that won would make it fall again.
+    assert seen[0] < before
+    assert len(seen) > 10
+    assert all(a <= b + 1e-9 for a, b in pairwise(seen))
+
+
+def test_many_drags_over_a_slow_network_end_where_the_server_is(late):
+    page = late(0.2)
+    for key, by in (("m", 30), ("k", 50), ("m_prime", -10), ("k", -30), ("m", 12)):
+        drag(page, key, by, steps=3)
+    # A wheel over a slider scrolls, and sets nothing.
+    page.mouse.move(*thumb(page, "k"))
+    before = page.locator(".st-key-k input[type=range]").input_value()
+    page.mouse.wheel(0, 240)
+    page.mouse.wheel(0, -240)
+    page.get_by_text("Light rollers", exact=True).click()
+    calm(page, 0.2)
+    told = page.evaluate(TOLD)
+    assert told["k"] == float(before)
+    assert page.evaluate(PRESENT) == told
+    assert told["m_prime"] == pytest.approx(0.1 * told["m"])
+
+
+def test_every_key_press_is_kept(late):
+    page = late(0.6)
+    slider, box = (page.locator(place) for place in (".st-key-k input[type=range]", ".st-key-k_exact input"))
+    for presses, pause, expected in ((8, 250, 14.0), (20, 30, 24.0)):
+        slider.focus()
+        for _ in range(presses):
+            page.keyboard.press("ArrowRight")
             page.wait_for_timeout(pause)
-            page.locator(".st-key-m_prime input[type=range]").focus()
-            for _ in range(5):
-                page.keyboard.press("ArrowRight")
-                page.wait_for_timeout(100)
-            calm(page, 0.1)
-            expected = 1 + presses / 100
-            assert page.locator(".st-key-m_prime input[type=range]").input_value() == f"{expected:.2f}".rstrip("0")
-            assert float(address(page)["m_prime"][0]) == expected
-            told = page.evaluate(TOLD)
-            assert told["m_prime"] == expected
-            held = float(page.locator(COMPRESSION).input_value())
-            assert told["compression"] == pytest.approx(held / 100)
-            assert float(address(page).get("compression", ["8"])[0]) == pytest.approx(held)
+        assert float(box.input_value()) == expected
+        page.wait_for_url(f"**k={expected:g}**")
+        settle(page)
+        assert float(slider.input_value()) == float(box.input_value()) == expected
+
+
+def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(late):
+    page = late(0.4)
+    slider = page.locator(".st-key-k input[type=range]")
+
+    def boxes(*keys: str) -> list[float]:
+        return [float(page.locator(f".st-key-{key}_exact input").input_value()) for key in keys]
+
+    # The message about k leaves before the page has heard of the preset, and still carries the old m′.
+    page.get_by_text("Light rollers", exact=True).click()
+    slider.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(400)
+    page.keyboard.press("ArrowRight")
+    page.wait_for_url("**m_prime=0.1**")
+    settle(page)
+    assert boxes("m_prime", "k") == [0.1, 11.0]
+    page.locator(".st-key-m_exact input").fill("9/8")
+    page.locator(".st-key-m_exact input").press("Enter")
+    slider.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_url("**m=1.125**")
+    settle(page)
+    assert boxes("m", "k") == [1.125, 11.5]
+
+
+@pytest.mark.parametrize(("delay", "link"), [(0.0, ""), (0.4, ""), (0.1, "derivation?step=2")])
+def test_a_preset_wins_over_what_was_typed_before_it(late, delay, link):
+    page = late(delay, link)
+    for preset in ("Equal masses", "Reset"):
+        page.locator(BOX).fill("4.44")
+        page.get_by_text(preset, exact=True).click()
+        calm(page, delay)
+        expect(page.locator(BOX)).to_have_value("1.0")
+        assert page.locator(M_PRIME).input_value() == "1"
+        assert "m_prime" not in address(page)
+        assert page.evaluate(TOLD.replace("oscillator", "beside" if link else "oscillator"))["m_prime"] == 1.0
+
+
+def test_no_key_press_of_a_lecture_is_lost(late):
+    page = late(0.6, "derivation?step=2")
+    for _ in range(4):
+        page.keyboard.press("ArrowRight")
+        page.wait_for_timeout(150)
+    assert page.locator(HEADING).inner_text().startswith("6.")
+    page.wait_for_url("**step=6**")
+    settle(page)
+    assert page.locator(HEADING).inner_text().startswith("6.")
+
+
+# ---- the slab
+
+
+def test_no_message_moves_the_slab_while_it_is_held(late):
+    page = late(0.3)
+    drag(page, "m_prime", 40)
+    take_slab(page, -3)
+    page.wait_for_timeout(200)  # the last jump has faded
+    places = page.evaluate(
+        """async () => {
+          const places = [], end = performance.now() + 1800;
+          while (performance.now() < end) {
+            await new Promise(requestAnimationFrame);
+            places.push(document.querySelector(".st-key-stage [data-testid=stBidiComponentIsolated]").shadowRoot
+              .querySelector(".moving .slab").transform.baseVal[0].matrix.e);
+          }
+          return places;
+        }"""
+    )
+    assert max(places) - min(places) < 0.05
+    page.mouse.up()
+    watch(page, "bent", "present/oscillator", "parameters.compression")
+    calm(page, 0.3)
+    assert set(page.evaluate("window.bent")) == {0.05}
+    assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
+
+
+def test_no_key_press_is_lost_behind_a_released_slab(late):
+    page = late(0.1)
+    for presses, pause in ((5, 150), (10, 0)):
+        take_slab(page, -1 if presses == 5 else 1)
+        page.mouse.up()
+        page.wait_for_timeout(pause)
+        page.locator(M_PRIME).focus()
+        for _ in range(5):
+            page.keyboard.press("ArrowRight")
+            page.wait_for_timeout(100)
+        calm(page, 0.1)
+        expected = 1 + presses / 100
+        assert page.locator(M_PRIME).input_value() == f"{expected:.2f}".rstrip("0")
+        assert float(address(page)["m_prime"][0]) == expected
+        told = page.evaluate(TOLD)
+        assert told["m_prime"] == expected
+        held = float(page.locator(COMPRESSION).input_value())
+        assert told["compression"] == pytest.approx(held / 100)
+        assert float(address(page).get("compression", ["8"])[0]) == pytest.approx(held)
 
 
 TOLD_AT_ONCE = """() => {
@@ -87,47 +252,119 @@ TOLD_AT_ONCE = """() => {
 """Whether the notice is there in the frame in which Streamlit reports the loss, which disables the sliders."""
 
 
-@pytest.mark.parametrize("let_go", ["while the server is away", "after its return"])
-def test_a_killed_server_takes_no_slab_out_of_the_hand(profile, let_go):
-    first = running(ROOT / "app.py")
-    with first as server, network(server) as way, opened(profile, way.address, 0) as page:
+def test_a_server_that_is_killed_twice_takes_nothing_out_of_the_hand(profile):
+    with contextlib.ExitStack() as servers:
+        app = running(ROOT / "app.py")
+        way = servers.enter_context(network(servers.enter_context(app)))
+        page = open_tab(profile, f"{way.address}/?m=2")
         page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
-        take_slab(page, -3)
         page.evaluate(TOLD_AT_ONCE)
-        first.process.kill()
-        first.process.wait()
-        way.down()
-        # The page says what has happened, and goes on by itself.
-        notice = page.locator(".st-key-library p:not([role])")
-        expect(notice).to_have_text("Reconnecting to the server. The page keeps everything that you set.")
-        expect(notice).to_be_visible()
-        assert page.evaluate("window.toldAtOnce")
-        if let_go == "while the server is away":
-            page.mouse.up()
-            next_frame(page)
-        with running(ROOT / "app.py") as server:
-            way.lead_to(server)
+        assert inside(page, HINT)
+        for by, left in ((-3, 5), (-2, 3)):
+            take_slab(page, by)
+            app.process.kill()
+            app.process.wait()
+            way.down()
+            # The page says what has happened, and goes on by itself.
+            notice = page.locator(".st-key-library p:not([role])")
+            expect(notice).to_have_text("Reconnecting to the server. The page keeps everything that you set.")
+            expect(notice).to_be_visible()
+            assert page.evaluate("window.toldAtOnce")
+            if left == 3:  # the second time the slab is let go while nobody listens
+                page.mouse.up()
+                next_frame(page)
+            app = running(ROOT / "app.py")
+            way.lead_to(servers.enter_context(app))
             way.up()
             page.wait_for_selector(f"{COMPRESSION}:enabled", timeout=60_000)
             expect(notice).to_be_hidden()
             settle(page)
-            if let_go == "after its return":
-                page.mouse.up()
-            page.wait_for_url("**compression=5**", timeout=5000)
+            page.mouse.up()
+            page.wait_for_url(f"**compression={left}**", timeout=5000)
             settle(page)
-            assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
-            assert page.locator(COMPRESSION).input_value() == "5"
+            assert page.evaluate(TOLD)["compression"] == pytest.approx(left / 100)
+            assert page.locator(COMPRESSION).input_value() == str(left)
+            assert not inside(page, HINT), "it goes with the first drag"
+            # What was set before is set still, and can be changed.
+            page.locator(".st-key-m input[type=range]").press("ArrowRight")
+            page.wait_for_url(f"**m=2.0{1 if left == 5 else 2}**")
+            settle(page)
+        page.close()
 
 
-def test_one_visit_is_one_entry_of_the_history(profile, server):
-    with opened(profile, server, 0, "?m_prime=2.03") as page:
-        before = page.evaluate("history.length")
-        page.get_by_role("link", name="Lesson", exact=True).first.click()
-        page.get_by_role("heading", name="1.").wait_for()
-        calm(page, 0)
-        assert page.evaluate("history.length") == before + 1
-        page.go_back()
-        expect(page.locator("h1")).to_have_text("Ramanujan’s oscillator")
-        calm(page, 0)
-        assert address(page) == {"m_prime": ["2.03"]}
+# ---- the whole page
+
+
+def alive(page) -> None:
+    """Check that the app says nothing of a connection error and still answers."""
+    assert page.get_by_role("dialog").count() == 0, page.get_by_role("dialog").first.inner_text()
+    slider = page.locator(".st-key-m input[type=range]").first
+    before = slider.input_value()
+    slider.press("ArrowRight")
+    page.wait_for_timeout(400)
+    settle(page)
+    assert slider.input_value() != before
+
+
+def test_quick_changes_over_a_slow_network_never_end_the_app(late):
+    page, chance = late(0.1), random.Random(1729)
+    places = range(len(navigation.PAGES))
+    for _ in range(CHANGES):
+        for place in chance.sample(places, len(places)):
+            page.evaluate(f"{LINKS}[{place}].click()")
+            page.wait_for_timeout(100)
+    page.evaluate(f"{LINKS}[0].click()")
+    page.wait_for_timeout(600)
+    page.wait_for_selector("[data-testid=stMainBlockContainer] h1", timeout=60_000)
+    settle(page)
+    alive(page)
+
+
+def test_the_network_goes_away_for_a_while(server, profile):
+    with network(server) as way:
+        page = open_tab(profile, f"{way.address}/motion?m=2&mu=0.4")
+        alive(page)
+        before = page.url
+        assert "m=2.01" in before
+        way.down()
+        page.wait_for_timeout(3000)
+        with page.expect_websocket(timeout=60_000):
+            way.up()
+        page.wait_for_timeout(1000)
+        page.wait_for_selector(".st-key-m input[type=range]:enabled", timeout=60_000)
+        assert page.url == before
+        alive(page)
+        assert page.url == before.replace("2.01", "2.02")
+        assert page.locator(".st-key-mu input[type=range]").input_value() == "0.4"
+        page.close()
+
+
+def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_them(profile, server):
+    page = open_tab(profile, f"{server}/?m_prime=2.03")
+    before = page.evaluate("history.length")
+    page.get_by_role("link", name="Lesson", exact=True).first.click()
+    page.get_by_role("heading", name="1.").wait_for()
+    calm(page, 0)
+    assert page.evaluate("history.length") == before + 1
+
+    def seen(title: str) -> None:
+        expect(page.locator("h1").first).to_have_text(title)
+        settle(page)
+        assert address(page)["m_prime"] == ["2.03"]
         expect(page.locator(BOX)).to_have_value("2.03")
+
+    page.go_back()
+    titles = ["Ramanujan’s oscillator"]
+    seen(*titles)
+    for place in (1, 2):
+        page.evaluate(f"{LINKS}[{place}].click()")
+        page.wait_for_function(f"document.querySelector('h1')?.innerText !== {titles[-1]!r}")
+        settle(page)
+        titles.append(page.locator("h1").first.inner_text())
+    for title in reversed(titles[:-1]):
+        page.go_back()
+        seen(title)
+    for title in titles[1:]:
+        page.go_forward()
+        seen(title)
+    page.close()

@@ -139,7 +139,7 @@ def test_figures_let_swipes_through_and_never_zoom(phone):
 
 
 @pytest.mark.parametrize(
-    "path", ["motion", "", "derivation?show=reading", "speed?periods=1", "1729?p=1000&q=999&digits=1000&left=sphere"]
+    "path", ["", "motion", "derivation?show=reading", "speed?periods=1", "1729?p=1000&q=999&digits=1000&left=sphere"]
 )
 def test_nothing_scrolls_sideways_on_a_narrow_phone(phone, path):
     page = phone.open(path, "[data-testid=stMain] h1", anew=False)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from itertools import pairwise, product
+from itertools import combinations, pairwise
 
 import pytest
 import sympy as sp
@@ -15,7 +15,6 @@ from ramanujan.browser.stage.formulas import formulas as of_the_stage
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, R, t
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from ramanujan.shell.parameters import PARAMETERS
 from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle, slab_over_block, thumb
 from tests.reference import numpy_function
 
@@ -61,9 +60,9 @@ def test_the_machine_moves_at_once_and_play_stops_it(visit):
     assert slab(page)["x"] == still
 
 
-def test_the_readouts_are_the_core_s_numbers(visit):
+def test_the_readouts_are_the_core_s_numbers_and_the_link_holds_the_machine(visit):
     page = visit()
-    for m, m_prime, k in [(1.0, 1.0, 10.0), (0.5, 10.0, 1.0), (5.0, 0.05, 200.0), (0.77, 1.3, 33.5)]:
+    for m, m_prime, k in [(1.0, 1.0, 10.0), (0.5, 10.0, 1.0), (0.5, 0.05, 200.0), (0.77, 1.3, 33.5)]:
         for key, value in (("m", m), ("m_prime", m_prime), ("k", k)):
             entry = page.locator(f".st-key-{key}_exact input")
             entry.fill(str(value))
@@ -76,6 +75,13 @@ def test_the_readouts_are_the_core_s_numbers(visit):
             ("period", machine.period, 1e-3),
         ):
             assert float(text(page, f"[data-read={name}]").split()[0]) == pytest.approx(value, rel=accuracy)
+        # Fast motion is slowed, and says so.
+        assert ("times its real speed" in text(page, ".note")) == (k == 200)
+    page.locator(".st-key-link button").click()
+    expect(page.locator(".st-key-link .told")).not_to_be_empty()
+    said = page.locator(".st-key-link .told").inner_text()
+    assert said in ("Copied.", "Copy the link from here:")
+    assert said == "Copied." or page.locator(".st-key-link input").input_value() == page.url
 
 
 def flat(formulas: dict, prefix: str = "") -> dict[str, sp.Expr]:
@@ -127,21 +133,6 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
     assert len(page.frames_sent) > before
     assert float(text(page, "[data-read=normalized]")) == live
     page.goto("about:blank")  # the watch ends
-
-
-def test_every_slider_is_followed_live_by_keyboard_too(visit):
-    page = visit()
-    shown = "root.querySelector('.machine').innerHTML + root.querySelector('.readouts').textContent"
-    for key in PARAMETERS:
-        if key == "radius":
-            page.get_by_text("More", exact=True).click()
-            page.wait_for_timeout(500)
-        page.locator(f".st-key-{key} input[type=range]").focus()
-        before = inside(page, shown)
-        page.keyboard.press("ArrowRight")
-        next_frame(page)
-        assert inside(page, shown) != before, key
-        settle(page)
 
 
 def test_an_off_step_value_is_not_rounded_by_its_slider(visit):
@@ -211,58 +202,25 @@ def test_step_scrub_and_speed(visit):
     speed = page.get_by_role("combobox", name="Speed")
     speed.select_option("½×")
     assert page.evaluate(f"{STAGE}.querySelector('.speeds select').value") == "0.5"
-
-
-def test_fast_motion_is_slowed_and_says_so(visit):
-    page = visit("?m=0.5&m_prime=0.05&k=200")
-    assert "times its real speed" in text(page, ".note")
-    page.get_by_text("Reset", exact=True).click()
-    settle(page)
-    assert text(page, ".note") == ""
-
-
-def test_the_slab_can_be_dragged_and_let_go(visit):
-    page = visit()
-    pause(page)
-    page.get_by_role("button", name="Release again").click()
-    page.wait_for_timeout(400)
-    box = slab(page)
-    centre = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    scale = inside(page, "root.querySelector('.machine').getScreenCTM().a")
-    page.mouse.move(*centre)
-    page.mouse.down()
-    page.mouse.move(centre[0] - 3 * scale, centre[1], steps=4)
-    page.wait_for_timeout(400)
-    assert "x₀ = 5.0" in text(page, ".note")
-    assert slab(page)["x"] == pytest.approx(box["x"] - 3 * scale, abs=2)
-    page.mouse.up()
-    settle(page)
-    assert float(page.locator(".st-key-compression_exact input").input_value()) == pytest.approx(5, abs=0.1)
-
-
-def test_the_keyboard_does_everything(visit):
-    page = visit()
+    # The keyboard does as much.
     page.locator(".st-key-stage .stage").evaluate("node => node.focus()")
-    page.keyboard.press(" ")
-    assert page.get_by_role("button", name="Pause", exact=True).count() == 1
-    page.keyboard.press(" ")
-    assert page.get_by_role("button", name="Play", exact=True).count() == 1
+    for shown in ("Pause", "Play"):
+        page.keyboard.press(" ")
+        page.get_by_role("button", name=shown, exact=True).wait_for()
     page.keyboard.press("Home")
     page.keyboard.press("ArrowRight")
     next_frame(page)
-    assert float(page.locator(".st-key-stage .scrub input").input_value()) == pytest.approx(1 / 24)
-    page.locator(".st-key-stage .moving .body.slab").focus()
-    page.keyboard.press("ArrowLeft")
-    page.wait_for_url("**compression=7.5**")
+    assert float(scrub.input_value()) == pytest.approx(1 / 24)
 
 
 def test_layers(visit):
-    page = visit(motion="no-preference")
+    page = visit()
+    # At a turning point an arrow has no length.
+    page.get_by_role("button", name="Step forward").click()
     page.get_by_role("button", name="Show", exact=True).click()
     for layer, selector in [("Velocities", ".arrows"), ("Forces", ".forces"), ("Traces", ".traces")]:
         assert inside(page, f"root.querySelector('{selector}').style.display") == "none"
         page.get_by_role("checkbox", name=layer).check()
-        # At a turning point an arrow has no length.
         page.wait_for_function(
             f"[...{STAGE}.querySelectorAll('{selector} path')].some((path) => path.getAttribute('d')?.length > 3)"
         )
@@ -274,25 +232,43 @@ def test_layers(visit):
     assert inside(page, "!root.querySelector('.energy').checkVisibility()")
 
 
-def test_reduced_motion_starts_with_a_still(visit):
-    page = visit(motion="reduce")
-    assert page.get_by_role("button", name="Play", exact=True).count() == 1
+def test_less_motion_is_a_still_and_its_wish_is_followed_at_once(visit):
+    page = visit(motion="reduce", anew=True)
+    play, pause = (page.get_by_role("button", name=name, exact=True) for name in ("Play", "Pause"))
+    play.wait_for()
+    ghosts = "root.querySelectorAll('.ghosts > g').length"
     page.wait_for_function(f"{STAGE}.querySelectorAll('.ghosts > g').length === 5")
-    # Another machine has exposures of its own, in place of those that were there.
-    page.locator(".st-key-m_prime input[type=range]").press("ArrowRight")
+    # Another machine has exposures of its own, in place of those that were there, and they are silent.
+    drawn = inside(page, "root.querySelector('.ghosts').innerHTML")
+    page.locator(".st-key-m_prime input[type=range]").press("PageUp")
     next_frame(page)
-    assert inside(page, "root.querySelectorAll('.ghosts > g').length") == 5
+    assert inside(page, "root.querySelector('.ghosts').innerHTML") != drawn
+    assert inside(page, ghosts) == 5
+    assert inside(page, "root.querySelectorAll('.ghosts :is([role], [tabindex], [aria-valuenow])').length") == 0
+    # The last exposure is half a period on: the slab as far on the other side.
+    x = "(ghost, name) => ghost.querySelector(name).transform.baseVal[0].matrix.e"
+    first, last = inside(
+        page,
+        f"[0, 4].map((i) => root.querySelectorAll('.ghosts > g')[i])"
+        f".map((ghost) => ({x})(ghost, '.slab') - ({x})(ghost, '.block'))",
+    )
+    assert (first, last) == (pytest.approx(8, abs=1e-3), pytest.approx(-8, abs=1e-3))
     place = slab(page)["x"]
     page.wait_for_timeout(300)
     assert slab(page)["x"] == place
     # Percentages are written for a machine that stands: nobody can read those that run.
     share = page.locator(".st-key-stage .legend b").first
     expect(share).to_be_visible()
-    page.get_by_role("button", name="Play", exact=True).click()
+    page.emulate_media(reduced_motion="no-preference")
+    pause.wait_for()
     expect(share).to_be_hidden()
-    page.wait_for_function(f"{STAGE}.querySelectorAll('.ghosts > g').length === 0")
+    assert inside(page, ghosts) == 0
     page.wait_for_timeout(200)
     assert slab(page)["x"] != place
+    page.emulate_media(reduced_motion="reduce")
+    play.wait_for()
+    next_frame(page)
+    assert inside(page, ghosts) == 5
 
 
 def test_the_scene_is_described_in_words(visit):
@@ -362,45 +338,25 @@ def test_the_ring_lies_on_the_present_machine_and_follows_a_drag_without_the_ser
     page.mouse.up()
 
 
-def test_no_page_is_wider_than_its_screen(visit):
+def test_no_page_is_wider_than_its_screen_and_no_name_of_a_curve_lies_on_another(visit):
     page = visit("?m_prime=1.234567890123&k=33.3", whole=True)
-    for theme, (width, height) in product(("light", "dark"), [(1280, 720), (1920, 1080), (390, 844)]):
-        page.emulate_media(color_scheme=theme, reduced_motion="reduce")
+    names = page.locator(".st-key-curve .annotation-text")
+    for width, height in ((1280, 720), (1920, 1080), (390, 844)):
         page.set_viewport_size({"width": width, "height": height})
         page.wait_for_timeout(600)
         assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= width
         if width >= 1280:
             controls = page.locator(".st-key-stage .controls").bounding_box()
             assert controls["y"] + controls["height"] <= height, "the stage and its controls fit on the first screen"
-
-
-def test_labels_of_the_curve_never_overlap(visit):
-    page = visit(whole=True, height=1400)
-    for width in (1280, 390):
-        page.set_viewport_size({"width": width, "height": 1400})
-        page.wait_for_timeout(800)
-        page.locator(".st-key-curve .annotation-text").first.wait_for()
-        boxes = [label.bounding_box() for label in page.locator(".st-key-curve .annotation-text").all()]
+        names.first.wait_for()
+        boxes = [name.bounding_box() for name in names.all()]
         assert len(boxes) == 5
-        for i, a in enumerate(boxes):
-            assert a["x"] >= 0
-            assert a["x"] + a["width"] <= width
-            for b in boxes[i + 1 :]:
-                apart = (
-                    a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
-                    or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
-                )  # fmt: skip
-                assert apart
-
-
-def test_copy_link_gives_the_address(visit):
-    page = visit("?m=2")
-    page.locator(".st-key-link button").click()
-    expect(page.locator(".st-key-link .told")).not_to_be_empty()
-    said = page.locator(".st-key-link .told").inner_text()
-    assert said in ("Copied.", "Copy the link from here:")
-    if said != "Copied.":
-        assert page.locator(".st-key-link input").input_value() == page.url
+        assert all(0 <= box["x"] <= width - box["width"] for box in boxes)
+        for a, b in combinations(boxes, 2):
+            assert (
+                a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
+                or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
+            )  # fmt: skip
 
 
 def test_a_hundred_changes_leave_nothing_behind(visit):

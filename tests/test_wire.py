@@ -1,0 +1,40 @@
+"""What goes over the wire, without a browser: few bytes, and nothing that a page forgets and needs again."""
+
+from __future__ import annotations
+
+import asyncio
+import random
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from ramanujan.pages.motion.cache import VIEWS
+from ramanujan.shell import navigation
+from tests.benchmarks.visitor import Visitor
+
+PAGES = tuple(page.address for page in navigation.PAGES.values())
+
+
+@pytest.mark.parametrize("page", [*PAGES, *(f"motion?figure={figure}" for figure in VIEWS)])
+def test_a_page_keeps_no_message_that_changes_and_forgets_none(server: str, page: str) -> None:
+    """The cause: what a page forgets between its question and the answer can no longer be answered by its name.
+
+    Wherever a slider is moved to, the motion page's figures come in 60 kB, even where the whole page is drawn anew.
+    """
+
+    async def visit() -> None:
+        visitor, chance = Visitor(server, page), random.Random(1729)
+        await visitor.open()
+        await visitor.move("m", chance)
+        kept = set(visitor.cache)
+        for key in ("m", "m_prime", "k", "compression", *(("glide", "spin", "mu") if "figure" in page else ())):
+            before = visitor.received
+            await visitor.move(key, chance)
+            assert "figure" not in page or 0 < visitor.received - before <= 60_000, key
+        assert set(visitor.cache) == kept
+        assert visitor.max_age > 10**9
+        await visitor.close()
+
+    # In a thread of its own: the browser of other tests keeps an event loop in this one.
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, visit()).result()
