@@ -21,11 +21,17 @@ export default function (component, signal) {
   };
   signal.addEventListener("abort", () => clearTimeout(timer));
   return () => {
-    const { style, dataset } = document.documentElement;
-    for (const [name, its] of Object.entries(COLORS)) style.setProperty(`--${name}`, dom.color(component.parentElement, its));
-    dataset.theme = component.data.theme;
+    document.documentElement.dataset.theme = component.data.theme;
+    // When a page has been drawn its colours are known; to ask earlier would style all of it once more.
+    requestAnimationFrame(() => setTimeout(giveColors, 0, component.parentElement));
     asked = 0;
     clearTimeout(timer);
     timer = setTimeout(ask, PAUSE);
   };
+}
+
+function giveColors(parentElement) {
+  // All are read before the first is set, for the same reason.
+  const colors = Object.entries(COLORS).map(([name, its]) => [`--${name}`, dom.color(parentElement, its)]);
+  for (const each of colors) document.documentElement.style.setProperty(...each);
 }

@@ -17,7 +17,7 @@ const PERIOD_POINTS = 24; // in which the greatest speed and force of a period a
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
-  let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground";
+  let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground", measure = null, layered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
   const line = (layer, name, data) => makeLine(name, data, find(`.${layer}`));
@@ -41,10 +41,14 @@ export function makeLayers(root) {
   function machine(parameters, solution, newData, from) {
     [data, seenFrom] = [newData, from];
     show(shown);
-    findScales(onePeriod(parameters, solution, PERIOD_POINTS));
-    drawScales();
-    const states = onePeriod(parameters, solution, TRACE_POINTS);
-    for (const name of ROLLERS) traces[name](rimTrace(name, states, place, from));
+    // A period is looked through when a layer first shows something of it.
+    measure = () => {
+      findScales(onePeriod(parameters, solution, PERIOD_POINTS));
+      drawScales();
+      const states = onePeriod(parameters, solution, TRACE_POINTS);
+      for (const name of ROLLERS) traces[name](rimTrace(name, states, place, from));
+      measure = null;
+    };
   }
 
   const velocity = (name, known) => FORMULAS.velocity[name](known) - standing(FORMULAS.velocity, known, seenFrom);
@@ -82,6 +86,7 @@ export function makeLayers(root) {
   }
 
   function frame(known, shift, write) {
+    if (layered || seenFrom === "block") measure?.();
     const origin = standing(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
     if (shown.has("arrows")) drawArrows(known, shift);
@@ -145,7 +150,8 @@ export function makeLayers(root) {
     find(".machine").classList.toggle("from-block", seenFrom === "block");
     see(find(".speed"), shown.has("arrows") || seenFrom === "block");
     find(".machine").classList.toggle("weighed", shown.has("weights"));
-    find(".machine").classList.toggle("layered", [...shown].some((name) => name !== "energy"));
+    layered = [...shown].some((name) => name !== "energy");
+    find(".machine").classList.toggle("layered", layered);
   }
   const see = (node, seen) => node && (node.style.display = seen ? "" : "none");
 

@@ -57,6 +57,7 @@ class Stage {
     this.picture.show(this.layers);
     this.resume(this.keeper.paused());
     this.calmed();
+    this.draw(0); // at once: the machine is seen a frame earlier
   }
 
   /** Stand where a link has been paused. */

@@ -84,11 +84,19 @@ def opening() -> None:
             st.markdown(f"**{question}** {first}")
             if not display_mode.is_projector():
                 with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
-                    st.markdown(_("New to this?"), width="content")
-                    st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), width="content")
+                    to_lesson()
         # A projector's sheet has no height for it.
         if not (display_mode.hides("clocks", "numbers") or display_mode.is_projector()):
             page.sweep("oscillator", "m_prime", UNIT_MASS_RATIO, cache.unit_ratio())
+
+
+def to_lesson() -> None:
+    """Lead a newcomer to the lesson; while the machine stands alone, keep the room for it."""
+    if stages.alone():
+        st.empty()
+        return
+    st.markdown(_("New to this?"), width="content")
+    st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), width="content")
 
 
 def the_curve() -> None:
