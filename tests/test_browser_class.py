@@ -1,17 +1,15 @@
-"""A class in browsers: a desk on a phone, a wall, five voters, a lesson by clicker, and the file of the votes."""
+"""A class in browsers: a desk on a phone, a wall, five voters, a whole lesson by clicker, and the file of the votes."""
 
 from __future__ import annotations
 
 import csv
 import random
 from collections import Counter
-from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from ramanujan import lesson
-from ramanujan.lesson.classes import Phase, shared
 from tests.browser import listen, settle
 
 CUT = """() => {
@@ -21,9 +19,7 @@ CUT = """() => {
 """By how much the wall, which nobody scrolls, is too large [px]."""
 VOTES = ".st-key-class_phone [role=radiogroup] label"
 EVERYBODY = ("three tabs", "changing", "reloading", "leaving", "late")
-STOPS = [stop for stop in lesson.STOPS if stop.short]
-"""Those of a class whose lecturer has chosen nothing."""
-LATE, LEFT = 3, 5
+LATE, LEFT = 4, 6
 """Stops at which one student comes, and another one is gone."""
 
 
@@ -64,9 +60,9 @@ def screen(chromium, server):
     assert errors == []
 
 
-def test_a_class_plays_its_lesson_and_takes_home_what_it_voted(screen):
+def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
     draw, cast, cut = random.Random(1729), [], []
-    desk = screen("")
+    desk = screen("stops=all")
     desk.locator(".st-key-class_door button").first.click()
     desk.locator(".st-key-class_open button").click()
     wall_link = desk.get_by_role("link", name="Open the wall").get_attribute("href")
@@ -93,7 +89,7 @@ def test_a_class_plays_its_lesson_and_takes_home_what_it_voted(screen):
         if (over := wall.evaluate(CUT)) > 2:
             cut.append((stop.id, state, over))
 
-    for number, stop in enumerate(STOPS, start=1):
+    for number, stop in enumerate(lesson.STOPS, start=1):
         if number == LATE:
             phones["late"] = screen(f"class={code}")
         if number == LEFT:
@@ -126,7 +122,7 @@ def test_a_class_plays_its_lesson_and_takes_home_what_it_voted(screen):
         cast.append(votes)
         hear(desk, wall)
         expect(desk.locator(".st-key-class_desk")).to_contain_text(f"{len(phones)} of ")
-        if number == len(STOPS):
+        if number == len(lesson.STOPS):
             # Who has left is not waited for.
             expect(desk.locator(".st-key-class_desk")).to_contain_text("4 of 4 here", timeout=25_000)
         assert wall.locator("[data-testid=stProgress]").count() == 0
@@ -157,6 +153,7 @@ def test_a_class_plays_its_lesson_and_takes_home_what_it_voted(screen):
         widths = [page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") for page in (phone, desk)]
         assert max(widths) <= 390
         assert secret not in wall.content() + wall.url + phone.content() + phone.url
+    assert cut == []
     assert not wall.locator("header a, .st-key-pager button").first.is_visible()
     # The clicker ends with the lesson.
     assert desk.locator(".st-key-class_desk [data-testid=stBaseButton-primary]").count() == 0
@@ -167,26 +164,10 @@ def test_a_class_plays_its_lesson_and_takes_home_what_it_voted(screen):
     told = [(row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows]
     assert told == [
         (stop.id, option, "yes" if option == stop.answer() else "no", votes[option], "")
-        for stop, votes in zip(STOPS, cast, strict=True)
+        for stop, votes in zip(lesson.STOPS, cast, strict=True)
         for option in stop.options
     ]
     present = {row["stop"]: int(row["present"]) for row in rows}
-    assert [present[stop.id] for stop in STOPS[: LEFT - 1]] == [4] * (LATE - 1) + [5] * (LEFT - LATE)
-    assert present[STOPS[-1].id] == 4
+    assert [present[stop.id] for stop in lesson.STOPS[: LEFT - 1]] == [4] * (LATE - 1) + [5] * (LEFT - LATE)
+    assert present[lesson.STOPS[-1].id] == 4
     assert [row["asked_at"] for row in rows] == sorted(row["asked_at"] for row in rows)
-
-    # The other stops are as whole on the wall; the lecturer is another process here.
-    key = parse_qs(urlsplit(desk.url).query)["lecturer"][0]
-    for stop in [stop for stop in lesson.STOPS if stop not in STOPS]:
-        shared().present(key, stop.id, list(stop.options))
-        for phase, shown in (
-            (Phase.REVEALED, wall.locator("[data-testid=stProgress]").nth(len(stop.options) - 1)),
-            (Phase.SOLVED, wall.get_by_text(stop.options[stop.answer()], exact=True)),
-        ):
-            shared().show(key, phase)
-            hear(wall)
-            expect(wall.locator("h1")).to_have_text(stop.heading)
-            shown.wait_for()
-            settle(wall)
-            whole(phase.name)
-    assert cut == []
