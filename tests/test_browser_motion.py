@@ -128,6 +128,10 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
     assert np.array_equal(numbers[:, 0], motion.t)
     assert np.array_equal(numbers[:, 1:7], np.concatenate([motion.q, motion.q_dot]).T)
     assert "# mu = 0.11" in lines
+    another = visit("")
+    for _ in range(3):
+        nudge(another, "m_prime", "ArrowRight")
+    assert page.request.get(download.value.url).ok, "a slow browser would have lost it in a class"
 
 
 def test_plotly_keeps_its_zoom_and_png_and_each_body_has_its_name_in_its_area(visit):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
@@ -206,21 +206,26 @@ def explain(setting: Setting) -> None:
 
 @st.fragment
 def take_home(setting: Setting) -> None:
-    """Offer the route as files, and the step that is seen; each is written when it is asked for."""
+    """Offer the route as files, and the step that is seen, once this is opened.
+
+    They are written before one is pressed: a file that is made at a press Streamlit drops after two more runs of
+    anybody, in a class before a slow browser has fetched it.
+    """
     drawn = sidebar.oscillator().radius, sidebar.compression()
     # When this opens, the server has heard which step is seen.
-    with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun"):
+    with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun") as files:
         for kind, (label, suffix, mime) in FILES.items():
             if kind == "step" and not setting.is_lecture:
                 continue
             step = address.held(STEP) if kind == "step" else None
             st.download_button(
                 label,
-                partial(cache.document, setting.route, setting.masses, kind, drawn, step),
+                cache.document(setting.route, setting.masses, kind, drawn, step) if files.open else "",
                 f"ramanujan-{setting.route}{'-numbers' if setting.masses else ''}.{suffix}",
                 mime,
                 key=f"file_{kind}",
                 on_click="ignore",
+                disabled=not files.open,
             )
 
 

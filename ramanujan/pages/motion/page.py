@@ -125,13 +125,17 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 
 def cursor_and_download(motion: Record, mu: float) -> None:
-    """Draw the time cursor over the figures of a view, and the download of all numbers."""
+    """Draw the time cursor over the figures of a view, and the download of all numbers.
+
+    The file is there before it is asked for: one that is made at a press Streamlit drops after two more runs of
+    anybody, in a class before a slow browser has fetched it.
+    """
     marker, download = st.columns([5, 1], vertical_alignment="center")
     with marker:
         page.cursor("motion")
     download.download_button(
         _("CSV"),
-        lambda: table(motion, mu),
+        table(motion, mu),
         "ramanujan motion.csv",
         "text/csv",
         icon=":material/download:",
