@@ -87,9 +87,9 @@ def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
     ]
     for name, (low, high) in area.bands.items():
         x = np.linspace(*area.x_range, len(low))
-        middle, edges = _path(x, (low + high) / 2, area), [_path(x, y, area, 4 * _POINTS) for y in (low, high)]
-        # Such a name stands on paper, so that its band may be a little narrower.
-        found.append((name, {}, _places(_half(name) * (0.4, 0.6), middle, [(0, 0)], edges, screens)))
+        middle, *edges = (_path(x, y, area, 4 * _POINTS) for y in ((low + high) / 2, low, high))
+        # Such a name stands on paper: only its middle must be in its band.
+        found.append((name, {}, _places(_half(name) * (1, 0.4), middle, [(0, 0)], edges, screens, 0.06)))
     best: dict[int, int] = {}
     rooms: dict[int, float] = {}
     # Long names first, then all of them once more: now the others have their places.
@@ -117,6 +117,7 @@ def _places(
     sides: Sequence[tuple[int, int]],
     others: Sequence[np.ndarray],
     screens: np.ndarray,
+    middle_part: float = 1,
 ) -> _Places:
     at = np.concatenate([path[::_EVERY]] * len(sides))
     side = np.repeat(sides, len(path[::_EVERY]), axis=0)
@@ -128,7 +129,7 @@ def _places(
         own = np.where(side[:, 1] == 0, 0.0, _clear(middle, half, path * screen))
         rooms += [np.where(np.minimum(inside, own) < 0, np.minimum(inside, own), _FAR)]
         if len(others):
-            rooms.append(_clear(middle, half, np.concatenate(others) * screen))
+            rooms.append(_clear(middle, half * (middle_part, 1), np.concatenate(others) * screen))
     return _Places(half, at, side, middles, np.min(rooms, axis=0))
 
 
