@@ -2,7 +2,7 @@
 
 The scripts of Streamlit's page are 8 MB. Streamlit leaves it to a proxy to compress them, and a laptop in a classroom
 has none. What a script of the app says about styles is read after the first headings are drawn, on a slow machine
-seconds later; so Streamlit's start page asks for the page's rules and modules itself, and nothing jumps.
+seconds later; so Streamlit's start page asks for the page's rules and first modules itself, and nothing jumps.
 """
 
 from __future__ import annotations
@@ -41,6 +41,8 @@ if brotli:
     _PACKERS = {"br": lambda content: brotli.compress(content, quality=9), **_PACKERS}
 _FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 """Asks for a font before it is known to be needed; page.css brings one that is smaller."""
+_FIRST = ("begin", "page/library", "page/publish", "stage/stage")
+"""Modules without which no machine is drawn; they bring what they import. To ask for all at once would delay them."""
 _ANOTHER = {b"accept-encoding", b"if-none-match", b"if-modified-since", b"range"}
 """Headers by which a browser asks for less than the whole file as it is."""
 _KEPT: dict[tuple[str, str], Response] = {}
@@ -114,7 +116,7 @@ def _with_css(page: bytes) -> bytes:
     place = f"./{modules.place()}"
     names = sorted(modules.contents())
     fonts = (f'<link rel="preload" as="font" crossorigin href="{place}/{name}">' for name in names if "fonts/" in name)
-    scripts = (f'<script type="module" async src="{place}/{name}"></script>' for name in names if name.endswith(".js"))
+    scripts = (f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST)
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
     rules = (f'<link rel="stylesheet" href="{place}/{name}">' for name in names if name.endswith(".css"))
     end = f"{''.join(rules)}{''.join(scripts)}</body>"
