@@ -72,7 +72,9 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
                     for n, other in found.items()
                     if n != name and np.all(box[:2] < other[2:]) and np.all(other[:2] < box[2:])
                 ]
-    # A band without room for its name has none.
+    # A curve without points, of a method that failed, has no name; nor has a band without room.
+    found = [("failed", "#123", t, np.full(len(t), np.nan)), ("right", "#123", t, 0 * t + 0.5)]
+    assert [note["text"] for note in beside("white", Area(found, (0, 4), (0, 1), 410))] == ["right"]
     bands = {"thin": [0 * t, 0 * t + 0.01], "broad": [0 * t + 0.01, 0 * t + 1]}
     assert [note["text"] for note in beside("white", Area([], (0, 4), (0, 1), 410, bands=bands))] == ["broad"]
 

@@ -80,10 +80,12 @@ def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
     """Return of each name the room in its best place, negative where something touches it, and its annotation."""
     high = area.height / _SIZE
     screens = np.array([(min(_PHONE, _LAPTOP * area.width), high), (area.width, _LOW * high)])
-    paths = [_path(x, y, area) for _name, _color, x, y in area.curves]
+    # A method that has failed everywhere has a curve without points.
+    curves = [each for each in area.curves if np.isfinite(each[2] + each[3]).any()]
+    paths = [_path(x, y, area) for _name, _color, x, y in curves]
     found = [
         (name, {"color": color}, _places(_half(name), path, _SIDES, [*paths[:i], *paths[i + 1 :]], screens))
-        for i, ((name, color, _x, _y), path) in enumerate(zip(area.curves, paths, strict=True))
+        for i, ((name, color, _x, _y), path) in enumerate(zip(curves, paths, strict=True))
     ]
     for name, (low, high) in area.bands.items():
         x = np.linspace(*area.x_range, len(low))
