@@ -138,7 +138,8 @@ class Several(URLParameter):
 def _listed(options: Iterable[str]) -> str:
     """Return options with commas between them; of many, the first few."""
     texts = list(options)
-    return ", ".join([*texts[:_FEW], "…"] if len(texts) > _FEW else texts)
+    more = len(texts) - _FEW
+    return ", ".join(texts) if more <= 0 else _("{few} and {more} more").format(few=", ".join(texts[:_FEW]), more=more)
 
 
 @dataclass(frozen=True)
