@@ -61,6 +61,15 @@ def table(rows: Sequence[Sequence[str]], key: str) -> None:
         st.markdown("\n".join(f"| {line} |" for line in lines))
 
 
+def download(label: str, content: str, name: str, mime: str, **more: Any) -> None:
+    """Offer a file that is there before it is asked for.
+
+    One that is made at a press belongs to no run, and Streamlit drops it after two more runs of anybody: in a class
+    before a slow browser has fetched it.
+    """
+    st.download_button(label, content, name, mime, on_click="ignore", **more)
+
+
 def plain(text: str) -> str:
     """Return text such that Markdown shows it as it is."""
     return "".join(f"\\{character}" if character in string.punctuation else character for character in text)

@@ -206,11 +206,7 @@ def explain(setting: Setting) -> None:
 
 @st.fragment
 def take_home(setting: Setting) -> None:
-    """Offer the route as files, and the step that is seen, once this is opened.
-
-    They are written before one is pressed: a file that is made at a press Streamlit drops after two more runs of
-    anybody, in a class before a slow browser has fetched it.
-    """
+    """Offer the route as files, and the step that is seen; they are written when this is opened."""
     drawn = sidebar.oscillator().radius, sidebar.compression()
     # When this opens, the server has heard which step is seen.
     with st.popover(_("Download this route"), icon=":material/download:", key="files", on_change="rerun") as files:
@@ -218,13 +214,12 @@ def take_home(setting: Setting) -> None:
             if kind == "step" and not setting.is_lecture:
                 continue
             step = address.held(STEP) if kind == "step" else None
-            st.download_button(
+            widgets.download(
                 label,
                 cache.document(setting.route, setting.masses, kind, drawn, step) if files.open else "",
                 f"ramanujan-{setting.route}{'-numbers' if setting.masses else ''}.{suffix}",
                 mime,
                 key=f"file_{kind}",
-                on_click="ignore",
                 disabled=not files.open,
             )
 

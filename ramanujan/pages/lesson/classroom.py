@@ -21,7 +21,7 @@ from ramanujan.lesson.class_record import as_csv
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, class_settings, progress
-from ramanujan.shell import address
+from ramanujan.shell import address, widgets
 from ramanujan.shell.class_session import (
     arrive,
     attempt,
@@ -229,15 +229,12 @@ def _foot(key: str, code: str) -> None:
     with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
         class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
-    st.download_button(
+    widgets.download(
         _("Results as CSV"),
-        # Made only when it is pressed, it would belong to no run, and Streamlit takes such a file away after two more
-        # runs of anybody: in a class, whose phones ask all the time, before a slow browser has it.
         as_csv(shared().asked(key)),
-        file_name=f"class-{code}.csv",
-        mime="text/csv",
+        f"class-{code}.csv",
+        "text/csv",
         key="class_csv",
-        on_click="ignore",
         type="tertiary",
     )
     _ending(key)

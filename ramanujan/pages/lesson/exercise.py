@@ -66,7 +66,7 @@ def finish(items: tuple[str, ...]) -> None:
     with sheet("question", END):
         st.markdown(written)
         with st.container(horizontal=True, vertical_alignment="center", key="sheet_choices"):
-            st.download_button(_("Save this sheet"), written, FILE, "text/markdown", on_click="ignore")
+            widgets.download(_("Save this sheet"), written, FILE, "text/markdown")
             st.caption(_("Or print this page with Ctrl+P or ⌘P. Your answers are kept until you close or reload it."))
 
 

@@ -125,24 +125,20 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 
 def cursor_and_download(motion: Record, mu: float) -> None:
-    """Draw the time cursor over the figures of a view, and the download of all numbers.
-
-    The file is there before it is asked for: one that is made at a press Streamlit drops after two more runs of
-    anybody, in a class before a slow browser has fetched it.
-    """
-    marker, download = st.columns([5, 1], vertical_alignment="center")
+    """Draw the time cursor over the figures of a view, and the download of all numbers."""
+    marker, file = st.columns([5, 1], vertical_alignment="center")
     with marker:
         page.cursor("motion")
-    download.download_button(
-        _("CSV"),
-        table(motion, mu),
-        "ramanujan motion.csv",
-        "text/csv",
-        icon=":material/download:",
-        help=_("All numbers of this page, in SI units"),
-        on_click="ignore",
-        width="stretch",
-    )
+    with file:
+        widgets.download(
+            _("CSV"),
+            table(motion, mu),
+            "ramanujan motion.csv",
+            "text/csv",
+            icon=":material/download:",
+            help=_("All numbers of this page, in SI units"),
+            width="stretch",
+        )
 
 
 def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) -> None:
