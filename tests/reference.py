@@ -105,3 +105,22 @@ def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Calla
 def _fraction(unknown: sp.Basic, seed: int) -> sp.Rational:
     source = random.Random(f"{unknown}/{seed}")
     return sp.Rational(source.randint(1, 97), source.randint(1, 97))
+
+
+def difference(relation: sp.Eq) -> sp.Expr:
+    """Return left minus right of an equation, worked out."""
+    left, right = (side.as_explicit() if isinstance(side, sp.MatrixExpr) else side.doit() for side in relation.args)
+    return left - right
+
+
+def spoiled(relation: sp.Eq) -> sp.Eq:
+    """Return an equation with something added on its right."""
+    right = relation.rhs
+    if isinstance(right, sp.Tuple):
+        return sp.Eq(relation.lhs, sp.Tuple(*(entry + R for entry in right)), evaluate=False)
+    return sp.Eq(relation.lhs, right + (sp.ones(*right.shape) if hasattr(right, "shape") else R), evaluate=False)
+
+
+def is_zero(expression: sp.Expr) -> bool:
+    """Tell whether an expression vanishes for two choices of numbers."""
+    return all(sp.radsimp(number(sp.sympify(expression), seed)) == 0 for seed in range(2))

@@ -31,7 +31,7 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
-from tests.reference import number
+from tests.reference import difference, is_zero, spoiled
 
 L, H_0, T, U, x = sp.symbols("L H_0 T U x")
 (X_dot, phi_dot, Phi_dot), (X_ddot, phi_ddot, Phi_ddot) = VELOCITIES, ACCELERATIONS
@@ -40,11 +40,6 @@ BODIES = {"block": m, "hoop": m_prime, "cylinder": m_prime, "slab": m, "top": m}
 ANGLES = {"hoop": phi, "cylinder": phi, "top": Phi}
 AT_REST = dict.fromkeys(VELOCITIES, 0)
 Lines = Callable[[str], list[sp.Eq]]
-
-
-def difference(relation: sp.Eq) -> sp.Expr:
-    left, right = (side.as_explicit() if isinstance(side, sp.MatrixExpr) else side.doit() for side in relation.args)
-    return left - right
 
 
 def known(*groups: list[sp.Eq]) -> dict[sp.Basic, sp.Basic]:
@@ -446,22 +441,11 @@ WALK = {
 }
 
 
-def spoiled(relation: sp.Eq) -> sp.Eq:
-    right = relation.rhs
-    if isinstance(right, sp.Tuple):
-        return sp.Eq(relation.lhs, sp.Tuple(*(entry + R for entry in right)), evaluate=False)
-    return sp.Eq(relation.lhs, right + (sp.ones(*right.shape) if hasattr(right, "shape") else R), evaluate=False)
-
-
 def lines(name: str, key: str = "", place: int = 0) -> Lines:
     """Return what gives the equations of a route's step as they are displayed; that of a place is spoiled."""
     return lambda step: [
         spoiled(e) if (step, n) == (key, place) else e for n, e in enumerate(ROUTES[name][step].equations)
     ]
-
-
-def is_zero(expression: sp.Expr) -> bool:
-    return all(sp.radsimp(number(sp.sympify(expression), seed)) == 0 for seed in range(2))
 
 
 STEPS = [(name, step.key) for name in ROUTES for step in ROUTES[name].steps]

@@ -19,7 +19,7 @@ from ramanujan.derivation.symbols import (
     m_prime,
     phi,
 )
-from tests.reference import number
+from tests.reference import difference, is_zero, spoiled
 
 (X_dot, phi_dot, Phi_dot), (X_ddot, phi_ddot, Phi_ddot) = VELOCITIES, ACCELERATIONS
 
@@ -97,16 +97,3 @@ def says(relation: sp.Eq, printed: sp.Eq) -> bool:
     ratio = sp.cancel(difference(relation) / difference(printed))
     like = len(sp.Add.make_args(relation.lhs)) >= len(sp.Add.make_args(printed.lhs))
     return like and ratio != 0 and not ratio.has(sp.Derivative, phi, epsilon)
-
-
-def difference(relation: sp.Eq) -> sp.Expr:
-    left, right = (side.doit() for side in relation.args)
-    return left - right
-
-
-def spoiled(relation: sp.Eq) -> sp.Eq:
-    return sp.Eq(relation.lhs, relation.rhs + R, evaluate=False)
-
-
-def is_zero(expression: sp.Expr) -> bool:
-    return all(sp.radsimp(number(sp.sympify(expression), seed)) == 0 for seed in range(2))
