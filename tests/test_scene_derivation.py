@@ -79,7 +79,7 @@ def test_a_lecture_holds_every_step_of_its_route_for_the_page_to_turn(page):
         choose(page, route=name)
         wanted = [step.heading for step in ROUTES[name].steps]
         assert headings(page) == [f"## {n}. {heading}" for n, heading in enumerate(wanted, start=1)]
-        (turner,) = (e.proto for e in page.get("bidi_component") if e.proto.id.endswith("-steps"))
+        (turner,) = (e.proto for e in page.get("bidi_component") if e.proto.id.endswith("-lecture_turn"))
         told = json.loads(turner.json)
         assert (told["route"], told["headings"]) == (name, wanted)
         assert title

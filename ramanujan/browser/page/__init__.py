@@ -175,7 +175,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     on_turned : called with the route and the step, some time after the last change
     """
     data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
-    return _asks("steps", "steps", data, "at", lambda at: on_turned(at["route"], at["step"]))
+    return _asks("steps", "lecture_turn", data, "at", lambda at: on_turned(at["route"], at["step"]))
 
 
 def turn(
