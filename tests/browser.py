@@ -90,7 +90,11 @@ def started(address: str) -> str:
 
 
 def listen(page: Page) -> None:
-    """Keep count of a page's messages: `frames_sent` and `frames_received` [bytes], and whether one is `unanswered`."""
+    """Keep count of a page's messages: `frames_sent` and `frames_received` [bytes], and whether one is `unanswered`.
+
+    `late` is how long a message takes each way [s], where a test has made the network slow.
+    """
+    page.late = 0.0
 
     def sent(data: bytes) -> None:
         page.frames_sent.append(len(data))
@@ -201,8 +205,9 @@ def settle(page: Page, seconds: float = 60) -> None:
             page.wait_for_timeout(20)
         else:
             # A page that is being left has no timer any more.
+            # Of several messages on a slow way the first answer must not pass for the last.
             with contextlib.suppress(Error):
-                alone = page.evaluate(_WAIT, _QUIET)
+                alone = page.evaluate(_WAIT, _QUIET + 2500 * page.late)
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
 
 

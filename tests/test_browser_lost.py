@@ -56,7 +56,7 @@ def late(profile, server) -> Iterator[Callable]:
                 settle(page)
             else:
                 page = tabs[link] = open_tab(profile, f"{way.address}/{link}")
-            way.seconds = seconds
+            way.seconds = page.late = seconds
             return page
 
         yield at
@@ -66,12 +66,6 @@ def late(profile, server) -> Iterator[Callable]:
 
 def address(page) -> dict[str, list[str]]:
     return parse_qs(urlsplit(page.url).query)
-
-
-def calm(page, delay: float) -> None:
-    settle(page)
-    page.wait_for_timeout(200 + 2500 * delay)
-    settle(page)
 
 
 def drag(page, key: str, by: int, steps: int = 4, pause: int = 0) -> None:
@@ -124,7 +118,7 @@ def test_many_drags_over_a_slow_network_end_where_the_server_is(late):
     page.mouse.wheel(0, 240)
     page.mouse.wheel(0, -240)
     page.get_by_text("Light rollers", exact=True).click()
-    calm(page, 0.2)
+    settle(page)
     told = page.evaluate(TOLD)
     assert told["k"] == float(before)
     assert page.evaluate(PRESENT) == told
@@ -176,7 +170,7 @@ def test_a_preset_wins_over_what_was_typed_before_it(late, delay, link):
     for preset in ("Equal masses", "Reset"):
         page.locator(BOX).fill("4.44")
         page.get_by_text(preset, exact=True).click()
-        calm(page, delay)
+        settle(page)
         expect(page.locator(BOX)).to_have_value("1.0")
         assert page.locator(M_PRIME).input_value() == "1"
         assert "m_prime" not in address(page)
@@ -216,7 +210,7 @@ def test_no_message_moves_the_slab_while_it_is_held(late):
     assert max(places) - min(places) < 0.05
     page.mouse.up()
     watch(page, "bent", "present/oscillator", "parameters.compression")
-    calm(page, 0.3)
+    settle(page)
     assert set(page.evaluate("window.bent")) == {0.05}
     assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
 
@@ -231,7 +225,7 @@ def test_no_key_press_is_lost_behind_a_released_slab(late):
         for _ in range(5):
             page.keyboard.press("ArrowRight")
             page.wait_for_timeout(100)
-        calm(page, 0.1)
+        settle(page)
         expected = 1 + presses / 100
         assert page.locator(M_PRIME).input_value() == f"{expected:.2f}".rstrip("0")
         assert float(address(page)["m_prime"][0]) == expected
@@ -344,7 +338,7 @@ def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_t
     before = page.evaluate("history.length")
     page.get_by_role("link", name="Lesson", exact=True).first.click()
     page.get_by_role("heading", name="1.").wait_for()
-    calm(page, 0)
+    settle(page)
     assert page.evaluate("history.length") == before + 1
 
     def seen(title: str) -> None:
