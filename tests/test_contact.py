@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.optimize import brentq
 
 from ramanujan import Oscillator
 from ramanujan.contact import (
@@ -38,43 +37,44 @@ BRIEFLY = settings(max_examples=60, deadline=None)
 PUSHED = InitialState(X=0.4, phi=0.3, Phi=-1.0, X_dot=0.2, phi_dot=-0.7, Phi_dot=1.5)
 
 
-def newton(oscillator, q):
-    """Contact forces at the states q from Newton's thirteen equations, which are linear in the force of the spring."""
-    spring = oscillator.k * 2 * oscillator.radius * q[1]
+def newton(oscillator):
+    """Contact forces at φ = 1 from Newton's thirteen equations, which are linear in the force of the spring."""
+    spring = oscillator.k * 2 * oscillator.radius
     unit = newtons_equations(exact(oscillator.m), exact(oscillator.m_prime))
-    return {name: float(force) * spring for name, force in unit.items()}
+    return np.array([float(unit[name]) * spring for name in CONTACTS])
 
 
 def whole_cycle(oscillator, points=121):
     return np.linspace(0, oscillator.period, points)
 
 
-# --- normal forces ---------------------------------------------------------------------------------------------------
-
-
-def slab_support(oscillator, travel, g, spacing):
-    """The two rollers' loads from the slab's balance of forces and of moments about the point halfway at φ = 0."""
-    weight = oscillator.m * g
-    hoop_axis, cylinder_axis, center = -spacing / 2 + travel, spacing / 2 + travel, 2 * travel
-    return np.linalg.solve([[1, 1], [hoop_axis, cylinder_axis]], [weight, weight * center])
+def loads(oscillator, q, g, spacing):
+    """The normal forces in a state: every body in balance, the slab also about the point halfway at φ = 0."""
+    travel, weight, roller = oscillator.radius * q[1], oscillator.m * g, oscillator.m_prime * g
+    axes = travel - spacing / 2, travel + spacing / 2
+    on_hoop, on_cylinder = np.linalg.solve([[1, 1], axes], [weight, weight * 2 * travel])
+    return np.array([on_hoop, on_cylinder, on_hoop + roller, on_cylinder + roller, weight])
 
 
 @BRIEFLY
-@given(MACHINES, decimals(-0.99, 0.99), ROOM, st.floats(1, 30))
-def test_normal_forces_balance_every_body(oscillator, fraction, room, g):
+@given(MACHINES, decimals(-0.98, 0.98), ROOM, st.floats(1, 30))
+def test_normal_forces_balance_every_body_and_friction_is_that_of_the_worst_instant(oscillator, fraction, room, g):
     spacing = room * oscillator.radius
-    initial = released(oscillator, fraction * spacing)
-    for t in whole_cycle(oscillator, 9):
-        q, _ = motion(oscillator, initial, t)
-        travel = oscillator.radius * q[1]
-        on_hoop, on_cylinder = slab_support(oscillator, travel, g, spacing)
-        normals = normal_forces(oscillator, q, g, spacing)
-        roller = oscillator.m_prime * g
-        expected = [on_hoop, on_cylinder, on_hoop + roller, on_cylinder + roller, oscillator.m * g]
+    compression = fraction * min(spacing, 1.0)
+    forces, needed = newton(oscillator), np.zeros(5)
+    # The grid holds both ends of the swing, where every contact has its maximum.
+    for t in whole_cycle(oscillator, 41):
+        q, _ = motion(oscillator, released(oscillator, compression), t)
+        expected, normals = loads(oscillator, q, g, spacing), normal_forces(oscillator, q, g, spacing)
         assert list(normals) == CONTACTS
         # The moments cancel near tipping: compare on the scale of the slab's weight.
         np.testing.assert_allclose(list(normals.values()), expected, rtol=1e-13, atol=1e-13 * oscillator.m * g)
         assert min(normals.values()) > 0
+        needed = np.maximum(needed, np.abs(forces * q[1]) / expected)
+    required = required_friction(oscillator, compression, g, spacing)
+    assert list(required) == CONTACTS
+    # 2 % from tipping costs two digits.
+    np.testing.assert_allclose(list(required.values()), needed, rtol=1e-11, atol=1e-290)
 
 
 @pytest.mark.parametrize("spacing", [0.2, 0.1999, 0.05])
@@ -89,6 +89,7 @@ def test_a_slab_that_tips_off_is_an_error_not_a_number(spacing):
         with pytest.raises(ValueError, match="spacing must exceed the largest compression"):
             normal_forces(oscillator, q, spacing=spacing)
     assert min(required_friction(oscillator, 0.2, spacing=0.2001).values()) > 0
+    assert set(required_friction(oscillator, 0.0, spacing=spacing + 0.2).values()) == {0.0}
 
 
 @pytest.mark.parametrize("room", [1e-3, 1e-9, 1e-15])
@@ -98,30 +99,6 @@ def test_no_digit_is_lost_close_to_tipping(room):
     growth = 1 / (1 - Fraction(0.2) / Fraction(spacing))
     found = required_friction(Oscillator(), 0.2, spacing=spacing)["hoop_slab"]
     assert found == pytest.approx(far_apart * float(growth), rel=1e-14)
-
-
-# --- friction --------------------------------------------------------------------------------------------------------
-
-
-@BRIEFLY
-@given(MACHINES, decimals(-0.98, 0.98), st.one_of(st.just(math.inf), ROOM))
-def test_required_friction_is_the_worst_instant_of_a_brute_force_cycle(oscillator, fraction, room):
-    spacing = room * oscillator.radius
-    compression = fraction * min(spacing, 1.0)
-    t = whole_cycle(oscillator, 720 + 1)
-    q, _ = motion(oscillator, released(oscillator, compression), t)
-    travel = oscillator.radius * q[1]
-    shift = 0 * travel if math.isinf(spacing) else travel / spacing
-    slab, roller = oscillator.m * 9.81, oscillator.m_prime * 9.81
-    on_hoop, on_cylinder = slab * (0.5 - shift), slab * (0.5 + shift)
-    loads = [on_hoop, on_cylinder, on_hoop + roller, on_cylinder + roller, np.full_like(travel, slab)]
-    forces = newton(oscillator, q)
-    required = required_friction(oscillator, compression, spacing=spacing)
-    assert list(required) == CONTACTS
-    for name, load in zip(CONTACTS, loads, strict=True):
-        worst = np.max(np.abs(forces[name]) / load)
-        # The grid holds both ends of the swing, where every contact has its maximum; 2 % from tipping costs two digits.
-        np.testing.assert_allclose(required[name], worst, rtol=1e-11, atol=1e-290)
 
 
 @BRIEFLY
@@ -139,29 +116,6 @@ def test_a_pushed_machine_needs_the_friction_of_a_release_with_its_amplitude(osc
         assert largest >= required[name] * (1 - 3e-4)
 
 
-def test_equal_masses_far_apart_need_the_known_coefficients():
-    # u = kA/(mg) = 1.
-    required = required_friction(Oscillator(m=1, m_prime=1, k=1), 2 * 9.81)
-    assert list(required.values()) == pytest.approx([112 / 99, 60 / 99, 48 / 148.5, 22 / 148.5, 32 / 99], rel=1e-14)
-    known = [1.1313, 0.6061, 0.3232, 0.1481, 0.3232]
-    assert [round(value, 4) for value in required.values()] == known
-
-
-# --- the first slip --------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("spacing", "compression"), [(math.inf, 0.0), (math.inf, 0.3), (0.5, 0.0)])
-def test_the_first_contact_to_slip_changes_at_the_root_of_3e2_plus_3e_minus_1(spacing, compression):
-    def lead(ratio):
-        required = required_friction(Oscillator(m_prime=ratio), 0.01)
-        return required["top_block"] - required["hoop_slab"]
-
-    change = brentq(lead, 0.01, 10, xtol=1e-14)
-    assert change == pytest.approx((math.sqrt(21) - 3) / 6, rel=1e-12)
-    assert first_to_slip(Oscillator(m_prime=change * (1 - 1e-9)), compression, spacing) == "top_block"
-    assert first_to_slip(Oscillator(m_prime=change * (1 + 1e-9)), compression, spacing) == "hoop_slab"
-
-
 @BRIEFLY
 @given(MACHINES, st.floats(1e-3, 5), st.floats(1, 30), st.one_of(st.just(math.inf), ROOM))
 def test_just_within_the_largest_compression_all_roll_and_just_beyond_one_slips(oscillator, mu, g, room):
@@ -176,7 +130,3 @@ def test_just_within_the_largest_compression_all_roll_and_just_beyond_one_slips(
         outside = required_friction(oscillator, beyond, g, spacing)
         assert max(outside.values()) > mu
         assert max(outside, key=outside.get) == first_to_slip(oscillator, largest, spacing)
-
-
-def test_no_compression_needs_no_friction():
-    assert required_friction(Oscillator(), 0.0, spacing=0.3) == dict.fromkeys(CONTACTS, 0.0)

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import re
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
 import sympy as sp
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from ramanujan import Oscillator, derivation
+from ramanujan import derivation
 from ramanujan.derivation import ROUTES, Route, Step
-from ramanujan.derivation.elimination import unit_condition
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import row, rows
@@ -143,28 +139,6 @@ def test_the_condition_says_on_which_side_a_machine_is(roller_mass, word):
 
 def residuals(step: Step, values: dict) -> list[sp.Expr]:
     return [relation.rhs for relation in step.about(values).equations]
-
-
-def test_unit_condition_follows_another_frequency():
-    # A plain mass m + m′/2 on the spring has the unit frequency only without m′, so no positive ratio exists.
-    with pytest.raises(ValueError, match="natural_frequency_squared"):
-        unit_condition(k / (m + m_prime / 2))
-
-
-# Numbers put in
-
-
-fractions = st.fractions(min_value=Fraction(1, 1000), max_value=1000, max_denominator=1000)
-
-
-@settings(deadline=None, max_examples=40)
-@given(fractions, fractions, fractions)
-def test_numbers_agree_with_the_floating_point_machine(mass, roller_mass, stiffness):
-    values = {s: sp.Rational(v) for s, v in zip((m, m_prime, k), (mass, roller_mass, stiffness), strict=True)}
-    frequency = ROUTES["euler_lagrange"].natural_frequency_squared.subs(values)
-    machine = Oscillator(float(mass), float(roller_mass), float(stiffness))
-    # Three inputs and the result are rounded: a few units of 1.1e-16 each.
-    assert float(frequency) == pytest.approx(machine.natural_frequency_squared, rel=2e-15)
 
 
 @pytest.mark.parametrize("name", ROUTES)

@@ -89,10 +89,10 @@ def largest_energy_errors(name, steps_per_period, periods):
 
 
 @pytest.mark.parametrize("name", SYMPLECTIC)
-def test_symplectic_energy_stays_bounded_for_ten_thousand_periods(name):
-    errors = largest_energy_errors(name, steps_per_period=8, periods=10_000)
-    # Rounding walks: 1e5 steps of 1e-16 or so.
-    assert max(errors) <= errors[0] * 1.001 + 1e-11
+def test_symplectic_energy_stays_bounded_for_a_thousand_periods(name):
+    errors = largest_energy_errors(name, steps_per_period=8, periods=1000)
+    # Rounding walks: 1e4 steps of 1e-16 or so.
+    assert max(errors) <= errors[0] * 1.001 + 1e-12
 
 
 def test_rk4_energy_is_not_bounded():
@@ -126,20 +126,6 @@ def test_dtype_and_shape_are_kept(name, dtype, per_run_step):
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_evaluations_are_counted_right(name):
-    calls = 0
-
-    def counting(q):
-        nonlocal calls
-        calls += 1
-        return -q
-
-    after(name, counting, np.ones(1), np.zeros(1), 0.1, 50)
-    saved_by_reuse = name in ("velocity_verlet", "yoshida4", "yoshida6")
-    assert calls == 50 * METHODS[name].evaluations + saved_by_reuse
-
-
-@pytest.mark.parametrize("name", ALL)
 @settings(deadline=None, max_examples=25)
 @given(
     runs=st.lists(st.tuples(*[st.floats(-10, 10)] * 2, st.floats(0.01, 1), st.floats(0.1, 2)), min_size=1, max_size=5)
@@ -152,47 +138,21 @@ def test_runs_are_independent(name, runs):
         assert (together[0][i], together[1][i]) == alone
 
 
-# Where q and v are so small that their products with h round to nothing, no equation is left to be solved.
-_SIZES = st.floats(-10, 10).filter(lambda x: x == 0 or abs(x) > 1e-290)
-
-
-@settings(deadline=None, max_examples=50)
-@given(q=_SIZES, v=_SIZES, h=st.floats(-100, 100), omega_squared=st.floats(0.01, 100))
-def test_implicit_midpoint_solves_its_equations(q, v, h, omega_squared):
-    q_new, v_new = METHODS["implicit_midpoint"].step(lambda x: -omega_squared * x, q, v, h)
-    # The step is solved, so what is left of each equation is rounding of its largest term.
-    left = v_new - v + h * omega_squared * (q + q_new) / 2
-    assert abs(left) <= 1e-13 * (abs(v) + abs(h) * omega_squared * (abs(q) + abs(v * h))) + 1e-300
-    left = q_new - q - h * (v + v_new) / 2
-    assert abs(left) <= 1e-13 * (abs(q) + abs(h) * (abs(v) + abs(h) * omega_squared * (abs(q) + abs(v * h)))) + 1e-300
-
-
 def test_yoshida_6_weights_are_the_root_to_the_last_digit():
     # Besides Σw³ = Σw⁵ = 0 there is one more condition: on x″ = −x, started with v alone, q must be sin z up to z⁵.
+    z = mpmath.mpf(10) ** -20
+
     def conditions(*side):
         weights = [*side, 1 - 2 * sum(side), *reversed(side)]
-        matrix = [[[1], [0]], [[0], [1]]]  # entries are polynomials in s = z², in the variables (q, hv)
-
-        def multiply(a, b):
-            product = [mpmath.mpf(0)] * (len(a) + len(b) - 1)
-            for i, x in enumerate(a):
-                for j, y in enumerate(b):
-                    product[i + j] += x * y
-            return product[:4]
-
-        def add(a, b):
-            return [(a[i] if i < len(a) else 0) + (b[i] if i < len(b) else 0) for i in range(max(len(a), len(b)))]
-
+        q, v = mpmath.mpf(0), mpmath.mpf(1)
         for w in weights:
-            verlet = [[[1, -w * w / 2], [w]], [[0, -w, w**3 / 4], [1, -w * w / 2]]]
-            matrix = [
-                [add(multiply(verlet[i][0], matrix[0][j]), multiply(verlet[i][1], matrix[1][j])) for j in (0, 1)]
-                for i in (0, 1)
-            ]
-        return sum(w**3 for w in weights), sum(w**5 for w in weights), matrix[0][1][2] - mpmath.mpf(1) / 120
+            v -= w * z / 2 * q
+            q += w * z * v
+            v -= w * z / 2 * q
+        return sum(w**3 for w in weights), sum(w**5 for w in weights), (q - mpmath.sin(z)) / z**5
 
-    with mpmath.workdps(60):
-        root = mpmath.findroot(conditions, YOSHIDA_6_WEIGHTS[:3])
+    with mpmath.workdps(160):
+        root = mpmath.findroot(conditions, YOSHIDA_6_WEIGHTS[:3], tol=1e-60)
         assert tuple(float(w) for w in root) == YOSHIDA_6_WEIGHTS[:3]
 
 
@@ -219,16 +179,6 @@ def test_implicit_midpoint_solves_its_equation_for_any_force(force, q, v, h):
     rounding = 1e-14 * (abs(q) + abs(q_new) + 1)
     assert abs(v_new - v - h * a) <= rounding * (1 + abs(h) * slope) + 1e-14 * (abs(v) + abs(h * a))
     assert abs(q_new - q - h * (v + v_new) / 2) <= rounding + 1e-14 * abs(h) * (abs(v) + abs(v_new))
-
-
-def test_the_linear_solution_would_be_wrong_for_a_pendulum():
-    """Negative control: with one ω² for all q, as for a linear force, the motion is another one."""
-    h, steps = 0.01, 1000
-    q, v = after("implicit_midpoint", pendulum, 2.0, 0.0, h, steps)
-    truth = solve_ivp(lambda t, y: [y[1], -np.sin(y[0])], (0, h * steps), [2.0, 0.0], "DOP853", rtol=1e-12, atol=1e-13)
-    assert (q, v) == pytest.approx(tuple(truth.y[:, -1]), abs=1e-3)
-    linear = after("implicit_midpoint", lambda x: -math.sin(1) * x, 2.0, 0.0, h, steps)
-    assert abs(linear[0] - q) > 0.1
 
 
 @pytest.mark.parametrize("acceleration", [np.exp, lambda q: q * np.nan, lambda q: q**2 + 100])
