@@ -27,12 +27,10 @@ BLOCK, HOOP, CYLINDER, SLAB, TOP = (f"kinetic_energy_{body}" for body in ("block
 EXAMPLES = 20_000 if os.environ.get("RAMANUJAN_DEEP") else 250
 
 RIGHT = {
-    BLOCK: ["1/2 m X'^2", "½mX'²", "m*X'**2/2", "0.5 m Ẋ²", "½ m (-X')²", "mX'X'/2"],
+    BLOCK: ["½mX'²", "0.5 m Ẋ²", "½ m (-X')²", "mX'X'/2"],
     HOOP: [
         "½m'(Rφ'-X')² + ½m'R²φ'²",
-        "m'/2*((R phi' - X')^2 + R^2 phi'^2)",
         "m'(2R²φ'² - 2RX'φ' + X'²)/2",
-        "½ m′ (Ẋ − Rφ̇)² + ½ m′ (R φ̇)²",
         r"\frac12 m'\left(R\,\dot{\varphi}-\dot X\right)^{2} + \tfrac{1}{2}m^{\prime} R^2\dot\varphi^2",
     ],
     CYLINDER: ["½m'(Rφ'-X')² + ¼m'R²φ'²", "1/2 m' (R phi' - X')^2 + 1/2*1/2 m' R^2 phi'^2"],
@@ -54,51 +52,37 @@ RIGHT = {
     "top_coupling": ["4(m+m')/(7m+6m')", "4(1+eps)/(7+6eps)"],
     OMEGA: [
         "8k(7m+6m')/(32m²+49mm'+18m'²)",
-        "8*k*(7*m + 6*m')/(32*m**2 + 49*m*m' + 18*m'**2)",
         "(56km+48km')/(18m'^2+49m m'+32m^2)",
-        "(k/m)*8(6ε+7)/(18ε²+49ε+32)",
         "(k/m) 8(7+6ε)/(18ε²+49ε+32)",
         r"\frac{8k(7m+6m')}{32m^2+49mm'+18m'^2}",
         r"$\frac{8\,k\,\left(7\,m + 6\,m'\right)}{32\,m^{2} + 49\,m\,m' + 18\,{m'}^{2}}$",
     ],
     "unit_quadratic": ["18ε²+ε-24=0", "18 eps^2 + eps = 24", "48 - 2ε = 36ε²", "(36ε+1)² = 1729"],
     RATIO: [
-        "(√1729-1)/36",
         "(sqrt(1729) - 1)/36",
         "48/(1+√1729)",
-        "(1729^(1/2)-1)/36",
         "-(1-√1729)/36",
         r"\frac{\sqrt{1729}-1}{36}",
-        "(√(9^3+10^3)-1)/36",
         "(√6916-2)/72",
     ],
 }
 
 UNSIMPLIFIED = [
-    (BLOCK, "½mX'² + m - m", "shorter"),
-    (BLOCK, "mX'²/4 + mX'²/4", "shorter"),
     (BLOCK, "½mX'² + R - R", "without R"),
     (BLOCK, "sqrt(m^2)X'^2/2", "shorter"),
-    (BLOCK, "½m√(X'^2)^2", "shorter"),
-    (BLOCK, "½mX'² + 0", "shorter"),
     (TOP, "m/12 ((3R Phi' - 3X')^2 + 9/2 R^2 Phi'^2)*2/3", "shorter"),
     (OMEGA, "8kR(7m+6m')/(R(32m²+49mm'+18m'²))", "without R"),
-    (RATIO, "(sqrt(1729*4)/2 - 1)/36", "shorter"),
     (RATIO, "m'/m*(√1729-1)/36/eps", "without m, m′ and ε"),
     (RATIO, "(√(1730+2√1729)-2)/36", "shorter"),
     (HOOP, "½m'v² + ½Iω²", "What is v in terms of X′ and φ′? What is ω? What is I?"),
-    (BLOCK, "½mv²", "What is v in terms of X′?"),
     (POTENTIAL, "½kx²", "What is x in terms of φ?"),
     ("unit_quadratic", "7ε = 24(1+ε)²/(7+6ε)", "multiply by the denominator"),
-    ("unit_quadratic", "8(7+6ε)/(32+49ε+18ε²) = 1", "multiply by the denominator"),
     ("unit_quadratic", "18m'² + mm' = 24m²", "without m and m′"),
     ("block_equation", "k(3m+2m')X'' = 2k(m+m')Rφ'' + kmRΦ''", "without k"),
 ]
 
 WRONG = [
     (BLOCK, "mX'²", "leave out the ½"),
-    (BLOCK, "¼mX'²", "coefficient of X′² is half of"),
-    (BLOCK, "-½mX'²", "coefficient of X′² should be positive"),
     (BLOCK, "½m'X'²", "has the mass m′"),
     (BLOCK, "½mX'", "do not square"),
     (BLOCK, "½mX²", "depends on X, but the kinetic energy of the block does not depend on it."),
@@ -116,28 +100,15 @@ WRONG = [
     (HOOP, "½m'(φ'-X')²+½m'φ'²", "leave out R"),
     (HOOP, "½m'(RΦ'-X')²+½m'R²Φ'²", "angle Φ"),
     (HOOP, "½m'(2Rφ'-X')²+½m'R²φ'²", "displacement of the slab"),
-    (HOOP, "½m'(Rφ'-X')²+m'R²φ'²/7", "coefficient of φ′² is 9/14 times"),
     (HOOP, "½m'(Rφ'-X')²+½m'(Rφ'-X')²", "divide the velocity of the hoop relative to the ground by R"),
-    (HOOP, "3/4 m'(Rφ'-X')^2", "coefficient of X′φ′ is 3/2 times"),
-    (HOOP, "½m'^2X'²/m + m'R²φ'² - m'RX'φ'", "is m′/m times"),
     (HOOP, "½ m' X'^3/φ'", "has the unit kg·m³/s²"),
     (HOOP, "½ m' X'^2 φ'/Φ'", "below a fraction line"),
-    (CYLINDER, "½m'(Rφ'-X')²+¼m'(Rφ'-X')²", "divide the velocity of the lower cylinder"),
-    (CYLINDER, "½m'(Rφ'-X')²+½m'R²φ'²", "a hoop"),
-    (CYLINDER, "½m'(Rφ'-X')²+1/5 m'R²φ'²", "a solid sphere"),
     (SLAB, "½m(Rφ'-X')²", "only as far as the centres"),
-    (SLAB, "2m(Rφ'-X')^2", "coefficient of X′φ′ is twice"),
-    (SLAB, "2mR²φ'²-2mX'φ'+½mX'²", "coefficient of X′φ′ lacks a factor R"),
-    (SLAB, "2mR²φ'²-2mRX'φ'+½kX'²", "coefficient of X′² is k/m times"),
-    (TOP, "½m(RΦ'-X')²+¼m(RΦ'-X')²", "divide the velocity of the top cylinder"),
-    (POTENTIAL, "k(2Rφ)²", "leave out the ½"),
     (POTENTIAL, "kRφ", "do not square"),
     (POTENTIAL, "½k(2Rφ-X)²", "relative to the ground"),
     (POTENTIAL, "½k(2Rφ+X)²", "take 2Rφ + X"),
     (POTENTIAL, "½k(2Rφ)²+½kX²", "X does not deform the spring"),
-    (POTENTIAL, "2kR²φ'²", "φ′, but the potential energy does not depend on it"),
     (POTENTIAL, "0 + kR²φ²", "½ is missing"),
-    (POTENTIAL, "k(√3 R φ)²", "coefficient of φ² is 3/2 times"),
     (POTENTIAL, "k(1.41 R φ)²", "exact number agrees"),
     ("lagrangian", RIGHT["lagrangian"][0].replace("- 2k", "+ 2k"), "add the potential energy"),
     ("lagrangian", RIGHT["lagrangian"][0].removesuffix(" - 2kR²φ²"), "the kinetic energy alone"),
@@ -146,36 +117,24 @@ WRONG = [
         RIGHT["lagrangian"][0].replace("¼m'", "½m'"),
         "the lower cylinder has the moment of inertia of a hoop",
     ),
-    ("lagrangian", RIGHT["lagrangian"][0].replace("2kR", "kR"), "coefficient of φ² is half of"),
-    ("block_momentum", "(3m+2m')X' - 2(m+m')Rφ'", "term with Φ′ is missing"),
     ("block_momentum", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", "leave out the 2 when you differentiate"),
     ("block_momentum", "(3/2)mR²Φ' - mRX'", "the momentum of Φ"),
     ("block_equation", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", "the momentum of X is zero"),
     ("block_equation", "(3/2)RΦ'' = X''", "the equation of Φ"),
-    ("block_equation", "(3m+2m')X'' = 2(m+m')Rφ''", "term with Φ″ is missing"),
     ("block_equation", "X'' = X''", "Both sides of your equation are equal"),
     ("block_equation", "(3m+2m')X'' - 2(m+m')Rφ'' - mRΦ'' = kX", "depends on k and X"),
-    ("unit_quadratic", "18ε²-ε-24=0", "coefficient of ε should be positive"),
-    ("unit_quadratic", "18ε²+ε+24=0", "constant term has the wrong sign"),
-    ("unit_quadratic", "18ε² = 24", "term with ε is missing"),
     ("unit_quadratic", "ε = (√1729-1)/36", "contains a root"),
     ("phi_equation", "R(8m+6m')/2", "rotation of the lower cylinder"),
-    ("phi_equation", "R(8m+9m')/2", "coefficient of m′R is 9/7 times"),
     ("phi_equation", "R²(8m+7m')/2", "R times"),
     ("phi_equation", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", "before"),
     ("block_coupling", "6(m+m')/(7m+6m')", "leave out R"),
     ("block_coupling", "-6R(m+m')/(7m+6m')", "wrong sign"),
-    ("block_coupling", "(7m+6m')/(6R(m+m'))", "reciprocal"),
-    ("block_coupling", "12R/13", "mass m"),
-    ("top_coupling", "6(m+m')/(7m+6m')", "3/2 times"),
     (OMEGA, "sqrt(8k(7m+6m')/(32m²+49mm'+18m'²))", "This is Ω."),
     (OMEGA, "(8k(7m+6m')/(32m²+49mm'+18m'²))²", "This is Ω⁴"),
     (OMEGA, "8m(7m+6m')/(32m²+49mm'+18m'²)", "units of k/m"),
     (OMEGA, "(32m²+49mm'+18m'²)/(8k(7m+6m'))", "reciprocal"),
     (OMEGA, "104k/(99m)", "equal masses"),
-    (OMEGA, "1.0505 k/m", "equal masses"),
     (OMEGA, "1.0505", "equal masses"),
-    (OMEGA, "8k/(8m+7m')", "leave out the acceleration of X, as if the block stood still"),
     (OMEGA, "4k/(7m'/2+4m)", "leave out the acceleration of X, as if the block stood still"),
     (OMEGA, "8k(3m+2m')/(16m²+21mm'+6m'²)", "leave the acceleration of Φ out of the X equation"),
     (OMEGA, "k/(5m)", "does not depend on m′, but Ω² does"),
@@ -183,18 +142,14 @@ WRONG = [
     (OMEGA, "1.05 k/m", "equal masses"),
     ("block_coupling", "2(m+m')R/(3m+2m')", "leave the acceleration of Φ out of the X equation"),
     ("block_coupling", "4(m+m')/(7m+6m')", "the acceleration of Φ divided by that of φ"),
-    ("block_coupling", "3R/2", "the acceleration of X divided by that of Φ"),
     ("block_coupling", "0.923 R", "have the mass m"),
     ("top_coupling", "0.615", "have the mass m"),
     ("top_coupling", "(7m+6m')/(4(m+m'))", "reciprocal of the right answer. Which acceleration is"),
-    ("top_coupling", "2(m+m')/(7m+6m')", "half of"),
     (HOOP, "½m'(Rφ'-X')² - ½m'R²φ'²", "subtract one energy from the other"),
     (HOOP, "½m'v²", "leave out the rotation of the hoop"),
     (OMEGA, "k/m", "plain mass"),
     (OMEGA, "7k/(4m)", "right for m′ = 0"),
     (OMEGA, "2k/(3m+m')", "wrong even for equal masses"),
-    (OMEGA, "8k(7m+6m')/(32m²-49mm'+18m'²)", "mm′ in the denominator should be positive"),
-    (OMEGA, "8k(7m+6m')/(32m²+49mm'+18m'²)*√(R/R)/1*1/2", "half of"),
     (OMEGA, "√(R/R)", "plain number"),
     (RATIO, "(-√1729-1)/36", "other root"),
     (RATIO, "(√1729+1)/36", "b has the wrong sign"),
@@ -207,86 +162,46 @@ WRONG = [
     (RATIO, "(√433-1)/36", "the factor 4 under the root"),
     (RATIO, "1.2", "off by one unit"),
     (RATIO, "1,128", "off by one unit"),
-    (RATIO, "1.1", "exact number agrees"),
-    (RATIO, "1.127", "exact number agrees"),
     (RATIO, "(√1730-1)/36", "without the root is right"),
-    (RATIO, "1.127256827", "exact number agrees"),
     (RATIO, "(41.58-1)/36", "exact number agrees"),
     (RATIO, "9/8", "With ε = 1.125 you get Ω² = 1.00085 k/m"),
     (RATIO, "62/55", "Ω² and k/m differ by"),
     (RATIO, "-2", "positive"),
     (RATIO, "m'/m", "m and m′, but the mass ratio does not depend on them"),
-    (BLOCK, "½mX'² + m", "different units, kg and kg·m²/s²"),
     (BLOCK, "m + R", "different units, kg and m"),
     (BLOCK, "m + 1", "a plain number to a term with the unit kg"),
     (BLOCK, "sqrt(m)", "has the unit kg^(1/2)"),
     (OMEGA, "k/m'*R", "the unit m/s², but Ω² has the unit 1/s²"),
-    (OMEGA, "1/(kR)", "has the unit s²/(kg·m)"),
-    (OMEGA, "k/(m+R)", "different units"),
-    (POTENTIAL, "k R", "has the unit kg·m/s², but the potential energy has the unit kg·m²/s²"),
     ("top_coupling", "R", "is a plain number"),
-]
-
-NOT_ROUNDED = [
-    (HOOP, "3/4 m'(Rφ'-X')²"),
-    (SLAB, "2m(Rφ'-X')²"),
-    (POTENTIAL, "½k(2Rφ+X)²"),
-    (RATIO, "(√1728-1)/36"),
-    (RATIO, "62/55"),
-    (RATIO, "1.12725680"),
-    (RATIO, "1.129"),
-    (HOOP, "0.5m'(Rφ'-X')² + 0.6m'R²φ'²"),
-    (BLOCK, "0.49 mX'²"),
 ]
 
 HOSTILE = [
     "__import__('os')",
-    "().__class__.__bases__[0]",
     "9**9**9",
     "(" * 10**6,
-    "((((9^9)^9)^9)^9)",
     "\x00",
-    "m\u202ek",
     "1e999999",
     "9" * 10**5,
     "-" * 299 + "m",
     "√" * 20 + "m",
-    "sqrt(-1)",
     "sqrt(m-m-1)",
-    "0/0",
-    "0^0",
     "0^-1",
     "1/(m-m)",
     "1/(√2*√2-2)",
-    "m\u200bk",
-    "２k",
     "m\u0301",
     "\ud800",
     "<script>alert(1)</script>",
-    "$\\frac{1}{2}$",
     "[a](javascript:b)",
-    "((m+m'+k+R+eps)^12)",
-    "1/(" * 20 + "m" + ")" * 20,
     "/".join("(m^12+k)" for _ in range(9)),
-    "".join(f"+1/({n}m+99999999999999999999)" for n in range(8)),
     "(m+k+R+m'+1)^12*(m+k+R+m'+2)^12/99999999999999999999",
     "√(m+" * 20 + "k" + ")" * 20,
-    "(m/m)^(-2)",
     "k/(m/m)^(-2)",
-    "(√(R/R))^(-12)",
     "^".join("1" * 150),
-    "+".join(f"√({n}m+R)" for n in range(2, 18)),
     "1/(" + "+".join(f"√{n}" for n in (2, 3, 5, 7, 11, 13, 17, 19)) + ")",
     "√(99999999999999999989*99999999999999999971)",
-    "1/".join("(X'-phi'R)" for _ in range(20)),
     "(X+X'+phi+phi'+Phi+Phi'+m+m'+k+R)^4/(X+X'+phi+phi'+Phi+Phi'+m+m'+k+2R)^4",
-    "m" * 5000,
     "".join(f"+1/(m+{n})" for n in range(30)),
     r"\frac" * 60,
-    "{" * 300,
-    "(m^12+1)(k^12+1)(R^12+1)(X^12+1)(phi^12+1)",
-    "".join(f"+m^{n % 12}k^{(5 * n) % 12}" for n in range(9)),
-    "(X''+phi''+Phi''+X'+phi'+Phi'+phi+m+m'+k)^2 = 0",
     "(m+k+R+m')^4*99999999999999999999^12 = eps",
     "=" * 300,
 ]
@@ -311,13 +226,6 @@ def test_names_the_mistake(name, text, said):
     assert said in verdict.message
 
 
-@pytest.mark.parametrize(("name", "text"), NOT_ROUNDED)
-def test_only_a_decimal_number_near_its_last_digit_is_called_rounded(name, text):
-    verdict = judge(name, text)
-    assert verdict.kind == "wrong"
-    assert not re.search("exact number|agrees|digit", verdict.message)
-
-
 @settings(deadline=None, max_examples=60)
 @given(st.integers(1, 15), st.integers(-3, 3))
 def test_a_decimal_agrees_if_it_is_the_ratio_rounded_to_its_last_digit(places, off):
@@ -326,6 +234,13 @@ def test_a_decimal_agrees_if_it_is_the_ratio_rounded_to_its_last_digit(places, o
     assert ("exact number agrees" in message) == (off == 0)
     distance = abs(typed - Fraction(str(RIGHT_RATIO.n(40)))) * 10**places
     assert ("off by one unit" in message) == (off != 0 and distance <= Fraction(3, 2))
+
+
+@pytest.mark.parametrize(
+    ("name", "text"), [(HOOP, "0.5m'(Rφ'-X')² + 0.6m'R²φ'²"), (BLOCK, "0.49 mX'²"), (RATIO, "62/55")]
+)
+def test_only_a_decimal_number_near_its_last_digit_is_called_rounded(name, text):
+    assert not re.search("exact number|agrees|digit", judge(name, text).message)
 
 
 def zero_on_the_right(text: str) -> str:

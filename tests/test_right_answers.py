@@ -15,7 +15,7 @@ from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.derivation.printers import latex
 from tests.test_wrong_answers import ENERGIES, EQUATIONS, QUOTIENTS, RATIO, RIGHT_RATIO, TYPED, R, Xd, k, m, mp, phid
 
-COUNT = 1000 if os.environ.get("RAMANUJAN_DEEP") else 25
+COUNT = 1000 if os.environ.get("RAMANUJAN_DEEP") else 20
 SPELLINGS = {
     "m'": ["m'", "m′", "m_prime", "m’"],
     "phi": ["phi", "φ", "ϕ", "varphi"],
