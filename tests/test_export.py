@@ -17,7 +17,7 @@ from nbclient.exceptions import CellExecutionError
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_markdown, to_notebook
+from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_notebook
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.rows import rows
@@ -123,22 +123,6 @@ def test_prose_is_escaped_outside_formulas_only():
     assert prose_to_latex(r"a\b") == r"a\textbackslash{}b"
 
 
-# Markdown
-
-
-@pytest.mark.parametrize("numbers", [False, True])
-@pytest.mark.parametrize("name", ROUTES)
-def test_markdown_holds_every_step_and_equation(name, numbers):
-    route, values = ROUTES[name], values_if(numbers)
-    text = to_markdown(route, values)
-    assert text.startswith("# ")
-    assert text.count("$$") == 2 * sum(len(rows(step, values)) for step in route.steps)
-    for number, step in enumerate(route.steps, start=1):
-        said = step.about(values) if numbers else step
-        assert f"## {number}. {said.heading}\n\n{said.reason}\n" in text
-        assert all(f"$$\n{row.latex}\n$$" in text for row in rows(step, values))
-
-
 # Notebooks
 
 
@@ -153,27 +137,12 @@ def run(cells: list[str]) -> dict:
     return namespace
 
 
-@pytest.mark.parametrize("values", [None, VALUES], ids=["symbols", "numbers"])
 @pytest.mark.parametrize("name", ROUTES)
-def test_notebook_is_valid(name, values):
-    notebook = nbformat.reads(to_notebook(ROUTES[name], values), as_version=nbformat.NO_CONVERT)
-    nbformat.validate(notebook)
-    assert (notebook.nbformat, notebook.nbformat_minor) == (4, 5)
-    assert len({cell.id for cell in notebook.cells}) == len(notebook.cells)
-
-
-@pytest.mark.parametrize("name", ROUTES)
-def test_a_notebook_needs_sympy_alone(name):
-    cells = code_cells(to_notebook(ROUTES[name], VALUES))
-    assert re.findall(r"^(?:import|from) .*", "\n".join(cells), re.MULTILINE) == ["import sympy as sp"]
-
-
-@pytest.mark.parametrize("name", ROUTES)
-def test_no_cell_holds_a_result(name):
-    # Numbers that belong to the bodies or to counting are small; coefficients of Ω² are not.
+def test_a_notebook_needs_sympy_alone_and_no_cell_holds_a_result(name):
     source = "\n".join(code_cells(to_notebook(ROUTES[name])))
-    numbers = {int(digits) for digits in re.findall(r"(?<![\w.])\d+", source)}
-    assert numbers <= {0, 1, 2, 3, 4, 13}
+    assert re.findall(r"^(?:import|from) .*", source, re.MULTILINE) == ["import sympy as sp"]
+    # Numbers that belong to the bodies or to counting are small; coefficients of Ω² are not.
+    assert {int(digits) for digits in re.findall(r"(?<![\w.])\d+", source)} <= {0, 1, 2, 3, 4, 13}
 
 
 def test_the_check_refuses_a_wrong_frequency():
@@ -208,6 +177,7 @@ def kernel():
 def executed(text: str, kernel: KernelManager) -> nbformat.NotebookNode:
     """Run a notebook, as it was handed out, after a cell that empties the kernel."""
     notebook = nbformat.reads(text, as_version=4)
+    nbformat.validate(notebook)
     notebook.cells.insert(0, nbformat.v4.new_code_cell("%reset -f"))
     NotebookClient(notebook, timeout=120, km=kernel).execute()
     return notebook
@@ -245,11 +215,13 @@ def test_a_notebook_that_fails_is_noticed(kernel):
 
 @pytest.mark.parametrize("kind", ["latex", "markdown", "notebook"])
 @pytest.mark.parametrize("name", ROUTES)
-def test_every_file_carries_the_list_of_symbols(name, kind):
+def test_every_file_carries_its_steps_and_the_list_of_symbols(name, kind):
     for masses in (None, OFF_THE_STEPS):
         text = page.document.__wrapped__(name, masses, kind)
         text = "\n".join(cell["source"] for cell in json.loads(text)["cells"]) if kind == "notebook" else text
+        written = prose_to_latex if kind == "latex" else str
+        assert kind == "notebook" or all(written(step.heading) in text for step in ROUTES[name].steps)
         for entry in nomenclature(ROUTES[name]):
-            assert f"${entry.latex}$: {prose_to_latex(entry.meaning) if kind == 'latex' else entry.meaning}" in text
+            assert f"${entry.latex}$: {written(entry.meaning)}" in text
         assert "positive to the left" in text
         assert text.count("positive clockwise") >= 2

@@ -12,7 +12,6 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import lesson
 from ramanujan.lesson import classes
-from ramanujan.lesson.class_codes import spaced
 from ramanujan.lesson.class_record import as_csv
 from ramanujan.shell import class_session
 from tests.browser import ROOT
@@ -93,7 +92,7 @@ def code_of(lecturer: AppTest) -> str:
     return address(lecturer)["class"]
 
 
-def test_a_round_with_a_second_vote(lecturer):
+def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, school):
     students = [visitor(**{"class": code_of(lecturer)}) for _ in range(3)]
     assert "The first question will appear here" in words(students[0])
     assert "3 students have joined" in words(lecturer.run())
@@ -106,6 +105,8 @@ def test_a_round_with_a_second_vote(lecturer):
     assert "3 of 3 here have answered" in words(lecturer.run())
     for page in (lecturer, *students):
         assert not page.get("progress")
+        assert STOP.explanation() not in words(page)
+    assert not [button for button in lecturer.button if button.key.startswith("option_")]
 
     press(lecturer, "reveal")
     assert sum("2 of 3, 67\u202f%" in words(page.run()) for page in (lecturer, *students)) == 4
@@ -140,49 +141,32 @@ def test_a_round_with_a_second_vote(lecturer):
     assert STOP.reply(WRONG) not in words(students[0])
     assert "This is right." in words(students[2].run())
 
-
-def test_a_lecturer_sees_nothing_before_the_class_does(lecturer):
-    """A stop's answer is kept from the page of a class as it is kept from a reader's."""
-    press(lecturer, "ask")
-    assert not [button for button in lecturer.button if button.key.startswith("option_")]
-    assert STOP.explanation() not in words(lecturer)
-    press(lecturer, "reveal")
-    assert STOP.explanation() not in words(lecturer)
+    rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(address(lecturer)["lecturer"])))))
+    votes = {RIGHT: ("1", "2", "yes"), WRONG: ("2", "1", "no")}
+    assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
+        option: votes.get(option, ("0", "0", "no")) for option in STOP.options
+    }
+    assert {(row["stop"], row["present"]) for row in rows} == {(STOP.id, "3")}
 
 
 def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
-    student = visitor(**{"class": code_of(lecturer)})
+    first, second = (visitor(**{"class": code_of(lecturer)}) for _ in range(2))
     press(lecturer, "ask")
-    student.run()
-    press(lecturer, "reveal")
-    answer(student, RIGHT)
-    assert "Your answer came too late" in words(student)
-    assert set(school.distribution(code_of(lecturer), STOP.id).values()) == {0}
+    for student in (first, second):
+        student.run()
+    press(lecturer, "again")
+    answer(first, RIGHT)
+    assert "the second vote has begun" in words(first)
+    assert first.radio[0].value is None
     # What was too late for the first vote is no reproach in the second.
-    press(lecturer, "again")
-    assert "too late" not in words(student.run())
-
-
-def test_an_answer_to_the_first_vote_is_not_counted_in_the_second(lecturer):
-    student = visitor(**{"class": code_of(lecturer)})
-    press(lecturer, "ask")
-    student.run()
-    press(lecturer, "again")
-    answer(student, RIGHT)
-    assert "the second vote has begun" in words(student)
-    assert student.radio[0].value is None
-    answer(student, RIGHT)
-    assert "Your answer counts" in words(student)
-    assert "too late" not in words(student)
-
-
-def test_the_class_is_kept_while_the_lecturer_looks_at_another_page(lecturer):
-    before = address(lecturer)
-    lecturer.switch_page("ramanujan/pages/motion/page.py").run()
-    lecturer.switch_page(PAGE).run()
-    assert {"class", "lecturer"} <= set(before)
-    assert address(lecturer) == before
-    assert spaced(code_of(lecturer)) in words(lecturer)
+    answer(first, RIGHT)
+    assert "Your answer counts" in words(first)
+    assert "too late" not in words(first)
+    second.run()
+    press(lecturer, "reveal")
+    answer(second, RIGHT)
+    assert "Your answer came too late" in words(second)
+    assert sum(school.distribution(code_of(lecturer), STOP.id).values()) == 1
 
 
 def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):
@@ -214,9 +198,7 @@ def nodes(block):
             yield child
 
 
-@pytest.mark.parametrize(
-    "text", ["", "BCDFHJ", "<script>alert(1)</script>", "**bold**", "' OR 1=1 --", "B" * 19, "ⒷⒸⒹⒻⒽⒿ"]
-)
+@pytest.mark.parametrize("text", ["", "BCDFHJ", "<script>**bold**</script>"])
 def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
     app = visitor()
     app.text_input(key="class_code").set_value(text)
@@ -234,28 +216,26 @@ def test_a_link_to_a_class_that_is_not_there_gets_one_sentence():
     assert [warning.value for warning in app.run().warning] == [said]
 
 
-@pytest.mark.parametrize("secret", ["x" * 32, "_" * 20, "-" * 60])
-def test_a_wrong_lecturers_address_gets_a_sentence(secret):
-    app = visitor(lecturer=f"BCDFHJ-{secret}")
+def test_a_wrong_lecturers_address_gets_a_sentence():
+    app = visitor(lecturer=f"BCDFHJ-{'x' * 32}")
     [said] = [warning.value for warning in app.warning]
     assert said.startswith("This lecturer’s address belongs to no class")
     assert STOP.question in words(app)
 
 
-@pytest.mark.parametrize("page", ["derivation", "motion"])
-def test_a_reload_of_another_page_loses_nobody(lecturer, page):
+def test_a_reload_of_another_page_loses_nobody(lecturer):
     student = visitor("phone", **{"class": code_of(lecturer)})
     press(lecturer, "ask")
     answer(student.run(), RIGHT)
     for person, still in ((lecturer, "1 of 1"), (student, "Your answer counts")):
-        there = person.switch_page(f"ramanujan/pages/{page}/page.py").run()
+        there = person.switch_page("ramanujan/pages/motion/page.py").run()
         link = address(there)
-        assert link["class"] == code_of(lecturer)
+        assert {"class", "lecturer"} & set(link) == {"class", *(["lecturer"] if person is lecturer else [])}
         again = AppTest.from_file(str(ROOT / "app.py"), default_timeout=60).run()
         again.session_state["cookie"] = "phone"
         for key, value in link.items():
             again.query_params[key] = value
-        again.switch_page(f"ramanujan/pages/{page}/page.py").run()
+        again.switch_page("ramanujan/pages/motion/page.py").run()
         assert still in words(again.switch_page(PAGE).run())
 
 
@@ -310,26 +290,3 @@ def test_two_desks_follow_each_other(lecturer):
     assert lecturer.session_state["stop"] != STOP.id
     other.run()
     assert other.session_state["stop"] == lecturer.session_state["stop"]
-
-
-def test_the_lecturer_takes_home_what_was_voted(lecturer, school):
-    students = [visitor(**{"class": code_of(lecturer)}) for _ in range(3)]
-    press(lecturer, "ask")
-    for student, option in zip(students, (WRONG, WRONG, RIGHT), strict=True):
-        answer(student.run(), option)
-    for step in ("reveal", "again"):
-        press(lecturer, step)
-    for student in students[:2]:
-        answer(student.run(), RIGHT)
-    press(lecturer, "reveal")
-    rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(address(lecturer)["lecturer"])))))
-    assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
-        option: (
-            {RIGHT: "1", WRONG: "2"}.get(option, "0"),
-            "2" if option == RIGHT else "0",
-            "yes" if option == RIGHT else "no",
-        )
-        for option in STOP.options
-    }
-    assert {row["stop"] for row in rows} == {STOP.id}
-    assert {row["present"] for row in rows} == {"3"}

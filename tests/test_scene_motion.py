@@ -13,7 +13,6 @@ from ramanujan.numerals import quantity
 from ramanujan.pages.motion import cache
 from ramanujan.pages.motion.page import greatest_friction
 from ramanujan.record import record
-from ramanujan.sampling import points_for_half_pixel
 
 PAGE = "ramanujan/pages/motion/page.py"
 VIEWS = ["displacements", "energy", "momentum", "forces"]
@@ -53,11 +52,7 @@ def test_each_view_shows_its_figures_with_a_text_alternative(app, view):
     assert all(len(alt) > 40 and any(letter.isdigit() for letter in alt) for alt in shown)
 
 
-def test_a_view_that_is_not_open_costs_no_bytes(app):
-    assert len(charts(open_page(app))) == 2
-
-
-@pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (0.2, 8.0), (1.5, 12.0), (0.01, 0.5), (0.07, 8.0)])
+@pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (1.5, 12.0), (0.01, 0.5)])
 def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression):
     open_page(app, mu=mu, compression=compression, figure="forces")
     machine, spacing = Oscillator(1.0, 1.0, 10.0, 0.1), cache.drawn_spacing(0.1)
@@ -87,11 +82,10 @@ def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch,
     assert given[-1]["slipping"] is None
 
 
-@pytest.mark.parametrize("light", [True, False])
-def test_the_bars_are_the_friction_needed(app, light):
-    open_page(app, m_prime=0.05 if light else 3.0, mu=0.05, figure="forces")
+def test_the_bars_are_the_friction_needed(app):
+    open_page(app, m_prime=3.0, mu=0.05, figure="forces")
     (bars,) = (figure for alt, figure in charts(app).items() if "that each contact needs" in alt)
-    machine = Oscillator(1.0, 0.05 if light else 3.0, 10.0, 0.1)
+    machine = Oscillator(1.0, 3.0, 10.0, 0.1)
     needed = required_friction(machine, 0.08, spacing=cache.drawn_spacing(0.1))
     assert numbers(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
     slipping = ["slips" in text for text in bars["data"][0]["text"]]
@@ -156,11 +150,6 @@ def fine_figure(view, setting, which=0):
     )
     colors = defaultdict(lambda: "#808080")
     return json.loads(cache.VIEWS[view][which](motion, colors).to_json())
-
-
-def test_the_points_are_those_of_the_bound():
-    # Two swings of energy in a period.
-    assert points_for_half_pixel(2 * cache.PERIODS, 1080) == cache.POINTS
 
 
 @pytest.mark.parametrize("setting", CORNERS)

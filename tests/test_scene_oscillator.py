@@ -69,15 +69,6 @@ def test_every_slider_at_its_ends_and_between_its_steps(app):
             assert not app.warning
 
 
-def test_all_corners_together(app):
-    app.run()
-    for light, stiff in [(True, True), (True, False), (False, True), (False, False)]:
-        app.slider(key="m").set_value(PARAMETERS["m"].most if light else PARAMETERS["m"].least)
-        app.slider(key="m_prime").set_value(PARAMETERS["m_prime"].least if light else PARAMETERS["m_prime"].most)
-        app.slider(key="k").set_value(PARAMETERS["k"].most if stiff else PARAMETERS["k"].least)
-        sound(app.run())
-
-
 @pytest.mark.parametrize("preset", PRESETS)
 def test_presets_choose_round_values_in_range_and_their_ratio(app, preset):
     app.run()
@@ -111,15 +102,6 @@ def test_heavy_rollers_let_m_give_way_where_m_prime_cannot_grow(app):
     assert not app.info
 
 
-def test_reset_brings_everything_back(app):
-    app.run()
-    for key, parameter in PARAMETERS.items():
-        app.slider(key=key).set_value(parameter.most)
-    app.run()
-    app.pills(key="preset").set_value("reset").run()
-    assert values(sound(app)) == DEFAULTS
-
-
 def test_an_exact_entry_takes_numbers_and_fractions(app):
     app.run()
     for text, number in {"9/8": 1.125, " 2 ": 2.0, "1,5": 1.5, "1e0": 1.0, "4.5/3": 1.5}.items():
@@ -128,21 +110,7 @@ def test_an_exact_entry_takes_numbers_and_fractions(app):
     assert not app.warning
 
 
-HOSTILE = [
-    "abc",
-    "",
-    "-1",
-    "0",
-    "nan",
-    "inf",
-    "1e999",
-    "1/0",
-    "9" * 60,
-    "__import__('os')",
-    "<b>1</b>",
-    "$x$",
-    "1e9999999",
-]
+HOSTILE = ["", "-1", "0", "nan", "inf", "1/0", "9" * 60, "__import__('os')", "<b>$x$</b>", "1e9999999"]
 
 
 def test_a_bad_entry_gets_one_sentence_and_changes_nothing(app):
@@ -175,7 +143,7 @@ def test_a_good_link_is_taken_to_the_last_digit(app):
     assert not app.warning
 
 
-@pytest.mark.parametrize("text", [*HOSTILE[:2], "1/2/3", "--1", "1_000", "１", "½", "1 2", "\x00", "0b1", "1e1000"])
+@pytest.mark.parametrize("text", ["", "1/2/3", "--1", "1_000", "１", "½", "1 2", "\x00", "1e1000"])
 def test_what_is_no_number_is_none(text):
     assert read_number(text) is None
 

@@ -14,8 +14,6 @@ from itertools import islice
 import numpy as np
 import pytest
 import streamlit as st
-from hypothesis import given, settings
-from hypothesis import strategies as strategy
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
@@ -87,16 +85,6 @@ def test_phase_error_is_that_of_the_midpoint_rule(app):
     z = 2 * math.pi / 16
     late = abs(160 * (2 * math.atan(z / 2) - z))
     assert f"of a full turn behind** ({number(late)} rad)" in words(app)
-
-
-def test_bad_link_is_answered_with_a_sentence_and_ignored(app):
-    page(app, method="magic", steps="-1", tolerance="nan")
-    said = [warning.value for warning in app.warning]
-    # Said once, and still there after the page has run itself again to show its experiments.
-    assert len(said) == 1
-    assert all(f"The value of {key} in the address was ignored" in said[0] for key in ("method", "steps", "tolerance"))
-    assert "velocity Verlet, 12 steps per period" in words(app)
-    assert not app.run().warning
 
 
 def test_measures_shares_and_measures_again(app):
@@ -244,28 +232,6 @@ def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the
         diagrams = list(visitors.map(lambda _visitor: cache.diagram(1), range(5)))
     assert len(worked) == len(set(worked)) == 2 * len(METHODS)
     assert all(curve.step == Timing(1.0, 1.0, 1.0) for diagram in diagrams for curve in diagram)
-
-
-# ---- words
-
-
-@settings(deadline=None, max_examples=200)
-@given(strategy.floats(1e-300, 1e300), strategy.integers(1, 5))
-def test_numbers_say_what_they_are(value, digits):
-    superscripts = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-    mantissa, times, power = number(value, digits).replace("\u202f", "").partition("×10")
-    if not times and any(sign in mantissa for sign in "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"):
-        mantissa, power = "1", mantissa.removeprefix("10")
-    read = float(mantissa) * 10.0 ** int(power.translate(superscripts) or 0)
-    # Rounding to n digits moves a number by half a unit of the last one at most.
-    assert read == pytest.approx(value, rel=0.51 * 10.0 ** (1 - digits))
-
-
-@pytest.mark.parametrize(
-    ("value", "text"), [(0.0, "0"), (math.inf, "∞"), (math.nan, "not a number"), (-0.5, "−0.50"), (1e15, "10¹⁵")]
-)
-def test_special_numbers(value, text):
-    assert number(value) == text
 
 
 def test_forms_that_never_fail_are_named_right():

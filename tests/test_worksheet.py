@@ -35,17 +35,26 @@ def value(text: str, name: str) -> mpmath.mpf:
 
 
 @pytest.mark.parametrize("machine", MACHINES)
-def test_the_key_gives_the_core_s_numbers_exactly(machine):
-    *_, ratio, squared, felt, parting, _target = (each.answer for each in questions(machine, "1"))
-    assert float(value(ratio, r"\varepsilon")) == pytest.approx(machine.mass_ratio, rel=1e-14)
-    assert float(value(ratio, r"\Omega^2m/k")) == pytest.approx(machine.normalized_frequency_squared, rel=1e-14)
-    assert float(value(squared, r"\Omega^2")) == pytest.approx(
-        np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max(), rel=1e-12
-    )
-    assert float(value(felt, r"k/\Omega^2")) == pytest.approx(machine.effective_mass, rel=1e-14)
+def test_the_key_and_each_line_of_its_working_give_the_core_s_numbers(machine):
+    *_, ratio, squared, felt, parting, _target = questions(machine, "1")
+    rigid = np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max()
+    named = [(ratio, r"\varepsilon", machine.mass_ratio)]
+    named += [(ratio, r"\Omega^2m/k", machine.normalized_frequency_squared)]
+    named += [(squared, r"\Omega^2", rigid), (felt, r"k/\Omega^2", machine.effective_mass)]
+    for question, name, expected in named:
+        assert float(value(question.answer, name)) == pytest.approx(expected, rel=1e-12)
+    ends = [(ratio, 0, machine.mass_ratio), (ratio, 1, machine.normalized_frequency_squared)]
+    ends += [(squared, 0, rigid), (felt, 0, machine.effective_mass), (felt, 1, 3 * machine.m + 2 * machine.m_prime)]
+    ends += [(parting, 0, machine.normalized_frequency_squared**0.5)]
+    for question, line, expected in ends:
+        assert float(number_of(question.working[line].rsplit("=", 1)[1])) == pytest.approx(expected, rel=1e-12)
+    # The period is rounded.
+    period = 2 * np.pi / np.sqrt(rigid)
+    assert float(number_of(squared.working[1].rsplit("=", 1)[1])) == pytest.approx(period, rel=1e-4)
+    assert float(re.search(r"period is ([\d.]+)\u202fs", squared.answer)[1]) == pytest.approx(period, rel=5e-4)
     exact = Fraction(repr(machine.m_prime / machine.m))
     faster = 0 if machine.mass_ratio == UNIT_MASS_RATIO else 24 - exact - 18 * exact**2
-    assert parting.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
+    assert parting.answer.startswith("Neither" if faster == 0 else "Faster" if faster > 0 else "Slower")
 
 
 def test_a_decimal_is_said_to_be_equal_only_where_it_is():
@@ -131,26 +140,7 @@ def number_of(latex: str, **values: float) -> mpmath.mpf:
     return Formula(plain).value({r"\pi": mpmath.pi, **values})
 
 
-@pytest.mark.parametrize("machine", MACHINES)
-def test_each_line_of_the_key_s_working_ends_in_the_answer(machine):
-    *_, ratio, squared, felt, parting, _target = questions(machine, "1")
-
-    def end(line: str) -> float:
-        return float(number_of(line.rsplit("=", 1)[1]))
-
-    assert end(ratio.working[0]) == pytest.approx(machine.mass_ratio, rel=1e-14)
-    assert end(ratio.working[1]) == pytest.approx(machine.normalized_frequency_squared, rel=1e-14)
-    assert end(squared.working[0]) == pytest.approx(machine.natural_frequency_squared, rel=1e-12)
-    rigid = np.linalg.eigvals(np.linalg.solve(machine.mass_matrix, machine.stiffness_matrix)).real.max()
-    assert end(squared.working[1]) == pytest.approx(2 * np.pi / np.sqrt(rigid), rel=1e-4)
-    period = float(re.search(r"period is ([\d.]+)\u202fs", squared.answer)[1])
-    assert period == pytest.approx(2 * np.pi / np.sqrt(rigid), rel=5e-4)
-    assert end(felt.working[0]) == pytest.approx(machine.effective_mass, rel=1e-12)
-    assert end(felt.working[1]) == pytest.approx(3 * machine.m + 2 * machine.m_prime, rel=1e-12)
-    assert end(parting.working[0]) == pytest.approx(machine.normalized_frequency_squared**0.5, rel=1e-12)
-
-
-@pytest.mark.parametrize("seed", list("12345678"))
+@pytest.mark.parametrize("seed", list("1234"))
 def test_the_frequency_that_is_asked_for_is_had_at_the_ratio_of_the_key(seed):
     *_, last = questions(Oscillator(), seed)
     asked = sp.Rational(re.search(r"m/k=(\d+/\d+)", last.text)[1])
@@ -244,12 +234,3 @@ def test_who_makes_a_sheet_has_its_key():
     assert made.title[0].value == f"Ramanujan’s oscillator: worksheet {number}"
     assert sheet(seed=str(number), paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {number}"
     assert "key" in address.PRIVATE
-
-
-@pytest.mark.parametrize(
-    "query", [{"paper": "answers"}, {"paper": ""}, {"seed": "9" * 5000}, {"seed": "<b>"}, {"seed": ""}]
-)
-def test_a_bad_link_still_gives_a_sheet(query):
-    app = sheet(**query)
-    assert not app.exception
-    assert app.title[0].value == "Ramanujan’s oscillator: worksheet 1"
