@@ -191,12 +191,27 @@ def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
         page,
         "stage/clock",
         """
-        const stops = [new AbortController(), new AbortController()], ticks = [[], []];
-        const stage = (i, period) => ({ period: () => period, advance: (elapsed) => ticks[i].push(elapsed) });
+        const stops = [new AbortController(), new AbortController()], ticks = [[], []], busy = [true, true];
+        const go = (i, elapsed) => ticks[i].push(elapsed) && busy[i];
+        const stage = (i, period) => ({ period: () => period, advance: (elapsed) => go(i, elapsed) });
         const clocks = [0.35, 1e9].map((period, i) => it.joinClock("c", stage(i, period), true, stops[i].signal));
         const frames = async (n) => { for (let i = 0; i < n; i++) await new Promise(requestAnimationFrame); };
         await frames(4);
         const shared = clocks[0] === clocks[1], { slowing } = clocks[0];
+        busy[1] = false;
+        await frames(3);
+        const together = ticks[0].length === ticks[1].length;
+        busy[0] = false;
+        await frames(2);
+        const rested = ticks[0].length;
+        await frames(3);
+        const rests = ticks[0].length === rested;
+        it.wake();
+        await frames(3);
+        const woken = ticks[0].length - rested;
+        busy[0] = busy[1] = true;
+        it.wake();
+        await frames(2);
         const each = ticks.map((list) => list.length);
         stops[0].abort();
         await frames(3);
@@ -208,6 +223,7 @@ def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
         await frames(3);
         const fresh = it.joinClock("c", stage(0, 1), false, AbortSignal.abort());
         return { shared, slowing, each, alone, quick, ended: ticks[1].length === last, another: fresh !== clocks[0],
+          together, rests, woken,
           least: Math.min(...ticks.flat()), most: Math.max(...ticks.flat()) };
         """,
     )
@@ -217,6 +233,10 @@ def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
     assert result["quick"] == 1
     assert result["each"][0] == result["each"][1] > 0
     assert result["alone"][0] == 0 < result["alone"][1]
+    # It goes on for both while one moves, rests when none does, and looks once when it is woken.
+    assert result["together"]
+    assert result["rests"]
+    assert result["woken"] == 1
     assert result["ended"]
     assert result["another"]
     assert 0 <= result["least"] <= result["most"] <= 0.1

@@ -1,4 +1,5 @@
-// Time: one animation loop for every stage on the page, and clocks, which stages share that run and pause together.
+// Time: one animation loop for every stage on the page, and clocks, which stages share that run and pause together. The loop
+// rests while nothing moves: on a page that stands still, sixty frames a second took a quarter of a processor.
 
 import { clamp } from "./motion.js";
 
@@ -15,7 +16,7 @@ export function joinClock(name, stage, playing, signal) {
   const clock = clocks.get(name);
   clock.stages.add(stage);
   running.add(stage);
-  frame ||= requestAnimationFrame(tick);
+  wake();
   signal.addEventListener("abort", () => {
     running.delete(stage);
     clock.stages.delete(stage);
@@ -24,10 +25,19 @@ export function joinClock(name, stage, playing, signal) {
   return clock;
 }
 
+/** Let the loop run again: something may have moved. */
+export function wake() {
+  if (frame) return;
+  lastTick = performance.now();
+  frame = requestAnimationFrame(tick);
+}
+
 function tick(now) {
-  frame = running.size ? requestAnimationFrame(tick) : 0; // first of all: one bad frame must not be the last
+  frame = requestAnimationFrame(tick); // first of all: one bad frame must not be the last
   const elapsed = clamp((now - lastTick) / 1000, 0, 0.1); // a hidden tab does not catch up
   lastTick = now;
   for (const clock of clocks.values()) clock.slowing = Math.min(1, ...[...clock.stages].map((stage) => stage.period() / EYE));
-  for (const stage of [...running]) stage.advance(elapsed);
+  if ([...running].map((stage) => stage.advance(elapsed)).some(Boolean)) return;
+  cancelAnimationFrame(frame);
+  frame = 0;
 }

@@ -2,7 +2,8 @@
 // prints; texts.js holds the words. The contract with Python is in __init__.py.
 
 import { bus } from "../page/bus.js";
-import { EYE, joinClock } from "./clock.js";
+import { observe } from "../page/lasting.js";
+import { EYE, joinClock, wake } from "./clock.js";
 import { leftPlace } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";
@@ -38,6 +39,8 @@ class Stage {
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.calmed(), { signal });
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
+    // A slider may move, and may be drawn after the stage.
+    observe(document.body, { childList: true, subtree: true, attributeFilter: ["value"] }, wake, signal);
     this.keeper = makeKeeper(this, options, signal);
     signal.addEventListener("abort", () => ["time", "present", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
@@ -98,7 +101,7 @@ class Stage {
     this.slab.show(this.parameters.compression);
     if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(this.solution));
     this.showSlowing();
-    this.dirty = true;
+    this.redraw();
   }
 
   period() {
@@ -107,14 +110,22 @@ class Stage {
 
   // ---- time
 
+  /** Go on by so many seconds; return whether there is more to come. */
   advance(elapsed) {
-    if (!this.solution) return;
+    if (!this.solution) return false;
     if (this.hand.look()) this.change(() => {});
     const stands = this.hand.isHolding || this.parts.hides("motion");
     const running = this.clock.playing && !stands;
     if (running) this.run(elapsed * this.clock.speed * this.clock.slowing);
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.dirty) this.draw(elapsed);
+    return running || fading || this.hand.held !== null;
+  }
+
+  /** Have the picture drawn with the next frame. */
+  redraw() {
+    this.dirty = true;
+    wake();
   }
 
   run(seconds) {
@@ -149,7 +160,6 @@ class Stage {
       const left = go(stage.playback);
       if (left) stage.voice.note(WORDS[`${left}_ahead`]);
       stage.showClock();
-      stage.dirty = true;
     }
   }
 
@@ -216,7 +226,7 @@ class Stage {
     if (!this.still) this.picture.ghosts(null);
     showControls(this.root, this.clock, this.layers);
     this.showSlowing();
-    this.dirty = true;
+    this.redraw();
   }
 
   showSlowing() {
