@@ -10,7 +10,7 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.printers import in_order
-from ramanujan.derivation.steps import Step, equation
+from ramanujan.derivation.steps import Step, equation, step
 from ramanujan.derivation.symbols import Machine, gather, k, m, m_prime, machine, t
 from ramanujan.translation import _
 
@@ -38,7 +38,7 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
             rotation = half * sp.Symbol(f"I_{body.name}") * body.angle.diff(t) ** 2
             energies[body.name] = in_order(energies[body.name], rotation)
     return (
-        Step(
+        step(
             "velocities",
             _("Find the velocity of every body"),
             _(
@@ -47,9 +47,9 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
                 "moves to the right by $R$ times its clockwise angle, and its top twice as far. The slab rests on the "
                 "tops of the lower rollers and moves with them."
             ),
-            tuple(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
+            *(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
         ),
-        Step(
+        step(
             "inertia",
             _("Find the moments of inertia and the compression of the spring"),
             _(
@@ -57,25 +57,21 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
                 "halves the moment of inertia $I$. The compression $x$ of the spring is the displacement of the slab "
                 "relative to the block."
             ),
-            (
-                *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
-                equation("x", bodies.deformation),
-            ),
+            *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
+            equation("x", bodies.deformation),
         ),
-        Step(
+        step(
             "energies",
             _("Write down the energies"),
             _(
                 "The kinetic energy of a rolling body is that of its centre’s motion plus that of its rotation about "
                 "the centre. The potential energy is that of the spring. Nothing moves up or down."
             ),
-            (
-                *(equation(f"T_{name}", energy) for name, energy in energies.items()),
-                equation("U", half * k * sp.Symbol("x") ** 2),
-                equation("U", bodies.potential_energy),
-            ),
+            *(equation(f"T_{name}", energy) for name, energy in energies.items()),
+            equation("U", half * k * sp.Symbol("x") ** 2),
+            equation("U", bodies.potential_energy),
         ),
-        Step(
+        step(
             "sum",
             _("Add them up to the Lagrangian"),
             _(
@@ -83,7 +79,7 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
                 "compression. The terms are those of block, hoop, lower cylinder, slab, top cylinder and spring, in "
                 "this order."
             ),
-            (equation("L", in_order(*bodies.kinetic_parts, -bodies.potential_energy)),),
+            equation("L", in_order(*bodies.kinetic_parts, -bodies.potential_energy)),
         ),
     )
 

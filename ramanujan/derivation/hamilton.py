@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, equation, step
 from ramanujan.derivation.symbols import (
     COORDINATES,
     MOMENTA,
@@ -95,32 +95,26 @@ def build() -> Route:
     reduced = reduce_to_one_degree(transform.hamiltonian)
     acceleration = transform.hamiltonian.diff(p_phi).diff(t).subs(rates)
     frequency = sp.factor(-acceleration / phi)
-    return Route("hamilton", _("Hamilton"), _steps(bodies, transform, rates, reduced, frequency), frequency, CELLS)
-
-
-def _steps(
-    bodies: Machine, transform: Legendre, rates: dict[sp.Expr, sp.Expr], reduced: Reduction, frequency: sp.Expr
-) -> tuple[Step, ...]:
     stiffness = bodies.potential_energy.diff(phi, 2) / R**2
     lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
     one_degree = (p_phi + reduced.shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
-    return (
-        Step(
+    steps = (
+        step(
             "lagrangian",
             _("Start from the Lagrangian"),
             _(
                 "The Lagrangian $\\mathcal L=T-U$ is written in three independent coordinates. The rolling constraints "
                 "are already built in."
             ),
-            (equation("L", bodies.lagrangian),),
+            equation("L", bodies.lagrangian),
         ),
-        Step(
+        step(
             "momenta",
             _("Find the momenta"),
             _("Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
-            tuple(equation(p, value) for p, value in transform.momenta.items()),
+            *(equation(p, value) for p, value in transform.momenta.items()),
         ),
-        Step(
+        step(
             "inversion",
             _("Solve for the velocities, one after the other"),
             _(
@@ -128,18 +122,18 @@ def _steps(
                 "insert it into that of $X$. Solve the result for $\\dot X$ and insert it into that of $\\varphi$: "
                 "only $\\dot\\varphi$ is left."
             ),
-            _inversion(transform.momenta),
+            *_inversion(transform.momenta),
         ),
-        Step(
+        step(
             "velocities",
             _("Collect the velocities"),
             _(
                 "Solve the last line for $\\dot\\varphi$, then go back to $\\dot X$ and $\\dot\\Phi$. This always "
                 "works, because $T$ is positive for every motion."
             ),
-            tuple(equation(velocity, value) for velocity, value in transform.velocities.items()),
+            *(equation(velocity, value) for velocity, value in transform.velocities.items()),
         ),
-        Step(
+        step(
             "hamiltonian",
             _("Write down the Hamiltonian"),
             _(
@@ -147,12 +141,10 @@ def _steps(
                 "momenta. The sum is $2T$, because $T$ is quadratic in the velocities. So $\\mathcal H$ is the energy "
                 "$T+U$."
             ),
-            (
-                equation("H", sp.Add(*(p * v for p, v in zip(MOMENTA, VELOCITIES, strict=True))) / 2 + sp.Symbol("U")),
-                equation("H", transform.hamiltonian),
-            ),
+            equation("H", sp.Add(*(p * v for p, v in zip(MOMENTA, VELOCITIES, strict=True))) / 2 + sp.Symbol("U")),
+            equation("H", transform.hamiltonian),
         ),
-        Step(
+        step(
             "motion",
             _("Write down Hamilton’s equations"),
             _(
@@ -161,12 +153,10 @@ def _steps(
                 "$p_\\Phi$ are conserved. $-p_X$ is the momentum of the whole machine, positive to the right. "
                 "$p_\\Phi$ is the angular momentum of the top cylinder about its line of contact with the block."
             ),
-            (
-                *(equation(rate, value) for rate, value in rates.items()),
-                equation(phi.diff(t), transform.velocities[phi.diff(t)]),
-            ),
+            *(equation(rate, value) for rate, value in rates.items()),
+            equation(phi.diff(t), transform.velocities[phi.diff(t)]),
         ),
-        Step(
+        step(
             "reduction",
             _("Complete the square"),
             _(
@@ -174,13 +164,11 @@ def _steps(
                 "$p_\\varphi$ and add a constant $\\mathcal H_0$. One degree of freedom is left: a mass $M_e$ with the "
                 "displacement $R\\varphi$."
             ),
-            (
-                equation("H", one_degree),
-                equation(M_e, reduced.effective_mass),
-                equation(H_0, reduced.constant),
-            ),
+            equation("H", one_degree),
+            equation(M_e, reduced.effective_mass),
+            equation(H_0, reduced.constant),
         ),
-        Step(
+        step(
             "frequency",
             _("Read off the frequency"),
             _(
@@ -188,14 +176,13 @@ def _steps(
                 "$2R\\varphi$, twice the displacement $R\\varphi$. The mass for this deformation, $M_x$, is therefore "
                 "a quarter of $M_e$."
             ),
-            (
-                equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
-                equation(Omega_squared, stiffness / M_e),
-                equation(M_x, sp.factor(reduced.effective_mass / lever)),
-                equation(Omega_squared, frequency),
-            ),
+            equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
+            equation(Omega_squared, stiffness / M_e),
+            equation(M_x, sp.factor(reduced.effective_mass / lever)),
+            equation(Omega_squared, frequency),
         ),
     )
+    return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)
 
 
 def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:

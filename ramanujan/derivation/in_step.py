@@ -9,7 +9,7 @@ import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, unit_condition
 from ramanujan.derivation.printers import in_order
-from ramanujan.derivation.steps import Step, equation
+from ramanujan.derivation.steps import Step, equation, step
 from ramanujan.derivation.symbols import (
     Omega_squared,
     epsilon,
@@ -40,20 +40,18 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(normalized_frequency_squared, numerator / in_order(*terms)),
         equation(normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
     )
-    only_ratio = Step(
+    only_ratio = step(
         "ratio",
         _("Use the mass ratio"),
         _(
             "Divide numerator and denominator by $m$. In units of $k/m$, the square of the frequency then depends only "
             "on $\\varepsilon=m'/m$. This ratio is the mass of a lower roller divided by the mass of each other body."
         ),
-        (
-            equation(epsilon, ratio),
-            equation(Omega_squared * m / k, numerator / in_order(*terms)),
-            equation(Omega_squared * m / k, unit.normalized_frequency_squared),
-        ),
+        equation(epsilon, ratio),
+        equation(Omega_squared * m / k, numerator / in_order(*terms)),
+        equation(Omega_squared * m / k, unit.normalized_frequency_squared),
     )
-    exactly_one = Step(
+    exactly_one = step(
         "unit",
         _("Require exactly 1"),
         _(
@@ -62,21 +60,20 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
             "remaining denominator and collect: this gives a quadratic equation for $\\varepsilon$ with integer "
             "coefficients."
         ),
-        (
-            equation(in_order(*terms), numerator),
-            equation(two_terms, sp.Integer(0)),
-            equation(multiplied, sp.Integer(0)),
-            equation(quadratic, sp.Integer(0)),
-        ),
+        equation(in_order(*terms), numerator),
+        equation(two_terms, sp.Integer(0)),
+        equation(multiplied, sp.Integer(0)),
+        equation(quadratic, sp.Integer(0)),
     )
-    root = Step(
+    root = step(
         "root",
         _("Find the taxicab number"),
         _(
             "Complete the square: this shows the discriminant, the number under the square root of the solution. Only "
             "one root is positive, as a mass ratio must be. It is called $\\varepsilon_*$."
         ),
-        (unit.completed_square, equation(epsilon, unit.root)),
+        unit.completed_square,
+        equation(epsilon, unit.root),
     )
 
     leaves = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in (two_terms, quadratic))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation.energies import energies
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, equation, step
 from ramanujan.derivation.symbols import (
     ACCELERATIONS,
     COORDINATES,
@@ -86,72 +86,63 @@ def build() -> Route:
     bodies = machine()
     result = modes(bodies)
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
-    return Route("matrix", _("Matrix"), _steps(bodies, result, oscillating), oscillating, CELLS)
-
-
-def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, ...]:
     q_ddot = sp.ImmutableMatrix(ACCELERATIONS)
     q = sp.ImmutableMatrix(COORDINATES)
     eigenvalues = sp.Tuple(*(root for root, count in result.eigenvalues.items() for _i in range(count)))
     stiffness = result.stiffness_matrix[_PHI, _PHI]
-    return (
-        Step(
+    steps = (
+        step(
             "energies",
             _("Add up the energies"),
             _(
                 "The kinetic energy $T$ is a quadratic form in the velocities. The potential energy $U$ is a quadratic "
                 "form in the coordinates. The compression of the spring is $2R\\varphi$."
             ),
-            energies(bodies),
+            *energies(bodies),
         ),
-        Step(
+        step(
             "matrices",
             _("Take the second derivatives"),
             _(
                 "The second derivatives of $T$ with respect to the velocities form the mass matrix $M$, in the order "
                 "$X$, $\\varphi$, $\\Phi$. Those of $U$ with respect to the coordinates form the stiffness matrix $K$."
             ),
-            (equation(_M, result.mass_matrix), equation(_K, result.stiffness_matrix)),
+            equation(_M, result.mass_matrix),
+            equation(_K, result.stiffness_matrix),
         ),
-        Step(
+        step(
             "motion",
             _("Write down the equations of motion"),
             _(
                 "Since $M$ and $K$ are constant, Lagrange’s three equations are one matrix equation, $M\\ddot q=-Kq$. "
                 "The inertia is on the left, the restoring force on the right."
             ),
-            (
-                equation(
-                    sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
-                    sp.MatMul(-result.stiffness_matrix, q, evaluate=False),
-                ),
+            equation(
+                sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
+                sp.MatMul(-result.stiffness_matrix, q, evaluate=False),
             ),
         ),
-        Step(
+        step(
             "determinant",
             _("Look for the modes"),
             _(
                 "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\omega t$. This gives "
                 "$(K-\\omega^2M)v=0$, which has a solution other than $v=0$ only if the determinant vanishes."
             ),
-            (
-                equation(sp.Determinant(result.pencil), sp.S.Zero),
-                equation(result.determinant, sp.S.Zero),
-            ),
+            equation(sp.Determinant(result.pencil), sp.S.Zero),
+            equation(result.determinant, sp.S.Zero),
         ),
-        Step(
+        step(
             "spectrum",
             _("Find the three roots"),
             _(
                 "Zero is a double root: two modes have no restoring force. The third root is the square of the natural "
                 "frequency."
             ),
-            (
-                equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
-                equation(Omega_squared, oscillating),
-            ),
+            equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
+            equation(Omega_squared, oscillating),
         ),
-        Step(
+        step(
             "zero_modes",
             _("Look at the two zero modes"),
             _(
@@ -160,12 +151,12 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
                 "cylinder rolls freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact "
                 "with the block."
             ),
-            tuple(
+            *(
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
                 for mode in result.zero_modes
             ),
         ),
-        Step(
+        step(
             "shortcut",
             _("Avoid the determinant"),
             _(
@@ -176,22 +167,21 @@ def _steps(bodies: Machine, result: Modes, oscillating: sp.Expr) -> tuple[Step, 
                 vector="$M^{-1}e_\\varphi$",
                 shortcut="$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$",
             ),
-            (
-                equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
-                equation(_M.I, result.inverse_mass_matrix),
-                equation(Omega_squared, result.natural_frequency_squared),
-            ),
+            equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
+            equation(_M.I, result.inverse_mass_matrix),
+            equation(Omega_squared, result.natural_frequency_squared),
         ),
-        Step(
+        step(
             "mode_shape",
             _("Read off the mode shape"),
             _(
                 "A mode is determined up to a factor, so the entry of $\\varphi$ may be set to 1. Block and top "
                 "cylinder oscillate in proportion to it."
             ),
-            (equation("v", result.mode_shape),),
+            equation("v", result.mode_shape),
         ),
     )
+    return Route("matrix", _("Matrix"), steps, oscillating, CELLS)
 
 
 def _zero_first(root: tuple[sp.Expr, int]) -> bool:

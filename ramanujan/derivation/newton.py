@@ -26,7 +26,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation.energies import PARTS
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, equation, step
 from ramanujan.derivation.symbols import ACCELERATIONS, Body, Machine, Omega_squared, R, gather, k, machine, phi, t
 from ramanujan.translation import _
 
@@ -215,7 +215,7 @@ def build() -> Route:
     (Phi_from_X,) = sp.solve(top, Phi_ddot)
     (X_from_phi,) = sp.solve(both.subs(Phi_ddot, Phi_from_X), X_ddot)
     steps = (
-        Step(
+        step(
             "rolling",
             _("Write down the rolling conditions"),
             _(
@@ -224,9 +224,10 @@ def build() -> Route:
                 "$a+R\\alpha$ at its top and $a-R\\alpha$ at its bottom. Its angular acceleration $\\alpha$ is the "
                 "second derivative of its angle."
             ),
-            (*cut.rolling, *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers)),
+            *cut.rolling,
+            *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers),
         ),
-        Step(
+        step(
             "forces",
             _("Apply Newton’s second law to each body"),
             _(
@@ -235,9 +236,9 @@ def build() -> Route:
                 "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
                 "compresses the spring, which pushes the two apart."
             ),
-            cut.forces,
+            *cut.forces,
         ),
-        Step(
+        step(
             "torques",
             _("Apply the law of torques to each roller"),
             _(
@@ -245,18 +246,18 @@ def build() -> Route:
                 "clockwise, at its bottom anticlockwise. Weights and normal forces act along lines through the axis, "
                 "so they have no torque."
             ),
-            cut.torques,
+            *cut.torques,
         ),
-        Step(
+        step(
             "accelerations",
             _("Express all accelerations by three"),
             _(
                 "The block has the acceleration $-\\ddot X$. With the rolling conditions, the accelerations of all "
                 "bodies follow from those of the three coordinates."
             ),
-            tuple(equation(symbol, value) for symbol, value in centres.items()),
+            *(equation(symbol, value) for symbol, value in centres.items()),
         ),
-        Step(
+        step(
             "friction",
             _("Find the friction forces"),
             _(
@@ -264,50 +265,46 @@ def build() -> Route:
                 "half their sum is $S$, and half their difference is $F$. The top cylinder has one force, which its "
                 "torque determines."
             ),
-            tuple(equation(force, value) for force, value in cut.friction.items()),
+            *(equation(force, value) for force, value in cut.friction.items()),
         ),
-        Step(
+        step(
             "three",
             _("Insert both into the three equations that are left"),
             _("Newton’s second law for block, slab and top cylinder has not been used yet."),
-            tuple(equation(left, right) for left, right in three),
+            *(equation(left, right) for left, right in three),
             labels=tuple(rf"\text{{{PARTS[name]}}}" for name in ("block", "slab", "top")),
         ),
-        Step(
+        step(
             "solution",
             _("Eliminate the block and the top cylinder"),
             _(
                 "Solve the equation of the top cylinder for $\\ddot\\Phi$. In the sum of the two others the spring "
                 "cancels. Insert $\\ddot\\Phi$ into it and solve for $\\ddot X$."
             ),
-            (
-                equation(Phi_ddot, Phi_from_X),
-                equation(both, sp.S.Zero),
-                equation(X_ddot, sp.factor(X_from_phi)),
-                equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
-            ),
+            equation(Phi_ddot, Phi_from_X),
+            equation(both, sp.S.Zero),
+            equation(X_ddot, sp.factor(X_from_phi)),
+            equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
         ),
-        Step(
+        step(
             "contact",
             _("Look at the friction forces"),
             _(
                 "Insert these accelerations into the friction forces. Each is proportional to $\\ddot\\varphi$, so all "
                 "five are largest at the turning points of $\\varphi$."
             ),
-            tuple(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
+            *(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
         ),
-        Step(
+        step(
             "frequency",
             _("Read off the frequency"),
             _(
                 "Insert $\\ddot X$ into the equation of the slab. This gives the equation of a harmonic oscillator, "
                 "$\\ddot\\varphi+\\Omega^2\\varphi=0$."
             ),
-            (
-                equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
-                equation(phi_ddot, cut.solution[roller]),
-                equation(Omega_squared, frequency),
-            ),
+            equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
+            equation(phi_ddot, cut.solution[roller]),
+            equation(Omega_squared, frequency),
         ),
     )
     return Route("newton", _("Newton"), steps, frequency, CELLS)

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from ramanujan.derivation.energies import energies
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
 from ramanujan.derivation.symbols import (
     M_clamped,
     M_e,
@@ -86,22 +86,18 @@ def build() -> Route:
     result = least_inertia(bodies)
     stiffness = sp.cancel(2 * bodies.potential_energy / (R * phi) ** 2)
     frequency = sp.factor(stiffness / result.least)
-    return Route("energy", _("Energy"), _steps(bodies, result, stiffness, frequency), frequency, CELLS)
-
-
-def _steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr, frequency: sp.Expr) -> tuple[Step, ...]:
     path, speed = R * phi, R * phi.diff(t)
-    return (
-        Step(
+    steps = (
+        step(
             "energies",
             _("Add up the energies"),
             _(
                 "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy $U$, "
                 "because no body moves up or down. Its compression is $2R\\varphi$."
             ),
-            energies(bodies),
+            *energies(bodies),
         ),
-        Step(
+        step(
             "quotient",
             _("Form Rayleigh’s quotient"),
             _(
@@ -111,12 +107,10 @@ def _steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr, frequency:
                 "and top cylinder move compared with the rollers: $\\xi=\\dot X/(R\\dot\\varphi)$ and "
                 "$\\eta=\\dot\\Phi/\\dot\\varphi$."
             ),
-            (
-                equation(2 * sp.Symbol("U") / path**2, stiffness),
-                equation(2 * sp.Symbol("T") / speed**2, result.inertia),
-            ),
+            equation(2 * sp.Symbol("U") / path**2, stiffness),
+            equation(2 * sp.Symbol("T") / speed**2, result.inertia),
         ),
-        Step(
+        step(
             "least",
             _("Find how block and top cylinder move"),
             _(
@@ -125,39 +119,34 @@ def _steps(bodies: Machine, result: LeastInertia, stiffness: sp.Expr, frequency:
                 "positive definite, since its upper left entry and its determinant are positive. So the inertia is "
                 "least there."
             ),
-            (
-                *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
-                *(equation(share, result.shares[share]) for share in (xi, eta)),
-                equation(sp.Determinant(result.curvature), sp.factor(result.curvature.det())),
-            ),
+            *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
+            *(equation(share, result.shares[share]) for share in (xi, eta)),
+            equation(sp.Determinant(result.curvature), sp.factor(result.curvature.det())),
         ),
-        Step(
+        step(
             "frequency",
             _("Read off the frequency"),
             _(
                 "The least inertia is the effective mass $M_e$ for the displacement $R\\varphi$ of the rollers. In "
                 "terms of the mass matrix, $M_eR^2$ is a Schur complement."
             ),
-            (
-                equation(M_e, result.least),
-                equation(Omega_squared, stiffness / M_e),
-                equation(Omega_squared, frequency),
-            ),
+            equation(M_e, result.least),
+            equation(Omega_squared, stiffness / M_e),
+            equation(Omega_squared, frequency),
         ),
         _spring_mass_step(bodies, result, stiffness),
-        Step(
+        step(
             "bound",
             _("Clamp the block for a lower bound"),
             _(
                 "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
                 "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
             ),
-            (
-                equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
-                equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
-            ),
+            equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
+            equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
         ),
     )
+    return Route("energy", _("Energy"), steps, frequency, CELLS)
 
 
 def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -> Step:
@@ -166,16 +155,14 @@ def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr)
     spring_mass = sp.factor(result.least / lever)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")
     spins = _("The term that contains $m'$ alone comes from the rotation of the lower rollers.")
-    step = Step(
+    with_both = step(
         "spring_mass",
         _("Find the mass that the spring feels"),
         f"{reason} {spins}",
-        (
-            equation(M_x, spin + sp.factor(spring_mass - spin)),
-            equation(Omega_squared, stiffness / lever / M_x),
-        ),
+        equation(M_x, spin + sp.factor(spring_mass - spin)),
+        equation(Omega_squared, stiffness / lever / M_x),
     )
-    return replace(step, present=lambda _values: replace(step, reason=reason))
+    return replace(with_both, present=lambda _values: replace(with_both, reason=reason))
 
 
 CELLS = {

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
+from typing import Any
 
 import sympy as sp
 
@@ -57,6 +58,11 @@ class Step:
     def _repr_markdown_(self) -> str:
         """Show the step in a notebook."""
         return "\n\n".join([f"**{self.heading}.** {self.reason}", *(f"$${latex(e)}$$" for e in self.equations)])
+
+
+def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) -> Step:
+    """Return a step with these equations; `more` are the other fields of `Step`."""
+    return Step(key, heading, reason, equations, **more)
 
 
 @dataclass(frozen=True)
