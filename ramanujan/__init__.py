@@ -34,8 +34,6 @@ costs), `figures` and `browser` (how it looks), `pages` (one folder each), `shel
 says which arguments are accepted, and `rounding` how results keep their digits.
 """
 
-from __future__ import annotations
-
 from ramanujan.contact import (
     contact_forces,
     first_to_slip,

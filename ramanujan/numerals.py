@@ -8,8 +8,6 @@
 `page/sentences.js` follows the same rules in the browser. LaTeX has its own digits, in `derivation.printers`.
 """
 
-from __future__ import annotations
-
 import math
 import string
 from decimal import Decimal

@@ -1,7 +1,5 @@
 """What is said of a wrong answer that no typical mistake gives: which term differs, for which masses it is right."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from fractions import Fraction
 

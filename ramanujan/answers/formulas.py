@@ -1,7 +1,5 @@
 """Formulas as they were typed, SymPy's nodes unevaluated: their size and their letters."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 from fractions import Fraction

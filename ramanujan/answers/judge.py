@@ -1,7 +1,5 @@
 """The verdict on a student's formula: right, right but not simplified, wrong and how it differs, or unreadable."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -5,8 +5,6 @@ one sentence and the question that leads on; what students do often comes first.
 through one elimination, exactly, for any mass ratio.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache

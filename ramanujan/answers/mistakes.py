@@ -5,8 +5,6 @@ Machines and procedures go through one elimination, in exact numbers and the mas
 machines last: the first mistake that gives a result is the one that is named.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache
 

@@ -4,8 +4,6 @@ The right answers come from the bodies and their elimination, the wrong ones fro
 route of Euler and Lagrange. A new question is one entry of `_ALL`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field

@@ -4,8 +4,6 @@ Everything that is not a number, a name of `SYMBOLS` or a sign of the grammar is
 what was not understood.
 """
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Iterator

@@ -4,8 +4,6 @@ A formula becomes an element of SymPy's fraction field ℤ(m, m′, k, R, X, …
 Degrees and digits are bounded before anything is computed. Every sentence states what was computed exactly.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from fractions import Fraction
 from math import inf, prod

@@ -4,8 +4,6 @@ Two formulas count as equal if they agree at all `POINTS`. Their coordinates hav
 Schwartz and Zippel, two different rational formulas of degree 120 agree with a probability below 1e-29.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Mapping
 from fractions import Fraction

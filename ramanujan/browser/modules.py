@@ -5,8 +5,6 @@ browser itself resolves their imports. markup.js holds each component's HTML and
 with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.js holds the stage's words.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Lagrange’s equations, the paper’s elimination of two coordinates, and the condition Ω² = k/m that leads to 1729."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 

@@ -3,8 +3,6 @@
 The routes derive the energies; `printers` and the pages decide how they look.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

@@ -3,8 +3,6 @@
 The paper derives Ω² twice. Here one computation does both: with roller mass m, then with roller mass m′.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import sympy as sp

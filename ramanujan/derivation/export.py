@@ -3,8 +3,6 @@
 LaTeX and Markdown contain the route in symbols or with the numbers of one machine. The notebook is plain SymPy.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping

@@ -5,8 +5,6 @@ H contains neither X nor Φ. For fixed values of their momenta the machine acts 
     H = (p_φ + shift)²/(2M_eR²) + 2kR²φ² + H₀,    shift and H₀ constant,    Ω² = 4k/M_e.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy as sp

@@ -1,7 +1,5 @@
 """From Ω² to 1729: the mass ratio at which the machine is in step with a plain mass on the same spring, Ω² = k/m."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -5,8 +5,6 @@
 K has rank one, so two modes have zero frequency. The third can be found without a determinant: Ω² = 4kR²(M⁻¹)_φφ.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy as sp

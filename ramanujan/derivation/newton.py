@@ -19,8 +19,6 @@ Thirteen equations for thirteen unknowns: five accelerations, three angular acce
 Weights and normal forces are vertical, and their lines of action pass through the axes: they appear in no equation.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy as sp

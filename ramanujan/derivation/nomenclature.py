@@ -1,7 +1,5 @@
 """The list of symbols of a route: what each one means, its unit, and its positive direction."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 

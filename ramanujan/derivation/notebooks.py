@@ -5,8 +5,6 @@ of its route. `CHECK` then compares its Ω² with the root of det(K − ω²M) =
 computes how far that machine is from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
 """
 
-from __future__ import annotations
-
 BODIES = """\
 import sympy as sp
 

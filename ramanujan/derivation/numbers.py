@@ -4,8 +4,6 @@ A float is read as what a person has entered: 0.1 is 1/10, and the float nearest
 nearest to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from decimal import Decimal
 from fractions import Fraction

@@ -7,8 +7,6 @@ In the oscillating mode, block and top cylinder move along so that the kinetic e
 Minimizing a quadratic form over some of its variables is a Schur complement of its matrix.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import sympy as sp

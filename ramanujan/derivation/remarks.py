@@ -4,8 +4,6 @@ Each remark carries a check that SymPy computes from the bodies: it is true when
 corrected one holds. `conserved_momenta` returns the momenta that belong to the two zero modes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache

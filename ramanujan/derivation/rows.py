@@ -3,8 +3,6 @@
 A row is its left side, its sign, the terms of its right side, and the decimal of a right side that is a number.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass

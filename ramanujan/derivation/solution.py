@@ -4,8 +4,6 @@ The form follows from the spectrum: one oscillating mode, whose shape comes from
 which X and Φ drift. The six initial values determine the six constants.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import sympy as sp

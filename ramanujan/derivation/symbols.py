@@ -8,8 +8,6 @@ A body has a mass, a shape factor and a position. Its position follows from the 
     resting on a roller        x_slab   = x_centre  + Rθ
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -8,8 +8,6 @@ symbols. The template keeps that LaTeX, and each number as a rational function o
 Filling evaluates the functions exactly and joins text; nothing is simplified or printed by SymPy again.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ The caller gives the numbers and the colours; the functions here compute neither
 phone: labels are anchored inside the axes and do not overlap.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The stacks of cubes of the page 1729, which a person can turn and count."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Cubes of unit cubes as a still drawing for paper, where a browser leaves out what a graphics card has drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

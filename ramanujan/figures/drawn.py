@@ -5,8 +5,6 @@ milliseconds, many times as long as computing the numbers. A figure that changes
 the dictionary that Plotly would produce. A test lets Plotly check each of them.
 """
 
-from __future__ import annotations
-
 import base64
 from collections.abc import Iterable, Mapping
 from typing import Any

@@ -3,8 +3,6 @@
 A place holds on a narrow screen and on a projector, whose words are larger. Lengths are in sizes of these words.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

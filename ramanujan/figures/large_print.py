@@ -1,7 +1,5 @@
 """Figures with words so large that a lecture hall can read them: the room that these words need."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from plotly.basedatatypes import BaseFigure

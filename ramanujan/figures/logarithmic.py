@@ -1,7 +1,5 @@
 """Logarithmic figures of errors and costs: the axes, marks and ranges that those of the speed page share."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 

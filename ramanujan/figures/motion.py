@@ -1,7 +1,5 @@
 """The figures of the motion page: panels with one time axis, the phase plane, and the friction that contacts need."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """The figure of the first page: Ω²m/k against the mass ratio."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The figures of the speed page: growing errors, work–precision diagram, forms of Ω² and phase at the extremes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

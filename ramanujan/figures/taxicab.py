@@ -1,7 +1,5 @@
 """The figures of the page 1729: the target on the Ω² curve, the 40 machines, counts of sums."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -11,8 +11,6 @@
 'same'
 """
 
-from __future__ import annotations
-
 from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, settings
 from ramanujan.lesson.stop import Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict

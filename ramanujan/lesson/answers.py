@@ -1,7 +1,5 @@
 """Tasks with an answer of their own: a time, a measurement, a formula, a method, a choice of bodies."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from itertools import count

@@ -1,7 +1,5 @@
 """Stops 6 to 9: which body moves where, and where the energy is."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ramanujan.energy import energies

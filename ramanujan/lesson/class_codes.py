@@ -1,7 +1,5 @@
 """What opens a class: a short code for everybody, a long key for the lecturer, a random voter for each student."""
 
-from __future__ import annotations
-
 import hashlib
 import secrets
 

@@ -1,7 +1,5 @@
 """What a lecturer takes home of a class: every vote counted, nobody named."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable

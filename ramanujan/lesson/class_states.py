@@ -1,7 +1,5 @@
 """What is known of a class: by the lecturer, by a student, by everybody once it is revealed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum

@@ -13,8 +13,6 @@ What a class cannot do raises `ClassError` with one sentence. All of it is in on
 processes share, and is gone when the class expires. Peer instruction: E. Mazur, *Peer Instruction* (1997).
 """
 
-from __future__ import annotations
-
 import re
 import time
 from collections import Counter

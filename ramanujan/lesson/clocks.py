@@ -1,7 +1,5 @@
 """Stops 1 to 5: the machine's clock beside that of a plain mass m on the same spring."""
 
-from __future__ import annotations
-
 import math
 
 from ramanujan.energy import energies

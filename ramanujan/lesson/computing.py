@@ -1,7 +1,5 @@
 """Stops 16 and 17: what a computer makes of it, ten steps a period or a thousand, and ε = 10²⁰⁰."""
 
-from __future__ import annotations
-
 import math
 import re
 from functools import cache, partial

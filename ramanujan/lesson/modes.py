@@ -1,7 +1,5 @@
 """Stops 10 and 11: what can move without oscillating, and which contact slips first."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The machine as a still picture: its release, to scale, drawn from the core's geometry, as SVG or as TikZ."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Stops 12 to 15: the mass ratio at which the machine is in step, by hand, exactly, why it holds 1729, other bodies."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import sympy as sp

@@ -1,7 +1,5 @@
 """Tasks that are done with the machine alone: its masses, its spring, how it is released."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

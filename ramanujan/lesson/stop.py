@@ -8,8 +8,6 @@ A stop types no result: `answer` and `numbers` are functions that ask the core, 
 Options give no reasons, so that nobody can tell the right one by its looks.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """What a task is: something to bring about with the machine, and a judge that works out how close one has come."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 

@@ -4,8 +4,6 @@ The seed chooses: the same machine and seed give the same sheet, so that a key f
 All answers are worked out, the calculations exactly, by SymPy.
 """
 
-from __future__ import annotations
-
 import random
 import string
 from collections.abc import Sequence

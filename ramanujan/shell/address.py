@@ -8,8 +8,6 @@ Only sliders of real numbers are bound to the address by Streamlit itself, so th
 server. Streamlit's other bindings write labels, and break off the run where a value is empty or infinite.
 """
 
-from __future__ import annotations
-
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence

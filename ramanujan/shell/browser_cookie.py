@@ -4,8 +4,6 @@ The name says nothing of anybody. A class keeps only what is made from it and fr
 (`class_codes.voter_of`).
 """
 
-from __future__ import annotations
-
 import secrets
 from typing import Any
 

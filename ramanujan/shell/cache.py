@@ -4,8 +4,6 @@ A page asks here for anything that costs more than a moment. Keys are plain numb
 imported in that page's file, so that the first page does not pay for the others.
 """
 
-from __future__ import annotations
-
 import gc
 
 import streamlit as st

@@ -7,8 +7,6 @@
 *Copy link* leaves out what `address.PRIVATE` names.
 """
 
-from __future__ import annotations
-
 from ramanujan.shell.address import Choice, Text
 from ramanujan.translation import _
 

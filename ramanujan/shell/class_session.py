@@ -4,8 +4,6 @@ It is known from the session, and after a reload from the address (`class_keys`)
 gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote.
 """
 
-from __future__ import annotations
-
 import secrets
 from collections.abc import Callable
 

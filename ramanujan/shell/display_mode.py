@@ -4,8 +4,6 @@ All of it stands in the address of every page, as `view=projector`, `sheet=curve
 that it can be passed on. A page declares its sheets where it draws them: `with sheet("curve", _("The curve")):`.
 """
 
-from __future__ import annotations
-
 from contextlib import AbstractContextManager, nullcontext
 from html import escape
 

@@ -1,7 +1,5 @@
 """How figures are put on a page, and still drawings for paper."""
 
-from __future__ import annotations
-
 from base64 import b64encode
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What the app says to a person about what was entered: on the page about its address, at a slider about its box."""
 
-from __future__ import annotations
-
 import streamlit as st
 
 _ABOUT_ADDRESS = "messages_address"

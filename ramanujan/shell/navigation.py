@@ -4,8 +4,6 @@ The file draws its page where Streamlit runs it (`if __name__ == "__main__":`), 
 keeps in the address. Navigation, tests and benchmarks take everything from here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass
 from importlib import import_module

@@ -1,7 +1,5 @@
 """What a person sets with a slider: name, symbol, words, unit, range and step of each; how a typed number is read."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import dataclass, fields

@@ -11,8 +11,6 @@ against that, for every widget:
    widget meanwhile, the later wish counts: then that value is set.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any

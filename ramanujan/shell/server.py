@@ -5,8 +5,6 @@ has none. What a script of the app says about styles is read after the first hea
 seconds later; so Streamlit's start page asks for the page's rules and first modules itself, and nothing jumps.
 """
 
-from __future__ import annotations
-
 import gc
 import gzip
 import importlib

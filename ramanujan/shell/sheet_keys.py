@@ -3,8 +3,6 @@
 The number is a hash of the key, so that the two need not be kept anywhere: a link works on every server and for ever.
 """
 
-from __future__ import annotations
-
 import secrets
 from hashlib import sha256
 

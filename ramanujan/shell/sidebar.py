@@ -5,8 +5,6 @@ shows that value in full, and what is typed into it comes as one message: the bo
 used, from wherever it comes, is answered with one sentence, and the last good value stays.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection
 from functools import partial

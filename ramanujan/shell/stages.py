@@ -7,8 +7,6 @@ The page itself writes into the address what is seen of a stage (keeper.js): its
 seen, and where it is paused, as the periods since release of machine and plain mass, for every machine on one clock.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """How pages look beyond the theme: its colours for figures (they are set in .streamlit/config.toml) and the margins."""
 
-from __future__ import annotations
-
 from functools import cache
 from pathlib import Path
 

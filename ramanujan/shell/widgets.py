@@ -1,7 +1,5 @@
 """The widgets of the pages: each belongs to a URL parameter (`address`), holds an id, and shows its words."""
 
-from __future__ import annotations
-
 import string
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial

@@ -19,8 +19,6 @@ The topics of the bus, where NAME is the name of a stage:
     say               {sentence, urgent}: news for the page's live region
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 

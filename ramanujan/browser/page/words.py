@@ -1,7 +1,5 @@
 """The texts for the slots of the components' HTML; what the components say besides comes with their data."""
 
-from __future__ import annotations
-
 from ramanujan.translation import _
 
 TEXTS = {

@@ -38,8 +38,6 @@ Other parts of the page communicate with a stage through the topics of the bus; 
 The page answers nothing: a slab that is let go moves its slider, see thumb.js.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
 from typing import Any

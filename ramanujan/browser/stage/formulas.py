@@ -1,7 +1,5 @@
 """Every expression that the stage evaluates, taken from the derivation."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy as sp

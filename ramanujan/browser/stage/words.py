@@ -1,7 +1,5 @@
 """What the stage says: templates for the page, and the texts of stage.html. Numbers are put in by the page."""
 
-from __future__ import annotations
-
 from ramanujan.translation import _
 
 SENTENCES = {

@@ -1,7 +1,5 @@
 """What page 2 keeps: the routes in symbols once for all, their steps as LaTeX, with and without the present masses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import zip_longest

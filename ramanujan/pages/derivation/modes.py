@@ -1,7 +1,5 @@
 """The section of page 2 on the three normal modes: each moves by itself, beside what it conserves."""
 
-from __future__ import annotations
-
 import streamlit as st
 
 from ramanujan.browser import stage

@@ -1,7 +1,5 @@
 """Page 2: five routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """The section of page 2 in which a student types a formula and is told whether it is right; exercises draw it, too."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from datetime import UTC, datetime, tzinfo
 from zoneinfo import ZoneInfo

@@ -1,7 +1,5 @@
 """What several screens of a class draw alike: how it has voted, the right answer, who is there, a QR code."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 

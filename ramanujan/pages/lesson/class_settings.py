@@ -1,7 +1,5 @@
 """The lecturer's sliders, as the wall follows them."""
 
-from __future__ import annotations
-
 from urllib.parse import parse_qsl, urlencode
 
 import streamlit as st

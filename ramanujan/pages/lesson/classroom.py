@@ -7,8 +7,6 @@
 Every screen asks every few seconds what is new: one read by keys.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from datetime import UTC, datetime
 from functools import partial

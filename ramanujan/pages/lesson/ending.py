@@ -1,7 +1,5 @@
 """The end of the lesson: what was shown, what the reader had predicted, and where to go on."""
 
-from __future__ import annotations
-
 import streamlit as st
 
 from ramanujan.lesson import Stop

@@ -4,8 +4,6 @@ The lecturer composes the link on the page Worksheet. The link for students has 
 too, to which the number belongs (`shell/sheet_keys.py`).
 """
 
-from __future__ import annotations
-
 import streamlit as st
 
 from ramanujan import lesson

@@ -3,8 +3,6 @@
 Before a prediction nothing of the answer is on the page: it is not drawn, not said, and not sent (`stops`).
 """
 
-from __future__ import annotations
-
 import streamlit as st
 
 from ramanujan import lesson

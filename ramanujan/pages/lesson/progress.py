@@ -1,7 +1,5 @@
 """How far a reader has come in the lesson: the URL parameters, held in the session, and the predictions."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 

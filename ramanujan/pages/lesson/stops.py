@@ -4,8 +4,6 @@ The sliders hold the stop’s machine, so that a reader may change it afterwards
 stage gets neither what `stop.hides` names nor the samples of a computed motion, and the explanation is not worked out.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 

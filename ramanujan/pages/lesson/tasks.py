@@ -1,7 +1,5 @@
 """The tasks of the lesson on the page: choose one, set the machine, read the verdict."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import streamlit as st

@@ -4,8 +4,6 @@ Before the first question it shows how to join; then the question, the result, t
 settings, and the right answer with its reason beside the machine. No key of the lecturer is on it.
 """
 
-from __future__ import annotations
-
 import streamlit as st
 
 from ramanujan import lesson

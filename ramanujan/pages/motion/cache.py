@@ -1,7 +1,5 @@
 """What the motion page keeps: its motion, and the figures of it, for the settings that were asked for."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any

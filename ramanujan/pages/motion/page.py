@@ -1,7 +1,5 @@
 """Page 3: the motion over time, what it conserves, its zero modes, and the friction that it needs."""
 
-from __future__ import annotations
-
 import numpy as np
 import streamlit as st
 

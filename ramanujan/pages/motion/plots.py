@@ -1,7 +1,5 @@
 """The figures of page 3, each with what it means: displacements, energy, momentum, contact forces."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection
 

@@ -4,8 +4,6 @@ Errors and evaluations of a method are the same for every machine (`accuracy.run
 What several visitors ask for at once, Streamlit computes once, while the others wait.
 """
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Callable, Sequence

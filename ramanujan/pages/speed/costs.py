@@ -1,7 +1,5 @@
 """The section of page 5 on what accuracy costs: measured on this server when a person asks for it."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 

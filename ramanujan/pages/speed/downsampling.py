@@ -1,7 +1,5 @@
 """What the experiments of page 5 found, downsampled to what a screen can show: fewer numbers for stage and figures."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

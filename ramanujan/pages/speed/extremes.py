@@ -1,7 +1,5 @@
 """The sections of page 5 on the extremes: large and small numbers, long times, a general solver, what the app uses."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

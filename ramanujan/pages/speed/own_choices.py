@@ -1,7 +1,5 @@
 """What the app itself uses where, why, and the measurement behind it, in sentences for page 5."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

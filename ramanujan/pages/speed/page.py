@@ -1,7 +1,5 @@
 """Page 5: how exact a scene has to be and what that costs, measured on the machine that serves the page."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

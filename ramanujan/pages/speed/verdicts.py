@@ -1,7 +1,5 @@
 """What the experiments of page 5 found, in sentences and tables: every number in them is looked up in the results."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise

@@ -3,8 +3,6 @@
 Everything comes from `number_theory` (exact integers) or from the derivation; here it is only put into LaTeX.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction

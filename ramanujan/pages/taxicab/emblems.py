@@ -1,7 +1,5 @@
 """Small drawings of the four bodies that can roll: where the colour is, there is the mass."""
 
-from __future__ import annotations
-
 from base64 import b64encode
 
 from ramanujan.number_theory import BODIES

@@ -1,7 +1,5 @@
 """The section of page 4 on other bodies: choosers, the machine they make, its numbers, and all forty machines."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import streamlit as st

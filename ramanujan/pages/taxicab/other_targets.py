@@ -1,7 +1,5 @@
 """The sections of page 4 on other target frequencies and on the paper's open question."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from math import isqrt
 

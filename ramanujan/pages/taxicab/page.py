@@ -1,7 +1,5 @@
 """Page 4: why 1729. The exact mass ratio, two stacks of cubes, other bodies, other targets, the open question."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from typing import Any
 

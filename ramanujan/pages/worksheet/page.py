@@ -1,7 +1,5 @@
 """A sheet to hand out: questions about the present machine with space to write, or the key; the browser prints it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 
 import streamlit as st
