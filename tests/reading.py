@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import base64
+from typing import Any
+
+import numpy as np
+
 NUMBER = "([−0-9.\u202f×⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*[0-9⁰¹²³⁴⁵⁶⁷⁸⁹])"
 """A regular expression for such a number."""
 
@@ -16,3 +21,10 @@ def read(text: str) -> float:
     assert digits.endswith("10")
     size = digits.removesuffix("10").removesuffix("×")
     return float(f"{size if size.strip('-') else size + '1'}e{plain[len(digits) :].translate(_RAISED)}")
+
+
+def array(given: Any) -> np.ndarray:
+    """Return the values of a figure's array, which it may hold as bytes."""
+    if isinstance(given, dict):
+        return np.frombuffer(base64.b64decode(given["bdata"]), dtype=given["dtype"]).astype(float)
+    return np.array(given, dtype=float)

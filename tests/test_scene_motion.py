@@ -1,6 +1,5 @@
 """The motion page under AppTest, and its figures: what they say, how exactly they are drawn, what they hold on to."""
 
-import base64
 import json
 from collections import defaultdict
 
@@ -13,6 +12,7 @@ from ramanujan.numerals import quantity
 from ramanujan.pages.motion import cache
 from ramanujan.pages.motion.page import greatest_friction
 from ramanujan.record import record
+from tests.reading import array
 
 PAGE = "ramanujan/pages/motion/page.py"
 VIEWS = ["displacements", "energy", "momentum", "forces"]
@@ -30,13 +30,6 @@ def open_page(app, **state):
 def charts(app):
     """The figures on the page, as the browser gets them, by their text alternative."""
     return {chart.proto.alt: json.loads(chart.proto.spec) for chart in app.get("plotly_chart")}
-
-
-def numbers(given):
-    """An array of a figure's JSON."""
-    if isinstance(given, list):
-        return np.array(given, dtype=float)
-    return np.frombuffer(base64.b64decode(given["bdata"]), dtype=given["dtype"]).astype(float)
 
 
 def figures(view, *setting):
@@ -87,7 +80,7 @@ def test_the_bars_are_the_friction_needed(app):
     (bars,) = (figure for alt, figure in charts(app).items() if "that each contact needs" in alt)
     machine = Oscillator(1.0, 3.0, 10.0, 0.1)
     needed = required_friction(machine, 0.08, spacing=cache.drawn_spacing(0.1))
-    assert numbers(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
+    assert array(bars["data"][0]["x"]) == pytest.approx(list(needed.values()), rel=1e-12)
     slipping = ["slips" in text for text in bars["data"][0]["text"]]
     assert slipping == [value > 0.05 for value in needed.values()]
 
@@ -112,7 +105,7 @@ def test_every_curve_over_time_is_drawn_to_half_a_pixel_on_a_full_screen(view, s
         heights[name.replace("axis", "")] = 1080 * share / np.ptp(axis["range"])
     stacks = defaultdict(float)
     for drawn, fine in zip(figure["data"], exact["data"], strict=True):
-        values, truth = numbers(drawn["y"]), numbers(fine["y"])
+        values, truth = array(drawn["y"]), array(fine["y"])
         if drawn.get("stackgroup"):
             stacks["drawn"], stacks["fine"] = stacks["drawn"] + values, stacks["fine"] + truth
             values, truth = stacks["drawn"], stacks["fine"]
@@ -129,7 +122,7 @@ def test_every_orbit_is_drawn_to_half_a_pixel_on_a_full_screen(setting):
     for drawn, fine in zip(figure["data"], exact["data"], strict=True):
         gaps = []
         for letter, pixels in (("x", 1920), ("y", 1080)):
-            values, truth = numbers(drawn[letter]), numbers(fine[letter])
+            values, truth = array(drawn[letter]), array(fine[letter])
             at = np.linspace(0, len(values) - 1, len(truth))
             scale = pixels / np.ptp(figure["layout"][f"{letter}axis"]["range"])
             gaps.append((np.interp(at, np.arange(len(values)), values) - truth) * scale)
@@ -155,7 +148,7 @@ def fine_figure(view, setting, which=0):
 @pytest.mark.parametrize("setting", CORNERS)
 def test_the_stack_of_energies_ends_at_the_flat_total(setting):
     _, (figure,) = figures("energy", *setting)
-    *parts, total = (numbers(trace["y"]) for trace in figure["data"])
+    *parts, total = (array(trace["y"]) for trace in figure["data"])
     # Single precision: nine terms of 6e-8 each.
     assert sum(parts) == pytest.approx(total, rel=1e-6)
     assert np.ptp(total) <= 1e-6 * total[0]
@@ -168,7 +161,7 @@ def test_all_figures_over_time_share_one_axis_and_one_hover():
         assert [name for name in layout if name.startswith("xaxis")] == ["xaxis"]
         assert layout["hovermode"] == "x unified"
         assert layout["meta"]["cursor"] == "time"
-        ends = {round(trace["dx"] * (len(numbers(trace["y"])) - 1), 9) for trace in figure["data"]}
+        ends = {round(trace["dx"] * (len(array(trace["y"])) - 1), 9) for trace in figure["data"]}
         assert ends == {round(layout["meta"]["period"] * cache.PERIODS, 9)}
 
 
@@ -176,7 +169,7 @@ def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does()
     closed = {}
     for push in (0.0, 0.1):
         _, (_, plane) = figures("displacements", 1.0, 1.0, 10.0, 0.1, 0.08, push, 10 * push)
-        ends = {orbit["name"]: numbers(orbit["x"])[[0, -1]] for orbit in plane["data"]}
+        ends = {orbit["name"]: array(orbit["x"])[[0, -1]] for orbit in plane["data"]}
         closed[push] = {name for name, (first, last) in ends.items() if abs(first - last) < 1e-5}
     assert len(closed[0.0]) == 3
     assert closed[0.1] == {"slab"}

@@ -19,6 +19,7 @@ from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice, machines
 from ramanujan.pages.taxicab import cache
+from tests.reading import array
 
 PAGE = "ramanujan/pages/taxicab/page.py"
 COLORS = dict.fromkeys(("ink", "faint", "paper", "primary", "top", "hoop", "on_hoop", "block"), "#123456")
@@ -181,10 +182,10 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize("apart", [False, True])
 def test_unit_cubes_can_be_counted_in_the_drawn_lines(apart: bool) -> None:
     sides = (4, 3)
-    figure = cubes.cube_stack(sides, widest=9, apart=apart, turn=30, colors=COLORS)
+    figure = cubes.cube_stack(sides, widest=9, apart=apart, turn=30, colors=COLORS).checked()
     *lines, mesh = figure.data
     for side, line in zip(sides, lines, strict=True):
-        points = np.array([line.x, line.y, line.z], dtype=int).T
+        points = np.array([array(line[axis]) for axis in "xyz"], dtype=int).T
         drawn = set()
         for a, b in pairwise(points):
             # Along one axis at a time: no stroke across a face.
@@ -197,7 +198,7 @@ def test_unit_cubes_can_be_counted_in_the_drawn_lines(apart: bool) -> None:
         assert len(outside) == 2 * side * (side + 1)
         assert len(heights) == (2 * side if apart else side + 1)
     # The volume of the boxes is the number of unit cubes, but for the hair by which they are drawn in.
-    corners = np.array([mesh.x, mesh.y, mesh.z]).T.reshape(-1, 8, 3)
+    corners = np.array([array(mesh[axis]) for axis in "xyz"]).T.reshape(-1, 8, 3)
     volume = sum(np.prod(np.ptp(box, axis=0) / 2) for box in corners)
     assert volume == pytest.approx(sum(side**3 for side in sides), rel=0.06)
     assert len(figure.data) <= 4
@@ -214,7 +215,7 @@ def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
         [[len(machine.cubes) for machine in row] for row in rows],
         (2, 2),
         COLORS,
-    )
+    ).checked()
     table, numbers = figure.data
     assert np.sum(np.array(table.z) == 2) == 1
     assert np.sum(np.array(table.z) == 1) == 2

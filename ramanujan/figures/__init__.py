@@ -7,7 +7,7 @@ phone: labels are anchored inside the axes and do not overlap.
 from collections.abc import Mapping
 from typing import Any
 
-from ramanujan.figures.drawn import Drawn, drawn, kept
+from ramanujan.figures.drawn import Drawn, drawn, line, marks
 from ramanujan.translation import _
 
 MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")

@@ -3,10 +3,9 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-import plotly.graph_objects as go
 from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 
-from ramanujan.figures import template
+from ramanujan.figures import Drawn, drawn, line, template
 
 EYE = (0.85, 0.42)
 """Where the view is from: so far beside the middle, and so far above it."""
@@ -14,7 +13,7 @@ _UNIT = 2
 """Length of a unit cube's edge in the figure: half an edge is then an integer, too, and fits into one byte."""
 
 
-def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> go.Figure:
+def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, colors: Mapping[str, str]) -> Drawn:
     """Draw cubes of unit cubes side by side: the faces as one mesh, the edges as one line for each cube.
 
     Parameters
@@ -26,8 +25,7 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
     colors : ink, paper, primary; every further cube has a lighter tint of primary
     """
     gap = _UNIT // 2 if apart else 0
-    figure = go.Figure(layout={"template": template(colors), "height": 384, "showlegend": False})
-    corners, triangles, tints = [], [], []
+    traces, corners, triangles, tints = [], [], [], []
     tallest = max(sides)
     start = 0
     for n, side in enumerate(sides):
@@ -36,11 +34,10 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
         origin = np.array([start, (tallest - side) // 2 * _UNIT, 0])
         rise = np.array([0, 0, thickness * _UNIT + gap])
         shape = (side, side, thickness)
-        line = np.concatenate([origin + layer * rise + _UNIT * _edges_of_unit_cubes(shape) for layer in range(layers)])
-        x, y, z = line.T.astype(np.int8)
-        figure.add_scatter3d(
-            x=x, y=y, z=z, mode="lines", line={"color": colors["paper"], "width": 2.5}, hoverinfo="skip"
-        )
+        path = np.concatenate([origin + layer * rise + _UNIT * _edges_of_unit_cubes(shape) for layer in range(layers)])
+        x, y, z = path.T.astype(np.int8)
+        strokes = line(x, y, color=colors["paper"], width=2.5)
+        traces.append(strokes | {"type": "scatter3d", "z": z, "hoverinfo": "skip"})
         for layer in range(layers):
             triangles.append(_BOX_TRIANGLES + 8 * len(corners))
             corners.append(origin + layer * rise + _box(_UNIT * np.array(shape)))
@@ -48,44 +45,30 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
         start += (side + 2) * _UNIT
     x, y, z = np.concatenate(corners).T.astype(np.float32)
     i, j, k = np.concatenate(triangles).T.astype(np.uint8)
-    figure.add_mesh3d(
-        x=x,
-        y=y,
-        z=z,
-        i=i,
-        j=j,
-        k=k,
-        facecolor=tints,
-        flatshading=True,
-        lighting={"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0},
-        lightposition={"x": 4000, "y": -9000, "z": 14000},
-        hoverinfo="skip",
-    )
+    mesh = {"type": "mesh3d", "x": x, "y": y, "z": z, "i": i, "j": j, "k": k, "facecolor": tints, "flatshading": True}
+    mesh["lighting"] = {"ambient": 0.75, "diffuse": 0.55, "specular": 0, "fresnel": 0}
+    mesh |= {"lightposition": {"x": 4000, "y": -9000, "z": 14000}, "hoverinfo": "skip"}
     angle = np.radians(turn)
     half = (widest + 3) * _UNIT / 2
     height = tallest * _UNIT + (tallest - 1) * gap
     middle = {"x": (start - 2 * _UNIT) / 2, "y": tallest * _UNIT / 2, "z": height / 2}
-    hidden = {"visible": False, "showspikes": False}
-    figure.update_layout(
-        margin={"l": 0, "r": 0, "t": 0, "b": 0},
+    layout = {
+        "template": template(colors),
+        "height": 384,
+        "showlegend": False,
+        "margin": {"l": 0, "r": 0, "t": 0, "b": 0},
         # A new direction from the slider is taken over; otherwise the view that a person has turned stays.
-        uirevision=f"{turn:g}",
-        scene={
-            **{
-                f"{axis}axis": {**hidden, "range": [float(centre - half), float(centre + half)]}
-                for axis, centre in middle.items()
-            },
-            "aspectmode": "manual",
-            # Larger than Plotly's box of one, since the cubes fill only the middle of it.
-            "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7},
-            "dragmode": "turntable",
-            "camera": {
-                "projection": {"type": "orthographic"},
-                "eye": {"x": float(EYE[0] * np.cos(angle)), "y": float(EYE[0] * np.sin(angle)), "z": EYE[1]},
-            },
-        },
-    )
-    return figure
+        "uirevision": f"{turn:g}",
+    }
+    scene = {
+        f"{axis}axis": {"visible": False, "showspikes": False, "range": [float(at - half), float(at + half)]}
+        for axis, at in middle.items()
+    }
+    # Larger than Plotly's box of one, since the cubes fill only the middle of it.
+    scene |= {"aspectmode": "manual", "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7}, "dragmode": "turntable"}
+    eye = {"x": float(EYE[0] * np.cos(angle)), "y": float(EYE[0] * np.sin(angle)), "z": EYE[1]}
+    scene["camera"] = {"projection": {"type": "orthographic"}, "eye": eye}
+    return drawn([*traces, mesh], layout | {"scene": scene})
 
 
 def lighter(color: str, steps: float) -> str:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import Drawn, drawn, template
+from ramanujan.figures import Drawn, drawn, line, template
 from ramanujan.translation import _
 
 Colors = Mapping[str, str]
@@ -48,9 +48,8 @@ def log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:
 
 def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -> dict[str, Any]:
     """Return a level for comparison with the curves."""
-    line = {"color": colors["ink"], "dash": "dash", "width": 1.5}
-    trace = {"type": "scatter", "x": list(ends), "y": [level] * 2, "mode": "lines", "line": line}
-    return {**trace, "name": name, "hoverinfo": "skip"}
+    trace = line(list(ends), [level] * 2, color=colors["ink"], dash="dash", width=1.5)
+    return trace | {"name": name, "hoverinfo": "skip"}
 
 
 def axis_title(text: str) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import Drawn, drawn, template
+from ramanujan.figures import Drawn, drawn, line, template
 from ramanujan.figures.labels import Area, beside
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
@@ -36,6 +36,11 @@ class Curve:
     dash: str = "solid"
     stacked: bool = False
     hatched: bool = False
+
+    @property
+    def look(self) -> dict[str, Any]:
+        """How Plotly draws the line."""
+        return {"color": self.color, "width": self.width, "dash": self.dash, "shape": "spline"}
 
 
 @dataclass(frozen=True)
@@ -113,15 +118,8 @@ def phase_plane(
     colors : ink, faint and paper
     """
     traces = [
-        {
-            "type": "scatter",
-            "x": orbit.values.astype(np.float32),
-            "y": velocity.astype(np.float32),
-            "name": orbit.name,
-            "mode": "lines",
-            "line": {"color": orbit.color, "width": orbit.width, "dash": orbit.dash, "shape": "spline"},
-            "hovertemplate": "%{x:.3~g} cm, %{y:.3~g} cm/s",
-        }
+        line(orbit.values.astype(np.float32), velocity.astype(np.float32), **orbit.look)
+        | {"name": orbit.name, "hovertemplate": "%{x:.3~g} cm, %{y:.3~g} cm/s"}
         for orbit, velocity in zip(orbits, velocities, strict=True)
     ]
     centred = {**_zero_line(colors), "nticks": 7}
@@ -250,7 +248,7 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "yaxis": axis,
         "name": curve.name,
         "mode": "lines",
-        "line": {"color": curve.color, "width": curve.width, "dash": curve.dash, "shape": "spline"},
+        "line": curve.look,
         "hovertemplate": hover.format(value="%{y:.3~g}", unit=panel.unit, panel=panel.short or panel.title),
     }
     if curve.stacked:

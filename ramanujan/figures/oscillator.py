@@ -1,12 +1,13 @@
-"""The figure of the first page: Ω²m/k against the mass ratio."""
+"""Figures of Ω²m/k against the mass ratio: that of the first page, and what it shares with that of the page 1729."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
-import plotly.graph_objects as go
 
-from ramanujan.figures import MASS_RATIO, NORMALIZED, template
+from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, drawn, line, marks, template
+from ramanujan.figures.labels import note
 from ramanujan.translation import _
 
 
@@ -19,83 +20,92 @@ class Mark:
     label: str
 
 
-def frequency_curve(
-    ratios: np.ndarray,
-    values: np.ndarray,
-    *,
-    light_limit: float,
-    heavy_limit: np.ndarray,
-    limit_labels: tuple[str, str],
-    equal: Mark,
-    unit: Mark,
-    colors: Mapping[str, str],
-) -> go.Figure:
+@dataclass(frozen=True)
+class Curve:
+    """What the figure of the first page shows of all machines.
+
+    Parameters
+    ----------
+    ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
+    light_limit, light : the value for ε → 0, as a number and as an exact expression
+    heavy_limit, heavy : the asymptote for ε → ∞ at the same ratios, and as an expression
+    equal, unit : the marked machines
+    """
+
+    ratios: np.ndarray
+    values: np.ndarray
+    light_limit: float
+    light: str
+    heavy_limit: np.ndarray
+    heavy: str
+    equal: Mark
+    unit: Mark
+
+
+def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     """Draw Ω²m/k against ε: the curve, its two limits, the two marked ratios, and the line “in step” at 1.
 
     The page moves a ring over the figure, which marks the present machine.
 
     Parameters
     ----------
-    ratios, values : ε and Ω²m/k along the curve, dimensionless, shape (n,)
-    light_limit : the value for ε → 0
-    heavy_limit : the asymptote for ε → ∞ at the same ratios; drawn where the curve is close to it
-    limit_labels : labels of the two limits
-    equal, unit : the marked machines
-    colors : ink, faint, paper, primary, marker, accent
+    curve : what is drawn; each asymptote where the curve is close to it
+    colors : ink, faint, paper, primary, hoop_ink, top
     """
-    hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
     # Single precision is a thousand times finer than a pixel, and half the bytes.
-    ratios, values, heavy_limit = (array.astype(np.float32) for array in (ratios, values, heavy_limit))
-    # Further up the asymptote is far from the curve and would cross a label.
-    below = heavy_limit <= 0.75 * light_limit
-    layout = {"template": template(colors, hover), "height": 336, "showlegend": False}
-    figure = go.Figure(layout={**layout, "meta": {"ring": colors["primary"]}})
-    limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
-    curve = {"color": colors["primary"], "width": 3, "shape": "spline"}
-    lines = (
-        ([ratios[0], ratios[-1]], [light_limit] * 2, limit, _("limit"), "skip"),
-        (ratios[below], heavy_limit[below], limit, _("limit"), "skip"),
-        (ratios, values, curve, _("any machine"), None),
+    ratios, values, heavy_limit = (
+        array.astype(np.float32) for array in (curve.ratios, curve.values, curve.heavy_limit)
     )
-    for x, y, line, name, hoverinfo in lines:
-        figure.add_scatter(x=x, y=y, mode="lines", line=line, name=name, hoverinfo=hoverinfo)
-    figure.add_hline(unit.value, line={"color": colors["primary"], "width": 1.5, "dash": "dash"}, layer="below")
+    # Further up the asymptote is far from the curve and would cross a label.
+    below = heavy_limit <= 0.75 * curve.light_limit
+    limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
+    no_hover = {"name": _("limit"), "hoverinfo": "skip"}
+    ends = ratios[[0, -1]].tolist()
+    traces = [
+        line(ends, [curve.light_limit] * 2, **limit) | no_hover,
+        line(ratios[below], heavy_limit[below], **limit) | no_hover,
+    ]
+    traces.append(line(ratios, values, color=colors["primary"], width=3, shape="spline") | {"name": _("any machine")})
     shown = (
-        (equal, _("equal masses"), "circle", 11, colors["marker"]),
-        (unit, _("unit frequency"), "star", 15, colors["accent"]),
+        (curve.equal, _("equal masses"), "circle", 11, colors["hoop_ink"]),
+        (curve.unit, _("unit frequency"), "star", 15, colors["top"]),
     )
     for mark, name, symbol, size, color in shown:
-        figure.add_scatter(
-            x=[mark.ratio],
-            y=[mark.value],
-            mode="markers",
-            marker={"symbol": symbol, "size": size, "color": color, "line": {"width": 3, "color": color}},
-            name=name,
-        )
-    label = {"xref": "x", "yref": "y", "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
-    label |= {"bgcolor": colors["paper"], "align": "left"}
-    # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
-    figure.add_annotation(label, x=_log(equal.ratio), y=equal.value, text=equal.label, ax=4, ay=-66, xanchor="left")
-    figure.add_annotation(label, x=_log(unit.ratio), y=unit.value, text=unit.label, ax=-16, ay=62, xanchor="right")
-    beside = {"showarrow": False, "font": {"size": 13}, "xanchor": "left", "yanchor": "bottom", "xshift": 6}
-    light_label, heavy_label = limit_labels
+        traces.append(marks([mark.ratio], [mark.value], symbol, size, color, width=3, color=color) | {"name": name})
+    in_step = {"type": "line", "line": {"color": colors["primary"], "width": 1.5, "dash": "dash"}, "layer": "below"}
+    in_step |= {"x0": 0, "x1": 1, "xref": "x domain", "y0": curve.unit.value, "y1": curve.unit.value, "yref": "y"}
     # Here the space to the right of the asymptote is empty, above the line “in step”.
-    there = int(np.argmin(np.abs(heavy_limit - 0.59 * light_limit)))
-    in_step = {"font": {"color": colors["primary"]}}
-    notes = (
-        (ratios[0], light_limit, light_label, {}),
-        (ratios[0], unit.value, _("in step"), in_step),
-        (ratios[there], heavy_limit[there], heavy_label, {"xshift": 8, "align": "left"}),
-    )
-    for x, y, text, own in notes:
-        figure.add_annotation(beside | own, x=_log(x), y=y, text=text)
-    figure.update_xaxes(
-        type="log", title=MASS_RATIO, range=[_log(ratios[0]), _log(ratios[-1])], dtick=1, fixedrange=True
-    )
-    figure.update_yaxes(title=NORMALIZED, range=[0, 1.16 * light_limit], fixedrange=True)
-    return figure
+    there = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
+    light = _("light rollers: {value}").format(value=curve.light)
+    heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy.replace("ε", "<i>ε</i>"))
+    beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6}
+    notes = [
+        # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
+        pointed(curve.equal, (4, -66), "left", colors),
+        pointed(curve.unit, (-16, 62), "right", colors),
+        note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
+        note(_("in step"), colors["primary"], np.log10(ends[0]), curve.unit.value) | beside,
+        note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside | {"xshift": 8, "align": "left"},
+    ]
+    hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
+    layout = over_ratios(ends, 1.16 * curve.light_limit, hover, colors)
+    return drawn(traces, {**layout, "shapes": [in_step], "annotations": notes, "meta": {"ring": colors["primary"]}})
 
 
-def _log(value: float) -> float:
-    """Return the exponent of ten, by which Plotly places annotations on a logarithmic axis."""
-    return float(np.log10(value))
+def over_ratios(ends: tuple[float, float], highest: float, hover: str, colors: Mapping[str, str]) -> dict[str, Any]:
+    """Return the layout of a figure of Ω²m/k: the mass ratio between two ends, logarithmic, and Ω²m/k from 0 on."""
+    along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1}
+    return {
+        "template": template(colors, hover),
+        "height": 336,
+        "showlegend": False,
+        "xaxis": {**along, "title": {"text": MASS_RATIO}, "fixedrange": True},
+        "yaxis": {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True},
+    }
+
+
+def pointed(mark: Mark, to: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:
+    """Return the label of a mark with an arrow to it; `to` is how far it stands to the right and below [px]."""
+    words = {"text": mark.label, "xanchor": side, "align": "left", "bgcolor": colors["paper"]}
+    arrow = {"ax": to[0], "ay": to[1], "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
+    return {"x": float(np.log10(mark.ratio)), "y": mark.value, **words, **arrow}

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ramanujan.figures import Drawn
+from ramanujan.figures import Drawn, line, marks
 from ramanujan.figures.labels import Area, beside, note
 from ramanujan.figures.logarithmic import (
     AFTER,
@@ -84,30 +84,16 @@ def error_growth(
         ]
         drawn += [closed] if axis == "y2" else []
         drawn_axis, scale, low = axis_with_room(title, [curve[3] for curve in drawn], most)
-        for name, color, x, values, line, opacity in drawn:
-            own = {
-                "x": x,
-                "y": scale(values),
-                "customdata": np.float32(np.minimum(values, _BOUNDLESS)),
-                "yaxis": axis,
-                "name": name,
-            }
-            look = {"mode": "lines", "line": {"color": color, **line}, "opacity": opacity, "hovertemplate": hover}
-            traces.append({"type": "scatter", **own, **look})
-        named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _line, _opacity in drawn]
+        for name, color, x, values, look, opacity in drawn:
+            own = {"name": name, "yaxis": axis, "opacity": opacity, "hovertemplate": hover}
+            own["customdata"] = np.float32(np.minimum(values, _BOUNDLESS))
+            traces.append(line(x, scale(values), color=color, **look) | own)
+        named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _look, _opacity in drawn]
         room = tuple(drawn_axis["range"])
         areas.append(Area(named, x_range, room, _HIGH * (place["domain"][1] - place["domain"][0]), axis))
         zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": room[0], "y1": low, "yref": axis}
-        shapes += [
-            {
-                "type": "rect",
-                "line": {"width": 0},
-                "fillcolor": colors["faint"],
-                "opacity": 0.4,
-                "layer": "below",
-                **zone,
-            }
-        ]
+        gray = {"type": "rect", "line": {"width": 0}, "fillcolor": colors["faint"], "opacity": 0.4, "layer": "below"}
+        shapes.append(gray | zone)
         axes[f"yaxis{axis[1:]}"] = drawn_axis | place
     along = {"type": "log", "title": axis_title(_("periods")), "range": list(x_range), "fixedrange": True, "dtick": 1}
     more = axes | {
@@ -145,38 +131,24 @@ def work_precision(
     for (name, dtype), (cost, error, steps) in curves.items():
         color, symbol = look_of(methods.index(name), colors)
         double = dtype == "float64"
-        traces.append(
-            {
-                "type": "scatter",
-                "x": cost.astype(np.float32),
-                "y": within(error, shown),
-                "text": [_steps(dtype, int(n)) for n in steps],
-                "mode": "lines+markers",
-                "line": {"color": color, "width": 2.5 if double else 1.5, "dash": "solid" if double else "dot"},
-                "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8},
-                "name": name,
-                "hovertemplate": f"%{{text}}<br>{hover}",
-            }
+        look = (
+            {"color": color, "width": 2.5, "dash": "solid"} if double else {"color": color, "width": 1.5, "dash": "dot"}
         )
+        own = {"mode": "lines+markers", "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8}}
+        own |= {"name": name, "text": [_steps(dtype, int(n)) for n in steps], "hovertemplate": f"%{{text}}<br>{hover}"}
+        traces.append(line(cost.astype(np.float32), within(error, shown), **look) | own)
         if double:
             named.append((name, color, logarithm(cost), logarithm(within(error, shown))))
-    marks = ((cheapest, _("cheapest"), "circle-open", 22, "primary"), (exact, _("closed form"), "star", 15, "ink"))
-    for point, name, symbol, size, color in marks:
+    singled_out = (
+        (cheapest, _("cheapest"), "circle-open", 22, "primary"),
+        (exact, _("closed form"), "star", 15, "ink"),
+    )
+    for point, name, symbol, size, color in singled_out:
         if point is not None:
-            traces.append(
-                {
-                    "type": "scatter",
-                    "x": [point[0]],
-                    "y": [max(point[1], shown[0])],
-                    "mode": "markers",
-                    "marker": {"symbol": symbol, "size": size, "color": colors[color], "line": {"width": 3}},
-                    "name": name,
-                    "hovertemplate": hover,
-                }
-            )
-            named.append(
-                (name, colors[color], *(logarithm(np.array([each])) for each in (point[0], max(point[1], shown[0]))))
-            )
+            x, y = np.array([point[0]]), np.array([max(point[1], shown[0])])
+            mark = marks(x.tolist(), y.tolist(), symbol, size, colors[color], width=3)
+            traces.append(mark | {"name": name, "hovertemplate": hover})
+            named.append((name, colors[color], logarithm(x), logarithm(y)))
     reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
     reached += [point[0] for point in (cheapest, exact) if point]
     ends = min(reached), max(reached)
@@ -236,21 +208,11 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     curves : name → phase error [rad]
     colors : the theme's
     """
-    traces = []
+    traces, hover = [], AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + EXTRA
     for (name, errors), look in zip(curves.items(), (1, 2, 3), strict=True):
         color, symbol = look_of(look, colors)
-        traces.append(
-            {
-                "type": "scatter",
-                "x": list(periods),
-                "y": list(errors),
-                "mode": "lines+markers",
-                "line": {"color": color, "width": 3},
-                "marker": {"symbol": symbol, "size": 8},
-                "name": name,
-                "hovertemplate": AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + EXTRA,
-            }
-        )
+        own = {"name": name, "mode": "lines+markers", "marker": {"symbol": symbol, "size": 8}, "hovertemplate": hover}
+        traces.append(line(list(periods), list(errors), color=color, width=3) | own)
     lost = _("half a turn: phase lost")
     traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
     named = [

@@ -1,12 +1,17 @@
 """The figures of the page 1729: the target on the Ω² curve, the 40 machines, counts of sums."""
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
-import plotly.graph_objects as go
 
-from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, drawn, template
+from ramanujan.figures import NORMALIZED, Drawn, drawn, line, marks, template
+from ramanujan.figures.labels import note
+from ramanujan.figures.oscillator import Mark, over_ratios, pointed
 from ramanujan.translation import _
+
+NO_NAME = "<extra></extra>"
+"""Instead of Plotly's second box, which names the curve."""
 
 
 def level_crossing(
@@ -31,72 +36,26 @@ def level_crossing(
     colors : ink, faint, paper, primary, top
     """
     yours, hover = _("your machine"), f"<i>ε</i> = %{{x:.6g}}<br>{NORMALIZED} = %{{y:.6g}}<extra></extra>"
+    ring = marks([present[0]], [present[1]], "circle-open", 20, colors["primary"], width=3)
     traces = [
-        {
-            "x": [ratios[0], ratios[-1]],
-            "y": [level] * 2,
-            "mode": "lines",
-            "line": {"color": colors["ink"], "dash": "dot"},
-        },
-        {
-            "x": np.float32(ratios),
-            "y": np.float32(values),
-            "mode": "lines",
-            "line": {"color": colors["primary"], "width": 3, "shape": "spline"},
-        },
-        {
-            "x": [present[0]],
-            "y": [present[1]],
-            "mode": "markers",
-            "marker": {"symbol": "circle-open", "size": 20, "color": colors["primary"], "line": {"width": 3}},
-            "hovertemplate": f"{yours}<br>{hover}",
-        },
-        {
-            "x": [root],
-            "y": [level],
-            "mode": "markers",
-            "marker": {"symbol": "star", "size": 16, "color": colors["top"]},
-        },
+        line([ratios[0], ratios[-1]], [level] * 2, color=colors["ink"], dash="dot"),
+        line(np.float32(ratios), np.float32(values), color=colors["primary"], width=3, shape="spline"),
+        ring | {"hovertemplate": f"{yours}<br>{hover}"},
+        marks([root], [level], "star", 16, colors["top"]),
     ]
-    left, right = float(np.log10(ratios[0])), float(np.log10(ratios[-1]))
-    at = float(np.log10(root))
+    left, at, right = np.log10([ratios[0], root, ratios[-1]])
     # The label avoids the falling curve: to the right above its flat start, to the left above its flat end, else to
     # the left below it.
     at_start = at < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
-    root_note = {
-        "x": at,
-        "y": level,
-        "text": root_label,
-        "ax": 22 if at_start else -22,
-        "ay": -34 if above else 40,
-        "xanchor": "left" if at_start else "right",
-        "arrowcolor": colors["ink"],
-        "arrowwidth": 1,
-        "arrowhead": 0,
-        "standoff": 8,
-        "bgcolor": colors["paper"],
-    }
-    level_note = {
-        "x": right if at_start else left,
-        "y": level,
-        "text": level_label,
-        "showarrow": False,
-        "xanchor": "right" if at_start else "left",
-        "yanchor": "bottom",
-        "xshift": -6 if at_start else 6,
-        "font": {"size": 13},
-    }
-    ratio_axis = {"type": "log", "title": {"text": MASS_RATIO}, "range": [left, right], "dtick": 1}
-    layout = {
-        "template": template(colors, hover),
-        "height": 336,
-        "showlegend": False,
-        "annotations": [root_note, level_note],
-        "xaxis": {**ratio_axis, "fixedrange": True},
-        "yaxis": {"title": {"text": NORMALIZED}, "range": [0, 1.3 * float(values[0])], "fixedrange": True},
-    }
-    return drawn(({"type": "scatter", **trace} for trace in traces), layout)
+    to, side, other = ((22, -34), "left", "right") if at_start else ((-22, -34 if above else 40), "right", "left")
+    beside = {"xanchor": other, "yanchor": "bottom", "xshift": -6 if at_start else 6}
+    notes = [
+        pointed(Mark(root, level, root_label), to, side, colors),
+        note(level_label, None, right if at_start else left, level) | beside,
+    ]
+    layout = over_ratios((ratios[0], ratios[-1]), 1.3 * float(values[0]), hover, colors)
+    return drawn(traces, layout | {"annotations": notes})
 
 
 def machine_grid(
@@ -106,7 +65,7 @@ def machine_grid(
     ways: Sequence[Sequence[int]],
     chosen: tuple[int, int],
     colors: Mapping[str, str],
-) -> go.Figure:
+) -> Drawn:
     """Draw the discriminants of all machines as a table that can be clicked; sums of two cubes are highlighted.
 
     Parameters
@@ -120,61 +79,52 @@ def machine_grid(
     cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
     flat_numbers = [number for row in numbers for number in row]
     flat_ways = [min(way, 2) for row in ways for way in row]
-    figure = go.Figure(
-        layout={
-            "template": template(colors),
-            "height": 48 + 40 * len(rows),
-            "showlegend": False,
-            "margin": {"l": 128, "r": 4, "t": 52, "b": 4},
-        }
-    )
     steps = [colors["faint"], colors["hoop"], colors["primary"]]
-    figure.add_heatmap(
-        z=np.reshape(flat_ways, (len(rows), len(columns))).astype(np.uint8),
-        colorscale=[[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
-        zmin=0,
-        zmax=2,
-        xgap=3,
-        ygap=3,
-        showscale=False,
-        hoverinfo="skip",
-    )
-    # A heatmap cannot be clicked, so the numbers are on markers, which can.
+    table = {
+        "type": "heatmap",
+        "z": [flat_ways[n : n + len(columns)] for n in range(0, len(flat_ways), len(columns))],
+        "colorscale": [[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
+        **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
+    }
+    # A heatmap cannot be clicked, so the numbers are on marks, which can.
     hover = _("{lower} below, {top} on top<br>discriminant {number}")
     inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
     unseen = {"marker": {"opacity": 0}}
-    figure.add_scatter(
-        x=[x for x, _y in cells],
-        y=[y for _x, y in cells],
-        mode="markers+text",
-        text=[f"<b>{n}</b>" if way else str(n) for n, way in zip(flat_numbers, flat_ways, strict=True)],
-        textfont={"size": 13, "color": [inks[way] for way in flat_ways]},
-        marker={"symbol": "square", "size": 36, "opacity": 0},
-        selected=unseen,
-        unselected=unseen,
-        customdata=[[rows[y], columns[x]] for x, y in cells],
-        hovertemplate=hover.format(lower="%{customdata[0]}", top="%{customdata[1]}", number="%{text}")
-        + "<extra></extra>",
-    )
+    clickable = {
+        "type": "scatter",
+        "x": [x for x, _y in cells],
+        "y": [y for _x, y in cells],
+        "mode": "markers+text",
+        "text": [f"<b>{n}</b>" if way else str(n) for n, way in zip(flat_numbers, flat_ways, strict=True)],
+        "textfont": {"size": 13, "color": [inks[way] for way in flat_ways]},
+        "marker": {"symbol": "square", "size": 36, "opacity": 0},
+        "selected": unseen,
+        "unselected": unseen,
+        "customdata": [[rows[y], columns[x]] for x, y in cells],
+        "hovertemplate": hover.format(lower="%{customdata[0]}", top="%{customdata[1]}", number="%{text}") + NO_NAME,
+    }
     row, column = chosen
     around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
-    figure.add_shape(type="rect", line={"color": colors["ink"], "width": 3}, **around)
     plain = {"showgrid": False, "showline": False, "ticks": "", "fixedrange": True}
-    figure.update_xaxes(
-        plain,
-        tickvals=list(range(len(columns))),
-        ticktext=columns,
-        side="top",
-        title=_("on top"),
-        range=[-0.55, len(columns) - 0.45],
-    )
-    figure.update_yaxes(
-        plain, tickvals=list(range(len(rows))), ticktext=rows, range=[len(rows) - 0.4, -0.6], tickfont={"size": 13}
-    )
-    return figure
+    across = {"ticktext": columns, "range": [-0.55, len(columns) - 0.45], "side": "top", "title": {"text": _("on top")}}
+    layout = {
+        "template": template(colors),
+        "height": 48 + 40 * len(rows),
+        "showlegend": False,
+        "margin": {"l": 128, "r": 4, "t": 52, "b": 4},
+        "shapes": [{"type": "rect", "line": {"color": colors["ink"], "width": 3}, **around}],
+        "xaxis": {**plain, "tickvals": list(range(len(columns))), **across},
+        "yaxis": {**plain, **_pairs_axis(rows), "tickfont": {"size": 13}},
+    }
+    return drawn([table, clickable], layout)
 
 
-def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]) -> go.Figure:
+def _pairs_axis(pairs: Sequence[str]) -> dict[str, Any]:
+    """Return the axis on which pairs of rollers stand below each other."""
+    return {"tickvals": list(range(len(pairs))), "ticktext": list(pairs), "range": [len(pairs) - 0.4, -0.6]}
+
+
+def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, colors: Mapping[str, str]) -> Drawn:
     """Draw, for each pair of lower rollers, how many discriminants are sums of two cubes.
 
     Parameters
@@ -183,26 +133,25 @@ def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, c
     highlighted : which of them is the paper's
     colors : ink, faint, paper, primary, block
     """
-    figure = go.Figure(layout={"template": template(colors), "height": 336, "showlegend": False})
-    figure.add_bar(
-        x=list(counts),
-        y=list(range(len(pairs))),
-        orientation="h",
-        marker={"color": [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]},
-        text=list(counts),
-        textposition="outside",
-        cliponaxis=False,
-        customdata=list(pairs),
-        hovertemplate=_("{lower} below: {number}").format(lower="%{customdata}", number="%{x}") + "<extra></extra>",
-    )
-    figure.update_layout(margin={"l": 128, "r": 30, "t": 4, "b": 44}, bargap=0.3)
-    figure.update_xaxes(title=_("number of sums of two cubes"), fixedrange=True, rangemode="tozero")
-    figure.update_yaxes(
-        tickvals=list(range(len(pairs))),
-        ticktext=pairs,
-        range=[len(pairs) - 0.4, -0.6],
-        showgrid=False,
-        ticks="",
-        fixedrange=True,
-    )
-    return figure
+    bars = {
+        "type": "bar",
+        "x": list(counts),
+        "y": list(range(len(pairs))),
+        "orientation": "h",
+        "marker": {"color": [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]},
+        "text": list(counts),
+        "textposition": "outside",
+        "cliponaxis": False,
+        "customdata": list(pairs),
+        "hovertemplate": _("{lower} below: {number}").format(lower="%{customdata}", number="%{x}") + NO_NAME,
+    }
+    layout = {
+        "template": template(colors),
+        "height": 336,
+        "showlegend": False,
+        "margin": {"l": 128, "r": 30, "t": 4, "b": 44},
+        "bargap": 0.3,
+        "xaxis": {"title": {"text": _("number of sums of two cubes")}, "fixedrange": True, "rangemode": "tozero"},
+        "yaxis": {**_pairs_axis(pairs), "showgrid": False, "ticks": "", "fixedrange": True},
+    }
+    return drawn([bars], layout)

@@ -26,7 +26,6 @@ def warm_up() -> bool:
 
     cache.curve()
     cache.summary((1.0, 1.0, 1.0))
-    # Plotly loads what checks a figure when the first one is drawn.
     cache.figure(theme.current())
     gc.collect()
     gc.freeze()

@@ -11,8 +11,8 @@ from ramanujan.derivation import Step
 from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
 from ramanujan.derivation.rows import Row, aligned, rows
 from ramanujan.derivation.symbols import epsilon
-from ramanujan.figures import Drawn, kept
-from ramanujan.figures.oscillator import Mark, frequency_curve
+from ramanujan.figures import Drawn
+from ramanujan.figures.oscillator import Curve, Mark, frequency_curve
 from ramanujan.shell import theme
 from ramanujan.shell.cache import route
 from ramanujan.translation import _
@@ -23,20 +23,6 @@ CURVE_RANGE = (0.01, 30.0)
 _POINTS = 2001
 """Of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They also make the
 figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
-
-
-@dataclass(frozen=True)
-class Curve:
-    """The fixed part of the Ω² figure; every number and formula in it comes from the core or from SymPy."""
-
-    ratios: np.ndarray
-    values: np.ndarray
-    light_limit: float
-    heavy_limit: np.ndarray
-    equal: Mark
-    unit: Mark
-    light: str
-    heavy: str
 
 
 @st.cache_resource(show_spinner=False)
@@ -51,11 +37,11 @@ def curve() -> Curve:
         ratios,
         normalized_frequency_squared(ratios),
         float(light),
+        str(light),
         sp.lambdify(epsilon, heavy, "numpy")(ratios),
+        sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
         Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
         Mark(UNIT_MASS_RATIO, 1.0, f"Ω² = <i>k</i>/<i>m</i><br><i>ε</i> = {unit_ratio()}"),
-        str(light),
-        sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
     )
 
 
@@ -76,22 +62,7 @@ def equal_masses_value() -> str:
 @st.cache_resource(show_spinner=False, max_entries=4)
 def figure(light_or_dark: str) -> Drawn:
     """Return the figure of the curve in the present theme; it is the same for every machine."""
-    base, colors = curve(), theme.colors()
-    return kept(
-        frequency_curve(
-            base.ratios,
-            base.values,
-            light_limit=base.light_limit,
-            heavy_limit=base.heavy_limit,
-            limit_labels=(
-                _("light rollers: {value}").format(value=base.light),
-                _("heavy rollers:<br>{value}").format(value=base.heavy.replace("ε", "<i>ε</i>")),
-            ),
-            equal=base.equal,
-            unit=base.unit,
-            colors={**colors, "marker": colors["hoop_ink"], "accent": colors["top"]},
-        )
-    )
+    return frequency_curve(curve(), theme.colors())
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
-from ramanujan.figures import Drawn, cubes, kept
+from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BodyChoice
 from ramanujan.shell.cache import route
@@ -31,22 +31,9 @@ COUNTED_PART = 20
 
 
 # Building a figure costs more than everything else on the page; these depend on little.
-@st.cache_resource(show_spinner=False, max_entries=64)
-def cube_stack(sides: list[int], *, widest: int, apart: bool, turn: float, colors: dict[str, str]) -> Drawn:
-    """Return the figure of a stack of cubes."""
-    return kept(cubes.cube_stack(sides, widest=widest, apart=apart, turn=turn, colors=colors))
-
-
-@st.cache_resource(show_spinner=False, max_entries=80)
-def machine_grid(*shown: object) -> Drawn:
-    """Return the figure of all machines."""
-    return kept(figures.machine_grid(*shown))
-
-
-@st.cache_resource(show_spinner=False, max_entries=4)
-def cube_counts(*shown: object) -> Drawn:
-    """Return the figure that counts sums of two cubes."""
-    return kept(figures.cube_counts(*shown))
+cube_stack = st.cache_resource(cubes.cube_stack, show_spinner=False, max_entries=64)
+machine_grid = st.cache_resource(figures.machine_grid, show_spinner=False, max_entries=80)
+cube_counts = st.cache_resource(figures.cube_counts, show_spinner=False, max_entries=4)
 
 
 @dataclass(frozen=True)
