@@ -56,29 +56,3 @@ from ramanujan.motion import (
     with_initial_velocities,
 )
 from ramanujan.oscillator import Oscillator, drawn_spacing
-
-__all__ = [
-    "METHODS",
-    "UNIT_MASS_RATIO",
-    "InitialState",
-    "Oscillator",
-    "contact_forces",
-    "drawn_spacing",
-    "energies",
-    "first_to_slip",
-    "ground_positions",
-    "ground_velocities",
-    "largest_compression",
-    "mass_ratio_for",
-    "momenta",
-    "motion",
-    "normal_forces",
-    "normalized_frequency_squared",
-    "relative_positions",
-    "relative_velocities",
-    "released",
-    "required_friction",
-    "trajectory",
-    "travel_amplitude",
-    "with_initial_velocities",
-]

@@ -21,8 +21,6 @@ from ramanujan.browser.stage import words
 from ramanujan.browser.stage.formulas import formulas, labels
 from ramanujan.derivation.printers import javascript
 
-__all__ = ["component", "contents", "place"]
-
 _HERE = Path(__file__).parent
 _MARKUP = {"turn": "steps"}
 """Component of page/ → the one that has the same HTML and CSS."""

@@ -36,8 +36,6 @@ from ramanujan.lesson.class_states import Asked, Class, Phase, Question, Seat
 from ramanujan.lesson.class_store import ClassError, place, store_at
 from ramanujan.translation import _
 
-__all__ = ["Asked", "Class", "ClassError", "Classes", "Phase", "Question", "Seat", "shared"]
-
 STUDENTS = 500
 """Most students in one class."""
 CLASSES = 200

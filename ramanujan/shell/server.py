@@ -31,8 +31,6 @@ try:
 except ImportError:
     brotli = None
 
-__all__ = ["MIDDLEWARE", "routes", "warm_up", "warmed_up"]
-
 _PACKERS: dict[str, Callable[[bytes], bytes]] = {"gzip": lambda content: gzip.compress(content, 6)}
 if brotli:
     # A quarter smaller. With this quality it is as quick as gzip; one more takes thirty times as long, for a tenth.
