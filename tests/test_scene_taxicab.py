@@ -239,5 +239,5 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
 
 
 def test_no_equation_stands_twice():
-    equations = cache.condition().equations
+    equations = cache.unit_equations()
     assert len(set(equations)) == len(equations) > 3

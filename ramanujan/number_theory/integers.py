@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cache
 from itertools import count
 from math import isqrt, prod
 
@@ -157,6 +158,7 @@ def sums_of_two_cubes(n: int) -> list[tuple[int, int]]:
     return pairs
 
 
+@cache
 def smallest_taxicab() -> int:
     """Return the smallest number that is a sum of two positive cubes in two ways, found by trying 1, 2, 3, …
 

@@ -36,43 +36,26 @@ machine_grid = st.cache_resource(figures.machine_grid, show_spinner=False, max_e
 cube_counts = st.cache_resource(figures.cube_counts, show_spinner=False, max_entries=4)
 
 
-@dataclass(frozen=True)
-class Condition:
-    """Ω² = k/m for the paper's machine: its equations, discriminant D and the cubes that add up to D.
-
-    `expanded` is D as b² − 4ac, `term_by_term` the sum of cubes whose terms are the same; texts are LaTeX.
-    """
-
-    equations: tuple[str, ...]
-    number: int
-    smallest_taxicab: int
-    cubes: tuple[tuple[int, int], ...]
-    cubes_latex: str
-    expanded: str
-    term_by_term: str
+PAPER = BodyChoice()
+"""The paper's machine."""
 
 
 @st.cache_resource(show_spinner=False)
-def condition() -> Condition:
-    """Return the unit condition of the paper's machine, from its derivation."""
+def unit_equations() -> tuple[str, ...]:
+    """Return, as LaTeX, how the derivation gets from Ω² to the mass ratio at which the paper's machine is in step."""
     steps = route("euler_lagrange")
     frequency, condition = (steps[key].equations[-1] for key in ("ratio", "unit"))
-    lines = (frequency, condition, *steps["root"].equations)
-    paper = BodyChoice()
-    a, b, c = paper.quadratic
+    # The quadratic ends one step and begins the next.
+    return tuple(dict.fromkeys(map(latex, (frequency, condition, *steps["root"].equations))))
+
+
+def discriminant_written_out() -> tuple[str, str]:
+    """Return, as LaTeX, the discriminant b² − 4ac of the paper's machine, and the sum of cubes with the same terms."""
+    a, b, c = PAPER.quadratic
     with sp.evaluate(False):
         expanded = sp.Add(sp.Pow(b, 2), sp.Mul(4, a, -c))
-    same_terms = [(x, y) for x, y in paper.cubes if x**3 == b**2]
-    return Condition(
-        # The quadratic ends one step and begins the next.
-        tuple(dict.fromkeys(map(latex, lines))),
-        int(unit_frequency_condition().discriminant),
-        number_theory.smallest_taxicab(),
-        paper.cubes,
-        sums_of_cubes(paper.cubes),
-        sp.latex(expanded, mul_symbol="dot", order="none"),
-        sums_of_cubes(same_terms),
-    )
+    same_terms = [(x, y) for x, y in PAPER.cubes if x**3 == b**2]
+    return sp.latex(expanded, mul_symbol="dot", order="none"), sums_of_cubes(same_terms)
 
 
 @dataclass(frozen=True)
@@ -124,7 +107,7 @@ class PracticalMachine:
 def practical_machines() -> tuple[PracticalMachine, ...]:
     """Return the first convergents of the paper's mass ratio as machines to build."""
     ratios = number_theory.convergents(quotients(5))
-    errors = [number_theory.normalized_frequency_squared_exact(*BodyChoice().bodies, ratio) - 1 for ratio in ratios]
+    errors = [number_theory.normalized_frequency_squared_exact(*PAPER.bodies, ratio) - 1 for ratio in ratios]
     # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
     return tuple(
         PracticalMachine(ratio, error, (1 + (1 + error) ** 0.5) / abs(error))
@@ -134,7 +117,7 @@ def practical_machines() -> tuple[PracticalMachine, ...]:
 
 def quotients(terms: int = 12) -> list[int]:
     """Return the continued fraction of the paper's mass ratio."""
-    return number_theory.continued_fraction(*BodyChoice().quadratic, terms)
+    return number_theory.continued_fraction(*PAPER.quadratic, terms)
 
 
 @st.cache_data(show_spinner=False, max_entries=64)

@@ -8,10 +8,11 @@ import streamlit as st
 from ramanujan import number_theory
 from ramanujan.figures import NORMALIZED
 from ramanujan.figures.taxicab import level_crossing
-from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.number_theory import BODIES
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache
-from ramanujan.pages.taxicab.other_bodies import PAPER, about_cubes, pair
+from ramanujan.pages.taxicab.cache import PAPER
+from ramanujan.pages.taxicab.other_bodies import about_cubes, pair
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
@@ -33,7 +34,7 @@ def another_target() -> None:
         story = _reached()
         target = story.machine.target
         if target != Fraction(p, q):
-            most = number_theory.normalized_frequency_squared_exact(*PAPER.values(), 0)
+            most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
             st.warning(
                 _(
                     "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
@@ -46,9 +47,9 @@ def another_target() -> None:
 def _reached() -> cache.Story:
     """Return the story of the target that is asked for; where no machine reaches it, that of the last one reached."""
     try:
-        story = cache.story(*PAPER.values(), address.held(P), address.held(Q))
+        story = cache.story(*PAPER.bodies, address.held(P), address.held(Q))
     except ValueError:
-        return cache.story(*PAPER.values(), *st.session_state.get(_LAST, (1, 1)))
+        return cache.story(*PAPER.bodies, *st.session_state.get(_LAST, (1, 1)))
     target = story.machine.target
     st.session_state[_LAST] = (target.numerator, target.denominator)
     return story
@@ -97,7 +98,7 @@ def the_curve() -> None:
 # ---- the open question
 
 
-def open_question(facts: cache.Condition) -> None:
+def open_question() -> None:
     """Say what has a reason, what was measured, and what stays a coincidence."""
     with sheet("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
@@ -105,13 +106,13 @@ def open_question(facts: cache.Condition) -> None:
             _(
                 "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
                 "{number}”? This much can be said."
-            ).format(number=facts.number)
+            ).format(number=PAPER.discriminant)
         )
         what_has_a_reason()
-    with sheet("norm", _("{number} as a norm").format(number=facts.number)):
-        the_number_as_a_norm(facts.number)
+    with sheet("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
+        the_number_as_a_norm()
     pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
-    paper = pairs.index(BodyChoice().bodies[:2])
+    paper = pairs.index(PAPER.bodies[:2])
     with sheet("counts", _("A count")):
         tallies = _counted(pairs)
         figure, words = st.columns([3, 2]) if display_mode.is_projector() else 2 * [st.container()]
@@ -122,7 +123,7 @@ def open_question(facts: cache.Condition) -> None:
         with figure:
             count_of_cubes(tallies, paper)
         with words:
-            what_stays(facts.number, tallies[paper])
+            what_stays(tallies[paper])
 
 
 def what_has_a_reason() -> None:
@@ -146,11 +147,11 @@ def what_has_a_reason() -> None:
     st.latex(cache.product_of_norms())
 
 
-def the_number_as_a_norm(discriminant: int) -> None:
+def the_number_as_a_norm() -> None:
     """Say what follows from the norm for the paper's number."""
     x, y = number_theory.norm_form()
-    ways = number_theory.represent_x2_plus_3y2(discriminant)
-    primes = [prime for prime, _power in BodyChoice().factorization]
+    ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
+    primes = [prime for prime, _power in PAPER.factorization]
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
     st.markdown(
         ngettext(
@@ -160,7 +161,7 @@ def the_number_as_a_norm(discriminant: int) -> None:
         ).format(
             x=x,
             y=y,
-            number=discriminant,
+            number=PAPER.discriminant,
             n=len(ways),
             written=" = ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways)),
         )
@@ -180,7 +181,7 @@ def the_number_as_a_norm(discriminant: int) -> None:
         _(
             "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, "
             "too. Here ${factored}$. So numbers of this form should be sums of two cubes more often than others."
-        ).format(factored=cache.factored_cubes(discriminant))
+        ).format(factored=cache.factored_cubes(PAPER.discriminant))
     )
 
 
@@ -230,7 +231,7 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
     )
 
 
-def what_stays(discriminant: int, paper: cache.Tally) -> None:
+def what_stays(paper: cache.Tally) -> None:
     """Say what stays a coincidence."""
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
     st.markdown(
@@ -239,5 +240,5 @@ def what_stays(discriminant: int, paper: cache.Tally) -> None:
             "ways, even the smallest such number. Of the {count} discriminants, {taxicabs} are sums of two cubes in "
             "two ways, and nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of "
             "these is such a sum. The norm explains the form of {number}, but not why it had to be {number}."
-        ).format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=discriminant)
+        ).format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=PAPER.discriminant)
     )

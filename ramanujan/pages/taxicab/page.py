@@ -7,9 +7,9 @@ import streamlit as st
 
 from ramanujan import number_theory
 from ramanujan.figures.cubes_on_paper import cubes_svg
-from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
+from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, drawings, sidebar, theme, widgets
 from ramanujan.shell.display_mode import folded, sheet
 from ramanujan.translation import _, ngettext
@@ -21,32 +21,31 @@ ASIDE = ("k", "compression")
 
 def show() -> None:
     """Draw the page."""
-    facts = cache.condition()
     with sheet("in_step", _("In step")):
-        the_number(facts)
-        exactly_in_step(facts)
+        the_number()
+        exactly_in_step()
     with folded("digits", _("The exact ratio to a thousand digits, and the fractions closest to it")):
         digits_and_fractions()
     with sheet("cubes", _("Two stacks of cubes")):
         two_stacks()
     other_bodies.other_bodies()
-    other_targets.open_question(facts)
+    other_targets.open_question()
     sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
 
 
-def the_number(facts: cache.Condition) -> None:
+def the_number() -> None:
     """Draw the title, and the story of the taxicab."""
-    st.title(str(facts.number), anchor=False)
+    st.title(str(PAPER.discriminant), anchor=False)
     st.markdown(
         _(
             "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
             "smallest number that is a sum of two cubes in two different ways. Here the same number decides when two "
             "oscillators stay in step."
-        ).format(number=facts.number)
+        ).format(number=PAPER.discriminant)
     )
 
 
-def exactly_in_step(facts: cache.Condition) -> None:
+def exactly_in_step() -> None:
     """The unit condition on the curve and as algebra; folded: other targets on the same curve."""
     st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
     picture, algebra = st.columns([3, 2], gap="medium")
@@ -58,7 +57,7 @@ def exactly_in_step(facts: cache.Condition) -> None:
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )
-        for line in facts.equations:
+        for line in cache.unit_equations():
             st.latex(line)
     with picture:
         other_targets.the_curve()
@@ -72,7 +71,7 @@ def digits_and_fractions() -> None:
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=260)
         st.code(
-            number_theory.positive_root_digits(*BodyChoice().quadratic, count),
+            number_theory.positive_root_digits(*PAPER.quadratic, count),
             language=None,
             wrap_lines=True,
         )
@@ -80,7 +79,7 @@ def digits_and_fractions() -> None:
             _(
                 "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, "
                 "because the square root of {number} is irrational."
-            ).format(number=cache.condition().number)
+            ).format(number=PAPER.discriminant)
         )
     with fractions:
         first, *others = cache.quotients()
@@ -113,30 +112,34 @@ def scientific(value: Fraction) -> str:
 @st.fragment
 def two_stacks() -> None:
     """The number as two stacks of cubes."""
-    facts = cache.condition()
     st.header(_("Two stacks of cubes"), anchor=False)
     st.markdown(
         _(
             "${number}={cubes}$. This page has tried 1, 2, 3, … in turn: **{smallest}** is the smallest number that is "
             "a sum of two *positive* cubes in two ways. Turn the stacks and count."
-        ).format(number=facts.number, cubes=facts.cubes_latex, smallest=facts.smallest_taxicab)
+        ).format(
+            number=PAPER.discriminant,
+            cubes=cache.sums_of_cubes(PAPER.cubes),
+            smallest=number_theory.smallest_taxicab(),
+        )
     )
     with st.container(horizontal=True, vertical_alignment="bottom"):
         apart = st.toggle(_("Pull the layers apart"), key="apart")
         turn = st.slider(_("Turn the stacks"), 0, 360, 305, 5, format="%d°", key="turn", width=260)
-    widest = max(map(sum, facts.cubes))
-    for column, cubes in zip(st.columns(len(facts.cubes)), facts.cubes, strict=True):
+    widest = max(map(sum, PAPER.cubes))
+    for column, cubes in zip(st.columns(len(PAPER.cubes)), PAPER.cubes, strict=True):
         with column:
-            one_stack(facts.number, sorted(cubes, reverse=True), widest=widest, apart=apart, turn=turn)
+            one_stack(sorted(cubes, reverse=True), widest=widest, apart=apart, turn=turn)
+    expanded, same_terms = cache.discriminant_written_out()
     st.markdown(
         _(
             "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
             "${expanded}={sum}$."
-        ).format(expanded=facts.expanded, sum=facts.term_by_term)
+        ).format(expanded=expanded, sum=same_terms)
     )
 
 
-def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
+def one_stack(sides: list[int], **drawn: Any) -> None:
     """Draw two cubes of unit cubes, each in a tint of its own, and below them what they add up to."""
     larger, smaller = sides
     volumes = f"{smaller**3} + {larger**3}"
@@ -146,14 +149,14 @@ def one_stack(number: int, sides: list[int], **drawn: Any) -> None:
         _(
             "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
             "{number} unit cubes."
-        ).format(larger=larger, smaller=smaller, volumes=volumes, number=number),
+        ).format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant),
     )
     with st.container(key=f"on_paper_{larger}"):
         # The figure above prints empty; a screen reader has heard of it.
         svg = cubes_svg(sides, **drawn, color=theme.on_paper()["primary"])
         drawings.draw(svg, alt="", style="display:block;margin:auto;width:7cm")
     written = cache.sums_of_cubes([(smaller, larger)])
-    st.markdown(f"${written} = {volumes} = {number}$", text_alignment="center")
+    st.markdown(f"${written} = {volumes} = {PAPER.discriminant}$", text_alignment="center")
 
 
 if __name__ == "__main__":
