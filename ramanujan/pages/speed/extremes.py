@@ -92,4 +92,4 @@ def general_solver() -> None:
 def what_the_app_uses() -> None:
     """List what the app itself uses where."""
     swept, _solvers = cache.sweeps()
-    st.markdown(own_choices.what_the_app_uses(cache.choices(), swept))
+    st.markdown(own_choices.what_the_app_uses(*cache.choices(), swept))

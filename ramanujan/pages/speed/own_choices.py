@@ -45,28 +45,25 @@ _CHOICES = (
 """What the app uses where, and why."""
 
 
-def what_the_app_uses(found: Iterable[object], sweeps: Iterable[Sweep]) -> str:
+def what_the_app_uses(
+    states: list[ClosedForm],
+    curves: list[CurveSampling],
+    kinds: list[Arithmetic],
+    comparisons: list[Comparison],
+    sweeps: Iterable[Sweep],
+) -> str:
     """List what the app uses where, why, and the measurement behind it."""
-    kinds: dict[type, list[Any]] = {}
-    for each in found:
-        kinds.setdefault(type(each), []).append(each)
     drawn = {each.form: each for each in sweeps if (each.along, each.dtype) == ("machines", "float64")}
     values = {
-        **_motion(kinds[ClosedForm]),
-        **_frequency(kinds[Arithmetic], drawn["integers"], drawn["partial_fractions"]),
-        **_on_screen(kinds[CurveSampling]),
-        **{f"kept_{each.name}": number(each.ratio) for each in kinds[Comparison]},
-    }
-    return "\n".join(f"- {sentence}" for sentence in _CHOICES).format(**values, n=STATES)
-
-
-def _motion(states: list[ClosedForm]) -> dict[str, Any]:
-    return {
+        **_frequency(kinds, drawn["integers"], drawn["partial_fractions"]),
+        **_on_screen(curves),
+        **{f"kept_{each.name}": number(each.ratio) for each in comparisons},
         "first": states[0].periods,
         "last": number(states[-1].periods),
         "phase_error": number(max(each.phase_error for each in states)),
         "state": duration(float(np.median([each.seconds.median for each in states]))),
     }
+    return "\n".join(f"- {sentence}" for sentence in _CHOICES).format(**values, n=STATES)
 
 
 def _frequency(arithmetics: list[Arithmetic], machine: Sweep, curve: Sweep) -> dict[str, Any]:
