@@ -21,17 +21,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ramanujan.lesson.class_codes import (
-    foreign_to_codes,
-    hash_of,
-    key_of,
-    new_code,
-    new_secret,
-    new_voter,
-    opens,
-    parts_of,
-    read_code,
-)
+from ramanujan.lesson import class_codes
 from ramanujan.lesson.class_states import Asked, Class, Phase, Question, Seat
 from ramanujan.lesson.class_store import ClassError, place, store_at
 from ramanujan.translation import _
@@ -84,16 +74,16 @@ class Classes:
 
     def open_class(self, lifetime: float = DAY) -> Class:
         """Open a class under a new code, for so many seconds, and return it with its key."""
-        secret = new_secret()
+        secret = class_codes.new_secret()
         with self._store.writing() as execute:
             self._forget(execute)
             if _count(execute, "class") >= CLASSES:
                 raise ClassError(_("This server has no room for another class at the moment. Try again later."))
-            while _count(execute, "class WHERE code = ?", code := new_code()):
+            while _count(execute, "class WHERE code = ?", code := class_codes.new_code()):
                 pass
-            values = (code, hash_of(secret), self._clock() + lifetime)
+            values = (code, class_codes.hash_of(secret), self._clock() + lifetime)
             execute("INSERT INTO class (code, key_hash, expires, round) VALUES (?, ?, ?, 1)", values)
-        return Class(code, key_of(code, secret))
+        return Class(code, class_codes.key_of(code, secret))
 
     def close(self, key: str) -> None:
         """End a class; nothing of it remains."""
@@ -103,9 +93,9 @@ class Classes:
 
     def code_of(self, key: str) -> str:
         """Return the code of the class that a lecturer's key belongs to."""
-        code, secret = parts_of(key)
+        code, secret = class_codes.parts_of(key)
         rows = self._store.read("SELECT key_hash FROM class WHERE code = ? AND expires > ?", (code, self._clock()))
-        if not rows or not opens(rows[0][0], secret):
+        if not rows or not class_codes.opens(rows[0][0], secret):
             raise ClassError(_("This lecturer’s address belongs to no class. The class may have ended."))
         return code
 
@@ -317,9 +307,9 @@ class Classes:
 
     def _seat(self, execute: _Execute, text: str, session: str, voter: str) -> Seat | str:
         """Return the seat of whoever comes with this code, or why there is none."""
-        code = read_code(text)
+        code = class_codes.read_code(text)
         if code is None:
-            if wrong := foreign_to_codes(text):
+            if wrong := class_codes.foreign_to_codes(text):
                 sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
                 return sentence.format(letter=wrong)
             return _("A class code has six letters. Look at the projector and type them again.")
@@ -336,7 +326,7 @@ class Classes:
             return _no_such_class()
         if _count(execute, "voter WHERE code = ?", code) >= STUDENTS:
             return _("This class is full: it has {most} students.").format(most=STUDENTS)
-        seat = Seat(code, voter or new_voter())
+        seat = Seat(code, voter or class_codes.new_voter())
         execute("INSERT INTO voter VALUES (?, ?, ?)", (code, seat.voter, self._clock()))
         return seat
 
