@@ -9,17 +9,7 @@ from ramanujan.answers import terms
 from ramanujan.answers.formulas import leaves
 from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
-from ramanujan.answers.values import (
-    POINTS,
-    Values,
-    agree,
-    alike,
-    decimals,
-    depends_on,
-    evaluate,
-    point,
-    rational_ratio,
-)
+from ramanujan.answers.values import POINTS, Values, agree, alike, decimals, depends_on, evaluate, point, rational_ratio
 from ramanujan.numerals import number as written
 from ramanujan.translation import _
 

@@ -7,20 +7,7 @@ import sympy as sp
 
 from ramanujan.derivation.printers import in_order
 from ramanujan.derivation.steps import equation
-from ramanujan.derivation.symbols import (
-    COORDINATES,
-    Machine,
-    Phi,
-    R,
-    X,
-    epsilon,
-    gather,
-    k,
-    m,
-    m_prime,
-    phi,
-    t,
-)
+from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, R, X, epsilon, gather, k, m, m_prime, phi, t
 from ramanujan.translation import _
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)

@@ -7,13 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ramanujan.derivation.elimination import (
-    Elimination,
-    Phi_ddot,
-    X_ddot,
-    eliminate,
-    phi_ddot,
-)
+from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.energies import bodies_steps
 from ramanujan.derivation.in_step import unit_steps
 from ramanujan.derivation.printers import in_order, latex

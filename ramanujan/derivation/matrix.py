@@ -162,8 +162,7 @@ def build() -> Route:
                 "$\\varphi$. So the oscillating mode is a multiple of {vector}, and its frequency needs no "
                 "determinant: {shortcut}."
             ).format(
-                vector="$M^{-1}e_\\varphi$",
-                shortcut="$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$",
+                vector="$M^{-1}e_\\varphi$", shortcut="$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$"
             ),
             equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
             equation(_M.I, result.inverse_mass_matrix),

@@ -129,10 +129,7 @@ class Machine:
 
 
 def machine(
-    roller_mass: sp.Expr = m_prime,
-    hoop: Any = HOOP,
-    cylinder: Any = SOLID_CYLINDER,
-    top: Any = SOLID_CYLINDER,
+    roller_mass: sp.Expr = m_prime, hoop: Any = HOOP, cylinder: Any = SOLID_CYLINDER, top: Any = SOLID_CYLINDER
 ) -> Machine:
     """Return the machine whose positions obey the rolling constraints.
 

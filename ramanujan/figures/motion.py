@@ -84,10 +84,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
             **_zero_line(colors),
         }
     layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
-    layout["annotations"] = [
-        _above(period, _("one period"), font={"size": 12}),
-        *beside(colors["paper"], *areas),
-    ]
+    layout["annotations"] = [_above(period, _("one period"), font={"size": 12}), *beside(colors["paper"], *areas)]
     layout["xaxis"] = {
         "title": {"text": _("time after release <i>t</i> [s]")},
         "automargin": True,
@@ -125,12 +122,7 @@ def phase_plane(
     centred = {**_zero_line(colors), "nticks": 7}
     places = list(roomy([orbit.values for orbit in orbits]))
     layout = _layout(colors, _HEIGHT) | {
-        "xaxis": {
-            **centred,
-            "title": {"text": _("displacement [cm]")},
-            "automargin": True,
-            "range": places,
-        },
+        "xaxis": {**centred, "title": {"text": _("displacement [cm]")}, "automargin": True, "range": places},
         "yaxis": {**centred, "title": {"text": _("velocity [cm/s]")}, "range": list(roomy(velocities))},
         "hovermode": "closest",
         "meta": {"cursor": "orbit", "period": period, "periods": periods},
@@ -141,11 +133,7 @@ def phase_plane(
 
 
 def friction_bars(
-    needed: Mapping[str, float],
-    body_colors: Sequence[str],
-    *,
-    friction_coefficient: float,
-    colors: Mapping[str, str],
+    needed: Mapping[str, float], body_colors: Sequence[str], *, friction_coefficient: float, colors: Mapping[str, str]
 ) -> Drawn:
     """Draw the coefficient of static friction that each contact needs as a bar, and the present one as a line.
 

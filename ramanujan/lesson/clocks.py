@@ -81,10 +81,7 @@ STOPS = (
             "slab move in opposite directions. The centres of the lower rollers hardly move at all."
         ),
         given={"total": _total(EQUAL), "ratio": _total(EQUAL) / EQUAL.m},
-        numbers=lambda: {
-            "turns": lead(EQUAL),
-            "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _total(EQUAL))),
-        },
+        numbers=lambda: {"turns": lead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _total(EQUAL)))},
         hints=(
             _(
                 "Suppose the spring had to move all five bodies as one. The period would then be √{ratio:1} times as "

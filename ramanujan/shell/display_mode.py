@@ -13,11 +13,7 @@ from ramanujan.browser import page, stage
 from ramanujan.shell import address
 from ramanujan.translation import _
 
-PARTS = {
-    **stage.PARTS,
-    "curve": "the curve of Ω²m/k over the mass ratio",
-    "steps": "the derivation in six steps",
-}
+PARTS = {**stage.PARTS, "curve": "the curve of Ω²m/k over the mass ratio", "steps": "the derivation in six steps"}
 """Part that a link can hide → what it is."""
 VIEW = address.Choice("view", ("projector",))
 HIDE = address.Several("hide", tuple(PARTS))

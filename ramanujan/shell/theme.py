@@ -9,14 +9,7 @@ from ramanujan.browser import page
 from ramanujan.figures.cubes import lighter
 from ramanujan.shell import display_mode
 
-BODY_COLORS = {
-    "block": "gray",
-    "hoop": "orange",
-    "cylinder": "blue",
-    "slab": "green",
-    "spring": "violet",
-    "top": "red",
-}
+BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
 """Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
 
 _PROJECTOR = Path(page.__file__).with_name("projector.css")

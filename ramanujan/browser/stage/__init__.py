@@ -83,12 +83,7 @@ def payload(
     lit : the highlighted body, such as hoop, or spring
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
-    optional = {
-        "initial": initial and asdict(initial),
-        "samples": samples,
-        "slipping": slipping,
-        "lit": lit,
-    }
+    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping, "lit": lit}
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},

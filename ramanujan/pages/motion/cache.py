@@ -65,10 +65,7 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     )
     panels = [
         _panel(
-            title,
-            "cm",
-            [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()],
-            short,
+            title, "cm", [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()], short
         )
         for title, short, bodies in places
     ]

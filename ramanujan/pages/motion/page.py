@@ -67,10 +67,7 @@ def the_machine(motion: Record, friction: Friction) -> None:
     slips = motion.compression > friction.largest
     stages.mount(
         stage.payload(
-            motion.oscillator,
-            motion.compression,
-            initial=motion.initial,
-            slipping=friction.first if slips else None,
+            motion.oscillator, motion.compression, initial=motion.initial, slipping=friction.first if slips else None
         ),
         name="motion",
         layers=("forces",),

@@ -104,9 +104,7 @@ def show_energy(motion: Record, drawn: tuple) -> None:
         sentences.append(_("The initial velocities add the rest."))
     st.caption(
         " ".join(sentences).format(
-            total=whole,
-            error=number(spread, 1),
-            spring=quantity(1e3 * float(motion.energies["spring"][0]), "mJ", 4),
+            total=whole, error=number(spread, 1), spring=quantity(1e3 * float(motion.energies["spring"][0]), "mJ", 4)
         )
     )
 

@@ -24,10 +24,7 @@ SWEEP_WORDS = {
 
 def forms_at_extremes() -> list[Sweep]:
     """Draw the forms of Ω² over the range of floating point; return what is shown."""
-    st.header(
-        _("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)),
-        anchor=False,
-    )
+    st.header(_("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)), anchor=False)
     st.markdown(
         _(
             "On paper all of them are equal. A computer’s numbers end at {double} in float64 and at {single} in "

@@ -246,7 +246,7 @@ def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
             _("Greatest error of Ω²"),
             _("Largest eigenvalue that should be 0"),
             _("Negative or complex"),
-        ),
+        )
     ]
     for s in sweeps:
         largest, error = (float(np.nanmax(np.abs(each))) for each in (s.zero_modes, s.error_ulp))

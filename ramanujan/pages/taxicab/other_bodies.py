@@ -66,9 +66,7 @@ def tell_machine(chosen: list[str]) -> None:
     left, right, top = (float(BODIES[body]) for body in chosen)
     stages.tell(
         stage.payload(
-            sidebar.oscillator(),
-            sidebar.compression(),
-            shape_factors={"hoop": left, "cylinder": right, "top": top},
+            sidebar.oscillator(), sidebar.compression(), shape_factors={"hoop": left, "cylinder": right, "top": top}
         ),
         key=STAGE,
         more=sidebar.followed(),

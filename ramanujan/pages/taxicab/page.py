@@ -70,11 +70,7 @@ def digits_and_fractions() -> None:
     decimals, fractions = st.columns([2, 3], gap="medium")
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=260)
-        st.code(
-            number_theory.positive_root_digits(*PAPER.quadratic, count),
-            language=None,
-            wrap_lines=True,
-        )
+        st.code(number_theory.positive_root_digits(*PAPER.quadratic, count), language=None, wrap_lines=True)
         st.caption(
             _(
                 "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, "
@@ -118,9 +114,7 @@ def two_stacks() -> None:
             "${number}={cubes}$. This page has tried 1, 2, 3, … in turn: **{smallest}** is the smallest number that is "
             "a sum of two *positive* cubes in two ways. Turn the stacks and count."
         ).format(
-            number=PAPER.discriminant,
-            cubes=cache.sums_of_cubes(PAPER.cubes),
-            smallest=number_theory.smallest_taxicab(),
+            number=PAPER.discriminant, cubes=cache.sums_of_cubes(PAPER.cubes), smallest=number_theory.smallest_taxicab()
         )
     )
     with st.container(horizontal=True, vertical_alignment="bottom"):
