@@ -2,7 +2,7 @@
 
     guests()      at the head of the page: a student's phone sees what the class is asked, and nothing else of the page
     door()        where a visitor opens a class or joins one
-    panel(stop)   on the page of a stop: the lecturer's desk
+    panel()       on the page of a stop: the lecturer's desk
 
 Every screen asks every few seconds what is new: one read by keys.
 """
@@ -27,7 +27,6 @@ from ramanujan.shell.class_session import (
     key_held,
     leave,
     open_class,
-    phase_of,
     refusal,
     seat_held,
     take_seat,
@@ -113,18 +112,14 @@ def _for_lecturers() -> None:
     st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
 
 
-def panel(stop: Stop) -> Phase | None:
-    """Draw the lecturer's desk: the options, or how the class has voted, and what can be done next.
+def panel(stop: Stop, phase: Phase) -> None:
+    """Draw the lecturer's desk beside a page that shows a stop as far as the class has come with it.
 
-    Returns
-    -------
-    None for whoever has no class; else how far the class has come with this stop, so that the page shows no more
+    Draw the options, or how the class has voted, and what can be done next.
     """
-    if (phase := phase_of(stop)) is not None:
-        st.session_state.setdefault(_SEEN, None)
-        class_settings.tell(key_held())
-        _desk(stop, phase)
-    return phase
+    st.session_state.setdefault(_SEEN, None)
+    class_settings.tell(key_held())
+    _desk(stop, phase)
 
 
 def _warn() -> None:

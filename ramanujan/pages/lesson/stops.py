@@ -77,7 +77,7 @@ def draw(stop: Stop, number: int) -> None:
         words, picture, reason = (st.container(), None, None) if apart else places(stop, running)
         with words:
             if seen is not None:
-                classroom.panel(stop)
+                classroom.panel(stop, seen)
             elif chosen is None:
                 ask(stop)
             else:
