@@ -46,12 +46,12 @@ def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit
     labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
     assert len(labels) == 5
     assert all(label and any(map(str.isdigit, label)) for label in labels)
-    eye = "document.querySelector('.st-key-cubes_12 .js-plotly-plot').layout.scene.camera.eye.x"
+    # While a figure is drawn anew, it may be gone for a moment.
+    eye = "document.querySelector('.st-key-cubes_12 .js-plotly-plot')?.layout.scene.camera.eye.x"
     before = page.evaluate(eye)
     page.locator(".st-key-turn [role=slider], .st-key-turn input[type=range]").first.focus()
     page.keyboard.press("ArrowLeft")
-    page.wait_for_function(f"{eye} != {before}")
-    # While a figure is drawn anew, it may be gone for a moment.
+    page.wait_for_function(f"({eye} ?? {before}) != {before}")
     points = "document.querySelector('.st-key-cubes_12 .js-plotly-plot')?.data[0].x"
     count = f"(({points})?.length ?? ({points})?._inputArray.length)"
     length = page.evaluate(count)
