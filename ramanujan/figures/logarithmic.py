@@ -1,5 +1,6 @@
 """Logarithmic figures of errors and costs: the axes, marks and ranges that those of the speed page share."""
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
@@ -21,8 +22,6 @@ EXTRA = "<extra>%{fullData.name}</extra>"
 
 AFTER = _("after {periods} periods: {error}")
 
-TICKS = {"tickfont": {"size": 12}, "automargin": True, "exponentformat": "power"}
-
 UPPER = {"domain": [0.54, 1.0]}
 
 LOWER = {"domain": [0.0, 0.46], "anchor": "x"}
@@ -38,22 +37,23 @@ def look_of(index: int, colors: Colors) -> tuple[str, str]:
     return colors[f"method_{index}"], _SYMBOLS[index]
 
 
+def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
+    """Return an axis in the common look: its title, and what its ends show, as Plotly counts it."""
+    title_look = {"text": title, "standoff": 8, "font": {"size": 14}}
+    look = {"tickfont": {"size": 12}, "automargin": True, "exponentformat": "power", "fixedrange": True}
+    return {"title": title_look, "range": list(ends), **look, **more}
+
+
 def log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:
-    low, high = np.log10(shown)
-    step = max(1, int(np.ceil((high - low) / 6)))
-    range_ = [float(low), float(high)]
-    axis = {"type": "log", "title": axis_title(title), "range": range_, "dtick": step, "fixedrange": True}
-    return {**axis, **TICKS}
+    """Return a logarithmic axis with seven marks at most."""
+    low, high = np.log10(shown).tolist()
+    return axis(title, (low, high), type="log", dtick=max(1, math.ceil((high - low) / 6)))
 
 
 def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -> dict[str, Any]:
     """Return a level for comparison with the curves."""
     trace = line(list(ends), [level] * 2, color=colors["ink"], dash="dash", width=1.5)
     return trace | {"name": name, "hoverinfo": "skip"}
-
-
-def axis_title(text: str) -> dict[str, Any]:
-    return {"text": text, "standoff": 8, "font": {"size": 14}}
 
 
 def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tuple[dict[str, Any], Scale, float]:
@@ -84,8 +84,7 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     below = [int(least)] if least < low - 3 else []
     decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]
     ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
-    axis = {"title": axis_title(title), "range": [bottom - 0.2, high + 0.2], "fixedrange": True, **ticks, **TICKS}
-    return axis, place, low
+    return axis(title, (bottom - 0.2, high + 0.2), **ticks), place, low
 
 
 def _powers(exponents: Iterable[int]) -> list[str]:
@@ -96,8 +95,7 @@ def power_axis(title: str, low: float, high: float) -> dict[str, Any]:
     """Return a linear axis of exponents whose ticks read 10ⁿ."""
     step = next(step for step in (10, 20, 50, 100) if (high - low) / step <= 6)
     values = [n for n in range(-400, 401, step) if low <= n <= high]
-    ticks = {"tickvals": values, "ticktext": _powers(values)}
-    return {"title": axis_title(title), "range": [low, high], "fixedrange": True, **ticks, **TICKS}
+    return axis(title, (low, high), tickvals=values, ticktext=_powers(values))
 
 
 def within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:

@@ -11,10 +11,9 @@ from ramanujan.figures.logarithmic import (
     AFTER,
     EXTRA,
     LOWER,
-    TICKS,
     UPPER,
     Colors,
-    axis_title,
+    axis,
     axis_with_room,
     laid_out,
     level_line,
@@ -73,7 +72,7 @@ def error_growth(
     )
     x_range = float(ends.min()), float(ends.max())
     traces, areas, shapes, axes = [], [], [], {}
-    for axis, place, title, most, kind in (
+    for name_of_axis, place, title, most, kind in (
         ("y", UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
         ("y2", LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
     ):
@@ -82,22 +81,21 @@ def error_growth(
             for name in ordered
             for width, opacity in [(4, 1.0) if name == chosen else (2, 0.8)]
         ]
-        drawn += [closed] if axis == "y2" else []
+        drawn += [closed] if name_of_axis == "y2" else []
         drawn_axis, scale, low = axis_with_room(title, [curve[3] for curve in drawn], most)
         for name, color, x, values, look, opacity in drawn:
-            own = {"name": name, "yaxis": axis, "opacity": opacity, "hovertemplate": hover}
+            own = {"name": name, "yaxis": name_of_axis, "opacity": opacity, "hovertemplate": hover}
             own["customdata"] = np.float32(np.minimum(values, _BOUNDLESS))
             traces.append(line(x, scale(values), color=color, **look) | own)
         named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _look, _opacity in drawn]
         room = tuple(drawn_axis["range"])
-        areas.append(Area(named, x_range, room, _HIGH * (place["domain"][1] - place["domain"][0]), axis))
-        zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": room[0], "y1": low, "yref": axis}
+        areas.append(Area(named, x_range, room, _HIGH * (place["domain"][1] - place["domain"][0]), name_of_axis))
+        zone = {"x0": 0, "x1": 1, "xref": "x domain", "y0": room[0], "y1": low, "yref": name_of_axis}
         gray = {"type": "rect", "line": {"width": 0}, "fillcolor": colors["faint"], "opacity": 0.4, "layer": "below"}
         shapes.append(gray | zone)
-        axes[f"yaxis{axis[1:]}"] = drawn_axis | place
-    along = {"type": "log", "title": axis_title(_("periods")), "range": list(x_range), "fixedrange": True, "dtick": 1}
+        axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
     more = axes | {
-        "xaxis": {**along, "anchor": "y2", **TICKS},
+        "xaxis": axis(_("periods"), x_range, type="log", dtick=1, anchor="y2"),
         "annotations": beside(colors["paper"], *areas),
         "shapes": shapes,
     }
@@ -156,9 +154,9 @@ def work_precision(
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
     named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
     y_axis = log_axis(_("largest error, relative to the amplitude"), shown)
-    along = {"type": "log", "title": axis_title(cost_title), "dtick": 1, "range": list(x_range), "fixedrange": True}
+    x_axis = axis(cost_title, x_range, type="log", dtick=1)
     notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 420))
-    return laid_out(traces, colors, 480, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
+    return laid_out(traces, colors, 480, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 
 def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
@@ -219,9 +217,9 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
         (each["name"], each["line"]["color"], np.log10(each["x"]), logarithm(np.array(each["y"]))) for each in traces
     ]
     x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
-    along = {"type": "log", "title": axis_title(_("periods")), "dtick": 3, "range": list(x_range), "fixedrange": True}
+    x_axis = axis(_("periods"), x_range, type="log", dtick=3)
     notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 320))
-    return laid_out(traces, colors, 384, xaxis={**TICKS, **along}, yaxis=y_axis, annotations=notes)
+    return laid_out(traces, colors, 384, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 
 def _steps(dtype: str, n: int) -> str:
