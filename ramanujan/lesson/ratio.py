@@ -34,6 +34,8 @@ A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
 """Of the condition aε² + bε + c = 0."""
 _QUADRATIC = f"{A}ε² + {'' if B == 1 else B}ε − {-C} = 0"
 _NUMBER = int(unit_frequency_condition().discriminant)
+_NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
+"""The condition and its coefficients, as sentences name them."""
 _SUMS = number_theory.sums_of_two_cubes(_NUMBER)
 
 
@@ -157,7 +159,7 @@ STOPS = (
             "without": _("In the equation this ratio leaves {without:3} instead of 0. Where is −b?"),
             "double": _("In the equation this ratio leaves {double:3} instead of 0. By what is the root divided?"),
         },
-        given={"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C, "root": _NUMBER, "twice": 2 * A},
+        given={**_NAMED, "root": _NUMBER, "twice": 2 * A},
         answer=_exactly,
         why=_(
             "Ω² = k/m leads to {quadratic}. With a = {a}, b = {b} and c = −{c}, the positive root is (√{root} − "
@@ -199,16 +201,13 @@ STOPS = (
             "smallest sum of two positive cubes in two ways."
         ),
         given={
-            "quadratic": _QUADRATIC,
+            **_NAMED,
             "number": _NUMBER,
             "first": "{}³ + {}³".format(*_SUMS[0]),
             "second": "{}³ + {}³".format(*_SUMS[1]),
             "pairs": _SUMS,
             "terms": [x**3 for x in _SUMS[1]],
             "norm": number_theory.norm_form(),
-            "b": B,
-            "a": A,
-            "c": -C,
             "square": B * B,
             "product": -4 * A * C,
         },

@@ -262,12 +262,8 @@ def _take_exact(parameter: Parameter, text: str) -> None:
         if number is None
         else _("{symbol} must be between {least} and {most}. The old value, {old}, was kept.")
     )
-    sentence = sentence.format(
-        symbol=parameter.symbol,
-        least=f"{parameter.least:g}",
-        most=parameter.written(parameter.most),
-        old=parameter.written(parameter.present),
-    )
+    limits = {"least": f"{parameter.least:g}", "most": parameter.written(parameter.most)}
+    sentence = sentence.format(symbol=parameter.symbol, old=parameter.written(parameter.present), **limits)
     messages.note(parameter.name, sentence, warning=True)
 
 

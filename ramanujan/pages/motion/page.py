@@ -91,13 +91,8 @@ def verdict(friction: Friction, compression: float) -> None:
         )
     )
     # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
-    st.container(border=True).markdown(
-        sentence.format(
-            mu=f"{friction.coefficient:.2f}",
-            largest=centimetres(friction.largest),
-            contact=cache.CONTACTS[friction.first],
-        )
-    )
+    said = {"mu": f"{friction.coefficient:.2f}", "largest": centimetres(friction.largest)}
+    st.container(border=True).markdown(sentence.format(**said, contact=cache.CONTACTS[friction.first]))
 
 
 def freeze(motion: Record) -> None:

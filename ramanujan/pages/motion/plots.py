@@ -10,7 +10,7 @@ from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
-from ramanujan.numerals import number, quantity
+from ramanujan.numerals import filled, quantity
 from ramanujan.pages.motion import cache
 from ramanujan.record import Record
 from ramanujan.shell import drawings, theme
@@ -47,18 +47,13 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     )
     with time:
         chart(drawn[0], "displacements", sees.format(distances=listed(PARTS, farthest, "cm")))
+    ellipse = _(
+        "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, because "
+        "it oscillates with one frequency. It reaches ±{displacement:3 cm} and ±{velocity:3 cm/s}."
+    )
+    x, v = 100 * motion.compression, 100 * motion.compression * motion.oscillator.natural_frequency
     with plane:
-        chart(
-            drawn[1],
-            "phase_plane",
-            _(
-                "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, "
-                "because it oscillates with one frequency. It reaches ±{displacement} and ±{velocity}."
-            ).format(
-                displacement=quantity(100 * motion.compression, "cm", 3),
-                velocity=quantity(100 * motion.compression * motion.oscillator.natural_frequency, "cm/s", 3),
-            ),
-        )
+        chart(drawn[1], "phase_plane", filled(ellipse, displacement=x, velocity=v))
     end = motion.t[-1]
     # Rounding leaves something of a drift that is not there.
     drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
@@ -73,10 +68,10 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     ]
     if block or top:
         sentence = _(
-            "After whole periods only this drift is left: {block} for the block, {top} for the top cylinder relative "
-            "to it."
+            "After whole periods only this drift is left: {block:3 cm/s} for the block, {top:3 cm/s} for the top "
+            "cylinder relative to it."
         )
-        sentences.append(sentence.format(block=quantity(block, "cm/s", 3), top=quantity(top, "cm/s", 3)))
+        sentences.append(filled(sentence, block=block, top=top))
     st.caption(" ".join(sentences))
 
 
@@ -85,50 +80,40 @@ def show_energy(motion: Record, drawn: tuple) -> None:
     total = motion.total_energy
     spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
     greatest = max(motion.energies, key=lambda key: motion.energies[key][1:].max())
-    whole = quantity(1e3 * float(total[0]), "mJ", 4)
-    chart(
-        drawn[0],
-        "energy",
-        _(
-            "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
-            "{total}. The largest single share belongs to this body: {body}."
-        ).format(total=whole, body=PARTS[greatest.partition("_")[0]]),
+    sees = _(
+        "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
+        "{total:4 mJ}. The largest single share belongs to this body: {body}."
     )
+    chart(drawn[0], "energy", filled(sees, total=1e3 * total[0], body=PARTS[greatest.partition("_")[0]]))
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
-            "{total} at every instant, with a relative error of at most {error}. At release the spring holds {spring}."
+            "{total:4 mJ} at every instant, with a relative error of at most {error:1}. At release the spring holds "
+            "{spring:4 mJ}."
         )
     ]
     if total[0] > motion.energies["spring"][0]:
         sentences.append(_("The initial velocities add the rest."))
-    st.caption(
-        " ".join(sentences).format(
-            total=whole, error=number(spread, 1), spring=quantity(1e3 * float(motion.energies["spring"][0]), "mJ", 4)
-        )
-    )
+    spring = 1e3 * motion.energies["spring"][0]
+    st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=spread, spring=spring))
 
 
 def show_momentum(motion: Record, drawn: tuple) -> None:
     """Draw the momenta of the bodies, and the two conserved ones."""
     p_X, p_Phi = (float(motion.momenta[name][0]) for name in ("p_X", "p_Phi"))
     of_X, _of_phi, of_Phi = map(latex, MOMENTA)
-    chart(
-        drawn[0],
-        "momentum",
-        _(
-            "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two "
-            "momenta are conserved: all bodies together {all}, p_Φ/R {top}."
-        ).format(all=quantity(-p_X, "kg m/s", 3), top=quantity(p_Phi / motion.oscillator.radius, "kg m/s", 3)),
+    sees = _(
+        "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
+        "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
-    st.caption(
-        _(
-            "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ "
-            "nor $\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus "
-            "sign. ${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. "
-            "Change the initial velocities and watch both lines move."
-        ).format(p_X=of_X, p_Phi=of_Phi)
+    chart(drawn[0], "momentum", filled(sees, all=-p_X, top=p_Phi / motion.oscillator.radius))
+    sentence = _(
+        "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
+        "$\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
+        "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. Change the "
+        "initial velocities and watch both lines move."
     )
+    st.caption(sentence.format(p_X=of_X, p_Phi=of_Phi))
 
 
 def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
@@ -144,45 +129,36 @@ def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
 def forces_over_time(motion: Record, drawn: tuple) -> None:
     """Draw contact forces over time."""
     strongest = {name: float(abs(force).max()) for name, force in motion.forces.items() if name in cache.CONTACTS}
-    chart(
-        drawn[0],
-        "contact_forces",
-        _(
-            "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts "
-            "between the rollers. Greatest friction: {forces}."
-        ).format(forces=listed(cache.CONTACTS, strongest, "N")),
+    sees = _(
+        "Contact forces over time: friction follows the motion of the spring, and the slab’s weight shifts between the "
+        "rollers. Greatest friction: {forces}."
     )
+    chart(drawn[0], "contact_forces", sees.format(forces=listed(cache.CONTACTS, strongest, "N")))
 
 
 def about_forces(motion: Record) -> None:
     """Say what the forces mean, and the bars of the friction that is needed."""
-    st.caption(
-        _(
-            "Forces on the rollers, positive to the right. A contact does not slip while its friction stays "
-            "below μ times its normal force; the bars show the least μ that this takes at the worst instant. The axes "
-            "of the two lower rollers are {spacing} apart, as drawn. No initial velocity changes a contact force: in a "
-            "zero mode nothing accelerates."
-        ).format(spacing=centimetres(motion.spacing))
+    sentence = _(
+        "Forces on the rollers, positive to the right. A contact does not slip while its friction stays below μ times "
+        "its normal force; the bars show the least μ that this takes at the worst instant. The axes of the two lower "
+        "rollers are {spacing} apart, as drawn. No initial velocity changes a contact force: in a zero mode nothing "
+        "accelerates."
     )
+    st.caption(sentence.format(spacing=centimetres(motion.spacing)))
 
 
 def friction_needed(motion: Record, friction: Friction) -> None:
     """Draw the friction that each contact needs as bars beside the present μ, and the largest compression."""
     needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
-    mu = friction.coefficient
-    colors = theme.colors()
-    chart(
-        friction_bars(
-            {cache.CONTACTS[name]: value for name, value in needed.items()},
-            [cache.contact_color(name, colors) for name in needed],
-            friction_coefficient=mu,
-            colors=colors,
-        ),
-        "friction_needed",
-        _(
-            "Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}."
-        ).format(mu=f"{mu:.2f}", needed=listed(cache.CONTACTS, needed, "")),
+    mu, colors = friction.coefficient, theme.colors()
+    bars = friction_bars(
+        {cache.CONTACTS[name]: value for name, value in needed.items()},
+        [cache.contact_color(name, colors) for name in needed],
+        friction_coefficient=mu,
+        colors=colors,
     )
+    sees = _("Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}.")
+    chart(bars, "friction_needed", sees.format(mu=f"{mu:.2f}", needed=listed(cache.CONTACTS, needed, "")))
     st.metric(_("Largest compression without slip"), centimetres(friction.largest))
 
 

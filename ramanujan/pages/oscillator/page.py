@@ -107,15 +107,13 @@ def the_curve() -> None:
             "step where Ω²m/k = 1. This depends only on the mass ratio ε = m′/m."
         )
     )
-    drawings.plot(
-        cache.figure(theme.current()),
-        "curve",
-        # What changes with the machine is said by the ring: so the figure is sent to a page only once.
-        _(
-            "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: "
-            "heavier rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
-        ).format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value()),
+    # What changes with the machine is said by the ring: so the figure is sent to a page only once.
+    sees = _(
+        "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "
+        "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
     )
+    sees = sees.format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value())
+    drawings.plot(cache.figure(theme.current()), "curve", sees)
     with st.container(key="click_curve"):
         st.caption(_("Click on the curve to build the machine with that mass ratio."))
 

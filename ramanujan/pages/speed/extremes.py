@@ -43,12 +43,11 @@ def forms_at_extremes() -> list[Sweep]:
             count=len(FORMS), findings="; ".join(map(verdicts.in_words, shown))
         ),
     )
-    st.caption(
-        _(
-            "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look "
-            "right. Errors are in ulp (unit in the last place), measured against {digits} digits."
-        ).format(digits=REFERENCE.dps)
+    sentence = _(
+        "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look right. "
+        "Errors are in ulp (unit in the last place), measured against {digits} digits."
     )
+    st.caption(sentence.format(digits=REFERENCE.dps))
     return shown
 
 

@@ -8,7 +8,7 @@ import streamlit as st
 from ramanujan.browser import stage
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.numerals import number, quantity
+from ramanujan.numerals import filled
 from ramanujan.pages.speed import cache, downsampling, extremes, verdicts
 from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
 from ramanujan.pages.speed.extremes import SWEEP
@@ -116,20 +116,13 @@ def growing_errors(run: downsampling.Run) -> None:
     machine = sidebar.oscillator()
     phases = cache.phases(machine.m, machine.m_prime, machine.k)
     exact = np.array([(p.periods, p.reduced) for p in phases if p.periods <= max(run.periods, 10)])
-    found = [_found(r) for r in runs]
-    drawings.plot(
-        figures.error_growth(
-            {METHODS[r.method].title: (r.reach, r.energy, r.phase) for r in runs},
-            METHODS[run.method].title,
-            (exact[:, 0], exact[:, 1]),
-            theme.colors(),
-        ),
-        "growth",
-        _(
-            "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that "
-            "of the closed form does not. {errors}"
-        ).format(errors=" ".join(found)),
+    curves = {METHODS[each.method].title: (each.reach, each.energy, each.phase) for each in runs}
+    figure = figures.error_growth(curves, METHODS[run.method].title, (exact[:, 0], exact[:, 1]), theme.colors())
+    sees = _(
+        "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that of "
+        "the closed form does not. {errors}"
     )
+    drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
     st.caption(
         _(
             "Each curve shows the largest error so far, and all methods take the same steps. Below its stability limit "
@@ -144,9 +137,8 @@ def _found(run: downsampling.Run) -> str:
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
         return _("{method}: the energy has grown beyond all bounds.").format(method=METHODS[run.method].title)
-    return _("{method}: phase error {phase}, relative energy error up to {energy}.").format(
-        method=METHODS[run.method].title, phase=quantity(abs(run.phase_at_end), "rad"), energy=number(worst)
-    )
+    sentence = _("{method}: phase error {phase:2 rad}, relative energy error up to {energy:2}.")
+    return filled(sentence, method=METHODS[run.method].title, phase=abs(run.phase_at_end), energy=worst)
 
 
 if __name__ == "__main__":

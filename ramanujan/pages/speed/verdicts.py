@@ -13,7 +13,7 @@ from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
 from ramanujan.figures.speed import Part
 from ramanujan.integrators import METHODS, Method
-from ramanujan.numerals import duration, number, percent, quantity, told_from
+from ramanujan.numerals import duration, filled, number, percent, quantity, told_from
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _, ngettext
 
@@ -84,23 +84,21 @@ def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: Cl
 def _cheapest(best: Choice, tolerance: float, by: str) -> str:
     named = (
         _(
-            "For an error of at most {tolerance} of the amplitude, the fastest run on this server is **{method}** in "
+            "For an error of at most {tolerance:1} of the amplitude, the fastest run on this server is **{method}** in "
             "{precision} with **{steps} steps per period**."
         )
         if by == "seconds"
         else _(
-            "For an error of at most {tolerance} of the amplitude, the run with the fewest evaluations of the force is "
-            "**{method}** in {precision} with **{steps} steps per period**."
+            "For an error of at most {tolerance:1} of the amplitude, the run with the fewest evaluations of the force "
+            "is **{method}** in {precision} with **{steps} steps per period**."
         )
-    ).format(
-        tolerance=number(tolerance, 1),
-        method=METHODS[best.method].title,
-        precision=best.dtype,
-        steps=best.steps_per_period,
     )
-    cost = _("It takes {evaluations} evaluations and {time} on this server, and its largest error is {error}.")
-    cost = cost.format(error=number(best.error), evaluations=number(best.evaluations, 3), time=duration(best.seconds))
-    return f"{named} {cost}"
+    cost = _(
+        "It takes {run.evaluations:3} evaluations and {time} on this server, and its largest error is {run.error:2}."
+    )
+    method, time = METHODS[best.method].title, duration(best.seconds)
+    run = {"method": method, "precision": best.dtype, "steps": best.steps_per_period, "run": best, "time": time}
+    return filled(f"{named} {cost}", tolerance=tolerance, **run)
 
 
 def _none_reaches(tolerance: float) -> str:
@@ -198,16 +196,11 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
         for before, after in pairwise(errors)
         if before.float32 <= 1 < after.float32
     ][:1]
-    said.append(
-        _(
-            "In float64 the error is {error} rad after {periods} periods. If Ω/2π is stored in two floating-point "
-            "numbers and whole turns are subtracted first, the error never exceeds **{least} rad**."
-        ).format(
-            error=number(errors[-1].float64),
-            periods=number(errors[-1].periods),
-            least=number(max(e.reduced for e in errors)),
-        )
+    reduced = _(
+        "In float64 the error is {last.float64:2} rad after {last.periods:2} periods. If Ω/2π is stored in two "
+        "floating-point numbers and whole turns are subtracted first, the error never exceeds **{least:2} rad**."
     )
+    said.append(filled(reduced, last=errors[-1], least=max(each.reduced for each in errors)))
     return " ".join(said)
 
 
@@ -239,15 +232,8 @@ def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
 
 def zero_mode_table(sweeps: Sequence[EigenSweep]) -> Table:
     """List the solvers with their errors."""
-    rows: Table = [
-        (
-            _("Solver"),
-            _("Precision"),
-            _("Greatest error of Ω²"),
-            _("Largest eigenvalue that should be 0"),
-            _("Negative or complex"),
-        )
-    ]
+    of_zero = _("Largest eigenvalue that should be 0"), _("Negative or complex")
+    rows: Table = [(_("Solver"), _("Precision"), _("Greatest error of Ω²"), *of_zero)]
     for s in sweeps:
         largest, error = (float(np.nanmax(np.abs(each))) for each in (s.zero_modes, s.error_ulp))
         zero = quantity(largest, "rad²/s²") if largest else _("exactly 0")

@@ -164,12 +164,11 @@ def forty_machines(chosen: BodyChoice) -> None:
         on_select=take_clicked,
         selection_mode="points",
     )
-    st.caption(
-        _(
-            "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, "
-            "{best} in two ways, {one} and {other} in one."
-        ).format(**facts)
+    sentence = _(
+        "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, {best} in "
+        "two ways, {one} and {other} in one."
     )
+    st.caption(sentence.format(**facts))
     with st.container(key="click_machine"):
         st.caption(_("Click on a machine to build it."))
 

@@ -9,7 +9,7 @@ from ramanujan import number_theory
 from ramanujan.figures import NORMALIZED
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES
-from ramanujan.numerals import number
+from ramanujan.numerals import filled, number
 from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.pages.taxicab.other_bodies import about_cubes, pair
@@ -35,12 +35,11 @@ def another_target() -> None:
         target = story.machine.target
         if target != Fraction(p, q):
             most = number_theory.normalized_frequency_squared_exact(*PAPER.bodies, 0)
-            st.warning(
-                _(
-                    "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
-                    "{old_p}/{old_q} is shown."
-                ).format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator)
+            sentence = _(
+                "The target must be between 0 and {most}, the value for very light rollers. {p}/{q} is not, so "
+                "{old_p}/{old_q} is shown."
             )
+            st.warning(sentence.format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
         told(story)
 
 
@@ -85,14 +84,11 @@ def the_curve() -> None:
         present=present,
         colors=theme.colors(),
     )
-    drawings.plot(
-        figure,
-        "unit_curve",
-        _(
-            "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {root}. "
-            "With your masses, ε = {ratio}, it is {value}."
-        ).format(target=target, root=ratio, ratio=number(present[0], 4), value=number(present[1], 7)),
+    sees = _(
+        "Ω²m/k of the paper’s machine falls as ε grows, so one mass ratio reaches the target {target}: ε = {root}. "
+        "With your masses, ε = {present[0]:4}, it is {present[1]:7}."
     )
+    drawings.plot(figure, "unit_curve", filled(sees, target=target, root=ratio, present=present))
 
 
 # ---- the open question
@@ -102,12 +98,11 @@ def open_question() -> None:
     """Say what has a reason, what was measured, and what stays a coincidence."""
     with sheet("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
-        st.markdown(
-            _(
-                "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
-                "{number}”? This much can be said."
-            ).format(number=PAPER.discriminant)
+        sentence = _(
+            "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
+            "{number}”? This much can be said."
         )
+        st.markdown(sentence.format(number=PAPER.discriminant))
         what_has_a_reason()
     with sheet("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
         the_number_as_a_norm()
@@ -153,36 +148,26 @@ def the_number_as_a_norm() -> None:
     ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
     primes = [prime for prime, _power in PAPER.factorization]
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
-    st.markdown(
-        ngettext(
-            "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There is {n} way to write it so: ${written}$.",
-            "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There are {n} ways to write it so: ${written}$.",
-            len(ways),
-        ).format(
-            x=x,
-            y=y,
-            number=PAPER.discriminant,
-            n=len(ways),
-            written=" = ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways)),
-        )
+    written = " = ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
+    sentence = ngettext(
+        "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There is {n} way to write it so: ${written}$.",
+        "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There are {n} ways to write it so: ${written}$.",
+        len(ways),
     )
-    st.markdown(
-        _(
-            "Its prime factors are norms themselves: ${norms}$. Multiply these three, each with either sign of "
-            "$\\sqrt{{-3}}$, and you get the {n} ways. The primes all leave the remainder {remainder} when divided by "
-            "3. This is no accident: a square-free number of this form has no other prime factors, except 3."
-        ).format(
-            norms=",\\ ".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items()),
-            n=len(ways),
-            remainder=", ".join(str(rest) for rest in {p % 3 for p in primes}),
-        )
+    st.markdown(sentence.format(x=x, y=y, number=PAPER.discriminant, n=len(ways), written=written))
+    factors = ",\\ ".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
+    remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
+    sentence = _(
+        "Its prime factors are norms themselves: ${norms}$. Multiply these three, each with either sign of "
+        "$\\sqrt{{-3}}$, and you get the {n} ways. The primes all leave the remainder {remainder} when divided by 3. "
+        "This is no accident: a square-free number of this form has no other prime factors, except 3."
     )
-    st.markdown(
-        _(
-            "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, "
-            "too. Here ${factored}$. So numbers of this form should be sums of two cubes more often than others."
-        ).format(factored=cache.factored_cubes(PAPER.discriminant))
+    st.markdown(sentence.format(norms=factors, n=len(ways), remainder=remainder))
+    sentence = _(
+        "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, too. "
+        "Here ${factored}$. So numbers of this form should be sums of two cubes more often than others."
     )
+    st.markdown(sentence.format(factored=cache.factored_cubes(PAPER.discriminant)))
 
 
 def _counted(pairs: list[tuple[str, str]]) -> list[cache.Tally]:
@@ -200,45 +185,32 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
     second = max((tally for tally in tallies if tally is not paper), key=lambda tally: tally.sums)
     smaller = [tally for tally in tallies if tally.median < paper.median]
     labels = [pair(*tally.pair) for tally in tallies]
-    item = _("{pair}: {sums}")
-    drawings.plot(
-        cache.cube_counts(labels, [tally.sums for tally in tallies], at, theme.colors()),
-        "counts",
-        _(
-            "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s "
-            "pair has the most. {sums}."
-        ).format(
-            count=paper.machines,
-            sums="; ".join(item.format(pair=label, sums=t.sums) for label, t in zip(labels, tallies, strict=True)),
-        ),
+    sums, item = [tally.sums for tally in tallies], _("{pair}: {sums}")
+    listed = "; ".join(item.format(pair=label, sums=n) for label, n in zip(labels, sums, strict=True))
+    sees = _(
+        "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s pair "
+        "has the most. {sums}."
     )
-    st.caption(
-        _(
-            "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each "
-            "body on top: {count} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives "
-            "{sums} sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but "
-            "this is not the reason here: half of this pair’s discriminants are below {median}, and for {smaller} "
-            "other pairs that limit is lower."
-        ).format(
-            most=cache.COUNTED_PART,
-            count=paper.machines,
-            pair=labels[at],
-            sums=paper.sums,
-            second=second.sums,
-            median=number(paper.median, 3),
-            smaller=len(smaller),
-        )
+    figure = cache.cube_counts(labels, sums, at, theme.colors())
+    drawings.plot(figure, "counts", sees.format(count=paper.machines, sums=listed))
+    counted = _(
+        "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "
+        "{paper.machines} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {paper.sums} "
+        "sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but this is not the "
+        "reason here: half of this pair’s discriminants are below {paper.median:3}, and for {smaller} other pairs that "
+        "limit is lower."
     )
+    most = cache.COUNTED_PART
+    st.caption(filled(counted, most=most, paper=paper, pair=labels[at], second=second.sums, smaller=len(smaller)))
 
 
 def what_stays(paper: cache.Tally) -> None:
     """Say what stays a coincidence."""
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
-    st.markdown(
-        _(
-            "**What stays a coincidence.** The simplest target, 1, gives a number that is a sum of two cubes in *two* "
-            "ways, even the smallest such number. Of the {count} discriminants, {taxicabs} are sums of two cubes in "
-            "two ways, and nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of "
-            "these is such a sum. The norm explains the form of {number}, but not why it had to be {number}."
-        ).format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=PAPER.discriminant)
+    sentence = _(
+        "**What stays a coincidence.** The simplest target, 1, gives a number that is a sum of two cubes in *two* "
+        "ways, even the smallest such number. Of the {count} discriminants, {taxicabs} are sums of two cubes in two "
+        "ways, and nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of these is "
+        "such a sum. The norm explains the form of {number}, but not why it had to be {number}."
     )
+    st.markdown(sentence.format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=PAPER.discriminant))

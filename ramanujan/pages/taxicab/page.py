@@ -36,13 +36,12 @@ def show() -> None:
 def the_number() -> None:
     """Draw the title, and the story of the taxicab."""
     st.title(str(PAPER.discriminant), anchor=False)
-    st.markdown(
-        _(
-            "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
-            "smallest number that is a sum of two cubes in two different ways. Here the same number decides when two "
-            "oscillators stay in step."
-        ).format(number=PAPER.discriminant)
+    sentence = _(
+        "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the smallest "
+        "number that is a sum of two cubes in two different ways. Here the same number decides when two oscillators "
+        "stay in step."
     )
+    st.markdown(sentence.format(number=PAPER.discriminant))
 
 
 def exactly_in_step() -> None:
@@ -71,20 +70,18 @@ def digits_and_fractions() -> None:
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=260)
         st.code(number_theory.positive_root_digits(*PAPER.quadratic, count), language=None, wrap_lines=True)
-        st.caption(
-            _(
-                "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, "
-                "because the square root of {number} is irrational."
-            ).format(number=PAPER.discriminant)
+        sentence = _(
+            "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, because "
+            "the square root of {number} is irrational."
         )
+        st.caption(sentence.format(number=PAPER.discriminant))
     with fractions:
         first, *others = cache.quotients()
-        st.markdown(
-            _(
-                "As a continued fraction, $\\varepsilon=[{first};{others},\\dots]$. Cut off after any term, it gives "
-                "a fraction, and no other with such a small denominator is closer. A workshop could use these:"
-            ).format(first=first, others=", ".join(map(str, others)))
+        sentence = _(
+            "As a continued fraction, $\\varepsilon=[{first};{others},\\dots]$. Cut off after any term, it gives a "
+            "fraction, and no other with such a small denominator is closer. A workshop could use these:"
         )
+        st.markdown(sentence.format(first=first, others=", ".join(map(str, others))))
         widgets.table(practical_ratios(), "ratios")
 
 
@@ -109,14 +106,12 @@ def scientific(value: Fraction) -> str:
 def two_stacks() -> None:
     """The number as two stacks of cubes."""
     st.header(_("Two stacks of cubes"), anchor=False)
-    st.markdown(
-        _(
-            "${number}={cubes}$. This page has tried 1, 2, 3, … in turn: **{smallest}** is the smallest number that is "
-            "a sum of two *positive* cubes in two ways. Turn the stacks and count."
-        ).format(
-            number=PAPER.discriminant, cubes=cache.sums_of_cubes(PAPER.cubes), smallest=number_theory.smallest_taxicab()
-        )
+    sentence = _(
+        "${number}={cubes}$. This page has tried 1, 2, 3, … in turn: **{smallest}** is the smallest number that is a "
+        "sum of two *positive* cubes in two ways. Turn the stacks and count."
     )
+    sums, smallest = cache.sums_of_cubes(PAPER.cubes), number_theory.smallest_taxicab()
+    st.markdown(sentence.format(number=PAPER.discriminant, cubes=sums, smallest=smallest))
     with st.container(horizontal=True, vertical_alignment="bottom"):
         apart = st.toggle(_("Pull the layers apart"), key="apart")
         turn = st.slider(_("Turn the stacks"), 0, 360, 305, 5, format="%d°", key="turn", width=260)
@@ -125,26 +120,23 @@ def two_stacks() -> None:
         with column:
             one_stack(sorted(cubes, reverse=True), widest=widest, apart=apart, turn=turn)
     expanded, same_terms = cache.discriminant_written_out()
-    st.markdown(
-        _(
-            "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
-            "${expanded}={sum}$."
-        ).format(expanded=expanded, sum=same_terms)
+    sentence = _(
+        "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
+        "${expanded}={sum}$."
     )
+    st.markdown(sentence.format(expanded=expanded, sum=same_terms))
 
 
 def one_stack(sides: list[int], **drawn: Any) -> None:
     """Draw two cubes of unit cubes, each in a tint of its own, and below them what they add up to."""
     larger, smaller = sides
     volumes = f"{smaller**3} + {larger**3}"
-    drawings.plot(
-        cache.cube_stack(sides, colors=theme.colors(), **drawn),
-        f"cubes_{larger}",
-        _(
-            "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
-            "{number} unit cubes."
-        ).format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant),
+    sees = _(
+        "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
+        "{number} unit cubes."
     )
+    sees = sees.format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant)
+    drawings.plot(cache.cube_stack(sides, colors=theme.colors(), **drawn), f"cubes_{larger}", sees)
     with st.container(key=f"on_paper_{larger}"):
         # The figure above prints empty; a screen reader has heard of it.
         svg = cubes_svg(sides, **drawn, color=theme.on_paper()["primary"])
