@@ -75,30 +75,15 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         axis = "y" if place == 1 else f"y{place}"
         traces += [_trace(curve, panel, axis, end, several=len(panels) > 1) for curve in panel.curves]
         areas.append(_area(panel, axis, end, _HEIGHT * (domain[1] - domain[0]), 43 if len(panels) == 1 else 23))
-        layout[f"yaxis{axis[1:]}"] = {
-            "domain": domain,
-            "title": {"text": _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)},
-            "automargin": True,
-            "range": list(panel.range),
-            "nticks": 6,
-            **_zero_line(colors),
-        }
+        title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
+        layout[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
     layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
     layout["annotations"] = [_above(period, _("one period"), font={"size": 12}), *beside(colors["paper"], *areas)]
-    layout["xaxis"] = {
-        "title": {"text": _("time after release <i>t</i> [s]")},
-        "automargin": True,
-        "range": [0, end],
-        "anchor": "free",
-        "position": 0,
-        "unifiedhovertitle": {"text": "<i>t</i> = %{x:.4~g} s"},
-    }
+    at = {"text": "<i>t</i> = %{x:.4~g} s"}
+    along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
     # One small box for all panels, which must not hide the curves.
-    layout |= {
-        "hovermode": "x unified",
-        "hoversubplots": "axis",
-        "hoverlabel": {"font": {"size": 11}, "namelength": 12},
-    }
+    box = {"hovermode": "x unified", "hoversubplots": "axis", "hoverlabel": {"font": {"size": 11}, "namelength": 12}}
+    layout |= {"xaxis": along, **box}
     return drawn(traces, layout | {"meta": {"cursor": "time", "period": period, "periods": periods}})
 
 
@@ -120,15 +105,15 @@ def phase_plane(
         for orbit, velocity in zip(orbits, velocities, strict=True)
     ]
     centred = {**_zero_line(colors), "nticks": 7}
-    places = list(roomy([orbit.values for orbit in orbits]))
+    places = roomy([orbit.values for orbit in orbits])
     layout = _layout(colors, _HEIGHT) | {
-        "xaxis": {**centred, "title": {"text": _("displacement [cm]")}, "automargin": True, "range": places},
-        "yaxis": {**centred, "title": {"text": _("velocity [cm/s]")}, "range": list(roomy(velocities))},
+        "xaxis": _axis(_("displacement [cm]"), places, **centred),
+        "yaxis": _axis(_("velocity [cm/s]"), roomy(velocities), **centred),
         "hovermode": "closest",
         "meta": {"cursor": "orbit", "period": period, "periods": periods},
     }
     named = [(o.label, o.ink, o.values, velocity) for o, velocity in zip(orbits, velocities, strict=True)]
-    layout["annotations"] = beside(colors["paper"], Area(named, tuple(places), roomy(velocities), _HEIGHT, width=15))
+    layout["annotations"] = beside(colors["paper"], Area(named, places, roomy(velocities), _HEIGHT, width=15))
     return drawn(traces, layout)
 
 
@@ -188,6 +173,11 @@ def _layout(colors: Mapping[str, str], height: int) -> dict[str, Any]:
         "uirevision": "stay",
         "showlegend": False,
     }
+
+
+def _axis(title: str, ends: tuple[float, float], **more: Any) -> dict[str, Any]:
+    """Return an axis with its title and what its ends show."""
+    return {"title": {"text": title}, "automargin": True, "range": list(ends), **more}
 
 
 def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:
