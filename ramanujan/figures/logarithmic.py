@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from ramanujan.figures import Drawn, drawn, line, template
-from ramanujan.translation import _
 
 Colors = Mapping[str, str]
 Scale = Callable[[np.ndarray], np.ndarray]
@@ -16,15 +15,6 @@ _SYMBOLS = ("circle", "square", "diamond", "triangle-up", "triangle-down", "pent
 """Symbol of the first, second, … method."""
 _SQUEEZED, _APART = 8, 4
 """How much smaller a decade is drawn below the room of the other curves, and a gap of how many decades begins there."""
-
-EXTRA = "<extra>%{fullData.name}</extra>"
-"""Plotly's second box, which names the curve."""
-
-AFTER = _("after {periods} periods: {error}")
-
-UPPER = {"domain": [0.54, 1.0]}
-
-LOWER = {"domain": [0.0, 0.46], "anchor": "x"}
 
 
 def laid_out(traces: list[dict[str, Any]], colors: Colors, height: int, **more: Any) -> Drawn:

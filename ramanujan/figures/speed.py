@@ -8,10 +8,6 @@ import numpy as np
 from ramanujan.figures import Drawn, line, marks
 from ramanujan.figures.labels import Area, beside, note
 from ramanujan.figures.logarithmic import (
-    AFTER,
-    EXTRA,
-    LOWER,
-    UPPER,
     Colors,
     axis,
     axis_with_room,
@@ -26,6 +22,11 @@ from ramanujan.figures.logarithmic import (
 )
 from ramanujan.translation import _, ngettext
 
+_NAMED = "<extra>%{fullData.name}</extra>"
+"""Plotly's second box, which names the curve."""
+_AFTER = _("after {periods} periods: {error}")
+_UPPER, _LOWER = {"domain": [0.54, 1.0]}, {"domain": [0.0, 0.46], "anchor": "x"}
+"""The axes of two panels below each other."""
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 """Exponents of ten: a run whose error grows further leaves the figure at the top, so that the others can be seen."""
 _BOUNDLESS = 1e30
@@ -62,7 +63,7 @@ def error_growth(
     exact : numbers of periods and the closed form's phase error there [rad]
     colors : the theme's
     """
-    hover = AFTER.format(periods="%{x:.4g}", error="%{customdata:.3g}") + EXTRA
+    hover = _AFTER.format(periods="%{x:.4g}", error="%{customdata:.3g}") + _NAMED
     tones = {name: look_of(number, colors)[0] for number, name in enumerate(curves)}
     # The chosen one is drawn last, on top.
     ordered = sorted(curves, key=lambda name: name == chosen)
@@ -73,8 +74,8 @@ def error_growth(
     x_range = float(ends.min()), float(ends.max())
     traces, areas, shapes, axes = [], [], [], {}
     for name_of_axis, place, title, most, kind in (
-        ("y", UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
-        ("y2", LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
+        ("y", _UPPER, _("energy error<br>|<i>E</i>/<i>E</i>₀ − 1|"), _ENERGY_MOST, 1),
+        ("y2", _LOWER, _("phase error [rad]"), _PHASE_MOST, 2),
     ):
         drawn = [
             (name, tones[name], curves[name][0], curves[name][kind], {"width": width}, opacity)
@@ -123,7 +124,7 @@ def work_precision(
     colors : the theme's
     """
     traces, named, methods = [], [], list(dict.fromkeys(name for name, _dtype in curves))
-    hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + EXTRA
+    hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + _NAMED
     marked = [np.array([tolerance])] + [np.array([point[1]]) for point in (cheapest, exact) if point]
     shown = shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
     for (name, dtype), (cost, error, steps) in curves.items():
@@ -206,7 +207,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     curves : name → phase error [rad]
     colors : the theme's
     """
-    traces, hover = [], AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + EXTRA
+    traces, hover = [], _AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + _NAMED
     for (name, errors), look in zip(curves.items(), (1, 2, 3), strict=True):
         color, symbol = look_of(look, colors)
         own = {"name": name, "mode": "lines+markers", "marker": {"symbol": symbol, "size": 8}, "hovertemplate": hover}
