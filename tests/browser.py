@@ -38,10 +38,10 @@ WATCH_LAG = f"""() => {{
     }}
     if (readout.textContent !== shown) {{
       shown = readout.textContent;
-      if (since !== null) window.lags.push(since);
+      if (since !== null) window.lags?.push(since);
       since = null;
     }} else if (since !== null) since += 1;
-    requestAnimationFrame(watch);
+    if (window.lags) requestAnimationFrame(watch);
   }};
   requestAnimationFrame(watch);
 }}"""

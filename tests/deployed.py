@@ -52,14 +52,15 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             "RAMANUJAN_CERTIFICATE": certificate,
         }
         try:
-            for name in self.ports:
-                self.start(name)
+            # It finds nobody at first, and takes each process that comes up.
             self.proxy = subprocess.Popen(
                 [HAPROXY, "-db", "-f", str(RECIPE / "ramanujan.cfg"), "-f", str(RECIPE / "https.cfg")],
                 env=os.environ | addresses,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
             )
+            for name in self.ports:
+                self.start(name)
             self._wait()
         except BaseException:
             self.__exit__()

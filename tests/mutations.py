@@ -188,7 +188,7 @@ MUTATIONS = [
         "stage/picture.js",
         "for (const ghost of ghosts) ghost.remove();",
         "",
-        "reduced_motion_starts",
+        "less_motion",
     ),
     Mutation("the wrong body is lit", "stage/picture.js", "body === name)", 'body === "hoop")', "lights"),
     Mutation(

@@ -10,12 +10,15 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import re
 import threading
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
 _HEAD = 65536
 """Bytes that the head of a request may take."""
+_SESSION = re.compile(rb"(?i)(sec-websocket-protocol:[^,\r]*,[^,\r]*),[^\r]*")
+"""What a page that comes back says in the head: at its end the session that it wants to go on with."""
 
 
 class Network:
@@ -27,10 +30,11 @@ class Network:
     port = 0
 
     def __init__(self, server: str, seconds: float) -> None:
-        self.lead_to(server)
+        parts = urlsplit(server)
+        self.target = (parts.hostname, parts.port)
         self.seconds = seconds
         self.address = ""
-        self._up = True
+        self._up, self._killed = True, False
         self._connections: set[asyncio.Task] = set()
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
@@ -52,18 +56,13 @@ class Network:
         self._thread.join()
         self._loop.close()
 
-    def lead_to(self, server: str) -> None:
-        """Let new connections reach another server."""
-        parts = urlsplit(server)
-        self.target = (parts.hostname, parts.port)
-
     def down(self) -> None:
         """Break every connection, and accept none until `up`."""
         self._call(self._break())
 
-    def up(self) -> None:
-        """Accept connections again."""
-        self._up = True
+    def up(self, killed: bool = False) -> None:
+        """Accept connections again; to the page of one that was killed the server is one that has never seen it."""
+        self._up, self._killed = True, killed
 
     async def _listen(self, port: int) -> asyncio.Server:
         return await asyncio.start_server(self._serve, "127.0.0.1", port, limit=_HEAD)
@@ -91,6 +90,8 @@ class Network:
             if self._up:
                 head = await reader.readuntil(b"\r\n\r\n")
                 delay = b"\r\nupgrade: websocket" in head.lower()
+                if self._killed:
+                    head = _SESSION.sub(rb"\1", head)
                 back, there = await asyncio.open_connection(*self.target)
                 there.write(head)
                 await self._relay_both((reader, there), (back, writer), delay=delay)

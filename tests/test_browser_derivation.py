@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
-import pytest
+from playwright.sync_api import expect
 
 from ramanujan.derivation import ROUTES
 from tests.browser import settle
@@ -17,8 +18,8 @@ MORE = ".st-key-more button"
 """What opens the choices that are folded."""
 
 
-def step(page) -> str:
-    return page.locator(STEP).inner_text().split(".")[0]
+def step(page) -> int:
+    return int(page.locator(STEP).inner_text().split(".")[0])
 
 
 def bottom(place) -> float:
@@ -26,47 +27,14 @@ def bottom(place) -> float:
     return box["y"] + box["height"]
 
 
-def press(page, key: str) -> str:
+def press(page, key: str) -> int:
     page.keyboard.press(key)
     page.wait_for_timeout(400)  # after a turn the page waits 300 ms before it tells the server
     settle(page)
     return step(page)
 
 
-def test_arrow_keys_turn_the_steps_and_the_link_keeps_the_place(visit):
-    page = visit("derivation?route=hamilton&step=4")
-    assert step(page) == "4"
-    assert press(page, "ArrowRight") == "5"
-    assert "step=5" in page.url
-    assert press(page, "ArrowLeft") == "4"
-    # A click on a choice does not keep the keys: the lecturer goes straight on.
-    page.locator(".st-key-route button", has_text="Newton").click()
-    settle(page)
-    assert step(page) == "1"
-    assert press(page, "ArrowRight") == "2"
-    page.locator(MORE).click()
-    for view in (1, 0):
-        page.locator(".st-key-show button").nth(view).click()
-        settle(page)
-    assert press(page, "ArrowRight") == "3"
-    # Where the arrows have another meaning they keep it.
-    page.locator(".st-key-m input[type=range]").focus()
-    assert press(page, "ArrowRight") == "3"
-    assert "m=1.01" in page.url
-    page.get_by_label("Your formula").fill("k")
-    assert press(page, "ArrowLeft") == "3"
-    assert "route=newton" in page.url
-    # A choice is made by keys alone.
-    if not page.locator(".st-key-values").is_visible():
-        page.locator(MORE).click()
-    page.locator(".st-key-values button").first.focus()
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("Space")
-    page.wait_for_url("**values=numbers**")
-    assert page.evaluate("document.activeElement.getAttribute('role')") == "radio"
-
-
-def test_the_back_button_takes_a_choice_back_and_keeps_the_sliders(visit):
+def test_back_takes_a_choice_back_arrow_keys_turn_the_steps_and_a_choice_is_made_by_keys_alone(visit):
     page = visit("derivation?m=2")
     for place, route in ((1, "hamilton"), (2, "newton")):
         page.locator(".st-key-route button").nth(place).click()
@@ -80,8 +48,60 @@ def test_the_back_button_takes_a_choice_back_and_keeps_the_sliders(visit):
     settle(page)
     assert "route" not in page.url
     assert page.locator(".st-key-route button").first.get_attribute("aria-checked") == "true"
-    assert "m=2" in page.url
     assert page.locator(".st-key-m input[type=range]").input_value() == "2"
+    # A click on a choice does not keep the keys: the lecturer goes straight on.
+    page.locator(".st-key-route button", has_text="Newton").click()
+    settle(page)
+    assert step(page) == 1
+    assert press(page, "ArrowRight") == 2
+    assert "step=2" in page.url
+    page.locator(MORE).click()
+    for view in (1, 0):
+        page.locator(".st-key-show button").nth(view).click()
+        settle(page)
+    assert press(page, "ArrowRight") == 3
+    # Where the arrows have another meaning they keep it.
+    page.locator(".st-key-m input[type=range]").focus()
+    assert press(page, "ArrowRight") == 3
+    assert "m=2.01" in page.url
+    assert "route=newton" in page.url
+    # A choice is made by keys alone.
+    if not page.locator(".st-key-values").is_visible():
+        page.locator(MORE).click()
+    page.locator(".st-key-values button").first.focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Space")
+    page.wait_for_url("**values=numbers**")
+    assert page.evaluate("document.activeElement.getAttribute('role')") == "radio"
+
+
+def test_clickers_and_the_space_bar_turn_steps_typing_does_not_and_a_screen_reader_hears_where_it_is(visit):
+    page = visit("derivation?step=9")
+    said = page.locator(".st-key-library [role=status]")
+    assert "Step 10 of " not in said.text_content()
+    page.get_by_role("button", name="Next").click()
+    heading = page.locator(STEP).inner_text().split(". ", 1)[1]
+    expect(said).to_contain_text(re.compile(rf"^Step 10 of .*{re.escape(heading)}$"))
+    assert page.get_by_role("slider", name="Step").get_attribute("aria-valuetext").startswith("Step 10 of ")
+    page.evaluate("document.activeElement.blur()")
+    for key, expected in (("PageDown", 11), ("Space", 12), ("PageUp", 11), ("Shift+Space", 10), ("ArrowLeft", 9)):
+        page.keyboard.press(key)
+        assert step(page) == expected, key
+    answer = page.get_by_label("Your formula")
+    answer.fill("k")
+    for key in ("ArrowRight", "Space", "PageDown", "ArrowLeft"):
+        page.keyboard.press(key)
+    assert step(page) == 9
+    assert answer.input_value() == "k "
+    # A button that has the focus keeps the space bar, and turns once.
+    page.get_by_role("button", name="Next").focus()
+    page.keyboard.press("Space")
+    assert step(page) == 10
+    # Where the lecture cannot be seen, these keys scroll the page as they do everywhere.
+    page.evaluate("document.activeElement.blur()")
+    answer.scroll_into_view_if_needed()
+    page.keyboard.press("PageUp")
+    assert step(page) == 10
 
 
 def test_long_formulas_scroll_in_their_own_box_on_a_phone(visit):
@@ -99,22 +119,8 @@ def test_long_formulas_scroll_in_their_own_box_on_a_phone(visit):
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
-def test_a_chosen_body_has_the_same_ink_in_the_formula_as_in_the_theme(visit):
-    page = visit("derivation?step=2&body=hoop")
-    page.locator(STEP).wait_for()
-    for theme in ("light", "dark"):
-        switch(page, theme)
-        settle(page)
-        inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
-            .map(part => getComputedStyle(part).color)""")
-        wanted = "rgb({}, {}, {})".format(*rgb(THEME[theme]["orangeTextColor"]))
-        assert wanted in inks
-        # Whatever is coloured has that ink, or none of its own.
-        assert len(set(inks) - {wanted}) <= 1
-
-
 def test_three_machines_run_side_by_side(visit):
-    page = visit("derivation", motion="no-preference")
+    page = visit("derivation?question=potential_energy", motion="no-preference")
     # The view follows the centre of mass: where the whole machine glides, it is the floor that passes by.
     for key, part in (("swing", ".moving .slab"), ("glide", ".ruler"), ("roll", ".moving .top")):
         moving = f"""document.querySelector('.st-key-mode_{key} [data-testid=stBidiComponentIsolated]')
@@ -123,9 +129,30 @@ def test_three_machines_run_side_by_side(visit):
         page.wait_for_function(f"(before) => {moving} !== before", arg=page.evaluate(moving))
 
 
+def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
+    page = visit("derivation?question=potential_energy")
+    box = page.get_by_label("Your formula")
+    for text, told in (
+        ("4kR²φ²", "leave out the ½"),
+        ("<img src=x onerror=alert(1)>", "Type only the right side of the equation"),
+        (":red[x]", "colon"),
+        ("2kR²φ²", "Right!"),
+    ):
+        box.fill(text)
+        page.keyboard.press("Enter")
+        settle(page)
+        assert told in page.locator("[data-testid=stAlert]").inner_text()
+        assert page.locator("[data-testid=stAlert] img").count() == 0
+    # A right answer is listed, and the question stays.
+    page.get_by_text("Solved so far: 1 of").wait_for()
+    for left in (3, 2, 1):
+        page.get_by_role("button", name=f"Hint ({left} left)").click()
+    page.get_by_role("button", name="Show me this step").wait_for()
+
+
 def test_the_route_as_it_stands_can_be_taken_home(visit):
     page = visit("derivation?route=energy&values=numbers")
-    assert press(page, "ArrowRight") == "2"
+    assert press(page, "ArrowRight") == 2
     seen = page.locator(STEP).inner_text().partition(". ")[2].partition("’")[0]
     page.locator(".st-key-files button").first.click()
     settle(page)
@@ -144,36 +171,6 @@ def test_the_route_as_it_stands_can_be_taken_home(visit):
             assert json.loads(text)["nbformat"] == 4
         settle(page)
         assert len(page.frames_sent) == sent, kind
-    another = visit("derivation?route=newton")
-    for _ in range(3):
-        press(another, "ArrowRight")
-        another.locator(".st-key-files button").first.click()
-        settle(another)
-    assert page.request.get(download.value.url).ok, "a slow browser would have lost it in a class"
-
-
-def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
-    page = visit("derivation")
-    box = page.get_by_label("Your formula")
-    for text, told in (
-        ("m X'^2", "leave out the ½"),
-        ("½ m X'²", "Right!"),
-        ("<img src=x onerror=alert(1)>", "Type only the right side of the equation"),
-        (":red[x]", "colon"),
-    ):
-        box.fill(text)
-        page.keyboard.press("Enter")
-        settle(page)
-        assert told in page.locator("[data-testid=stAlert]").inner_text()
-    assert page.locator("[data-testid=stAlert] img").count() == 0
-    # A right answer is listed, and the question stays.
-    page = visit("derivation?question=potential_energy")
-    page.get_by_label("Your formula").fill("2kR²φ²")
-    page.keyboard.press("Enter")
-    page.get_by_text("Solved so far: 1 of").wait_for()
-    for left in (3, 2, 1):
-        page.get_by_role("button", name=f"Hint ({left} left)").click()
-    page.get_by_role("button", name="Show me this step").wait_for()
 
 
 BEFORE_THE_FIRST_EQUATION = """() => {
@@ -201,49 +198,65 @@ ALONE = """() => [...document.querySelectorAll('[data-testid=stMain] .katex')].f
 """Formulas whose full stop or comma has gone to the next line."""
 
 
-@pytest.mark.parametrize("view", ["", "&view=projector"])
-def test_headings_stay_where_they_are_and_few_controls_come_before_the_first_equation(visit, view):
-    page = visit(f"derivation?route=newton&body=hoop{view}")
-    page.locator(STEP).wait_for()
-    assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= (11 if not view else 19)
+BESIDE = "document.querySelector('.st-key-beside [data-testid=stBidiComponentIsolated]').shadowRoot"
+LIT = f"[...{BESIDE}.querySelectorAll('.moving > *')].map((body) => [...body.classList])"
+
+
+def walk(page, route: str, check=lambda: None) -> None:
+    """Turn all steps of a route, and check each: its heading where the first one is, its first equation in sight."""
     places = set()
-    for number in range(1, len(ROUTES["newton"].steps) + 1):
-        assert step(page) == str(number)
+    for number in range(1, len(ROUTES[route].steps) + 1):
+        assert step(page) == number
         places.add(page.locator(STEP).bounding_box()["y"])
-        assert bottom(page.locator(".st-key-lecture .katex-display:visible").first) <= 720
-        if view:
-            # The machine and the choice of a body are seen beside the step.
-            beside = page.locator(".st-key-beside").bounding_box(), page.locator(".st-key-body").bounding_box()
-            assert all(box["x"] >= 800 and box["y"] > 0 and box["y"] + box["height"] <= 720 for box in beside)
+        assert bottom(page.locator(".st-key-lecture .katex-display:visible").first) <= 722
+        check()
         page.keyboard.press("ArrowRight")
     assert len(places) == 1
-    if not view:
-        alone = []
-        for width in range(800, 1300, 20):
-            page.set_viewport_size({"width": width, "height": 720})
-            alone += page.evaluate(ALONE)
-        assert alone == []
 
 
-def test_the_first_page_leads_here(visit):
-    page = visit()
-    page.get_by_role("link", name="The whole derivation").click()
+def test_headings_stay_where_they_are_and_the_chosen_body_has_its_ink(visit):
+    page = visit("derivation?route=newton&body=hoop")
     page.locator(STEP).wait_for()
-    settle(page)
-    assert "/derivation" in page.url
-    assert page.get_by_role("heading", name="Five ways to one frequency").is_visible()
+    assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 11
+    walk(page, "newton")
+    for route in ("energy", "euler_lagrange"):
+        page.locator(".st-key-route button").nth(list(ROUTES).index(route)).click()
+        page.wait_for_function("(route) => location.search.includes('route=') === (route === 'energy')", arg=route)
+        settle(page)
+        walk(page, route)
+    for theme in ("dark", "light"):
+        switch(page, theme)
+        settle(page)
+        inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
+            .map(part => getComputedStyle(part).color)""")
+        wanted = "rgb({}, {}, {})".format(*rgb(THEME[theme]["orangeTextColor"]))
+        assert wanted in inks
+        # Whatever is coloured has that ink, or none of its own.
+        assert len(set(inks) - {wanted}) <= 1
+    # The machine beside the steps lights the chosen body.
+    picture, lecture = (page.locator(f".st-key-{key}").bounding_box() for key in ("beside", "lecture"))
+    assert picture["y"] + picture["height"] <= lecture["y"] < 300
+    page.locator(MORE).click()
+    for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
+        if chosen != "hoop":
+            page.locator(".st-key-body button", has_text=chosen).first.click()
+        page.wait_for_function(f"{LIT}.every((names) => names.includes('lit') === names.includes('{name}'))")
+    alone = []
+    for width in range(800, 1300, 45):
+        page.set_viewport_size({"width": width, "height": 720})
+        alone += page.evaluate(ALONE)
+    assert alone == []
 
 
-def test_steps_of_many_equations_fit_on_a_screen(visit):
-    """Those of Newton's route are looked at where their headings are."""
-    page = visit("derivation?step=9")
-    formula = page.locator(".st-key-lecture .katex-display:visible").first
-    for number in range(9, 18):
-        assert step(page) == str(number)
-        assert bottom(formula) <= 720
-        page.keyboard.press("ArrowRight")
-    page.locator(".st-key-route button", has_text="Energy").click()
-    page.wait_for_url("**route=energy**")
-    settle(page)
-    assert step(page) == "1"
-    assert bottom(formula) <= 720
+def test_on_a_projector_machine_and_choice_of_a_body_are_seen_beside_every_step(visit):
+    page = visit("derivation?route=newton&body=hoop&view=projector")
+    page.locator(STEP).wait_for()
+    assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 19
+
+    def beside() -> None:
+        for key in ("beside", "body"):
+            box = page.locator(f".st-key-{key}").bounding_box()
+            assert box["x"] >= 800
+            assert 0 < box["y"] <= 720 - box["height"]
+
+    walk(page, "newton", beside)

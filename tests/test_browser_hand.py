@@ -16,10 +16,10 @@ COMPRESSION = ".st-key-compression input[type=range]"
 
 @pytest.fixture
 def visit(visit):
-    """As everywhere, and wait until the stage has drawn."""
+    """As everywhere, with the stage alone, and wait until it has drawn."""
 
-    def open_page(*arguments, **options):
-        page = visit(*arguments, **options)
+    def open_page(address="?hide=curve,steps", **options):
+        page = visit(address, **options)
         page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)", state="attached")
         next_frame(page)
         return page
@@ -269,7 +269,8 @@ SEEN = """(touched) => {
 
 
 def test_one_press_takes_the_machine_into_step_and_any_touch_takes_over(visit):
-    page = visit("?m=2&m_prime=2.5", motion="no-preference")
+    page = visit("?m=2&m_prime=2.5&hide=curve,steps", motion="no-preference")
+    assert inside(page, HINT)
     goal = UNIT_MASS_RATIO * 2
     begin, stop = (page.get_by_role("button", name=name, exact=True) for name in ("Show me", "Stop"))
     box, slider = page.locator(".st-key-m_prime_exact input"), page.locator(".st-key-m_prime input[type=range]")
@@ -313,3 +314,7 @@ def test_one_press_takes_the_machine_into_step_and_any_touch_takes_over(visit):
     begin.click()
     assert agree() == goal
     assert {round(each, 2) for each in page.evaluate("seen")} == {9, round(goal, 2)}
+    take_slab(page, -2)
+    page.mouse.up()
+    settle(page)
+    assert not inside(page, HINT), "it goes with the first drag"

@@ -29,6 +29,7 @@ SAID = """() => {
   return said.join("\\n");
 }"""
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
+WIDTH = "document.querySelector('[data-testid=stMain]').scrollWidth"
 BUS = "JSON.stringify(ramanujan.last('present/stage_two-clocks_0'))"
 TELLING = ("faster", "slower", "ahead by", "behind by", "in step", "Period", "full turn apart")
 NUMBERS = [
@@ -106,15 +107,7 @@ def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
     assert page.get_by_text("Right answer:").is_visible()
 
 
-def test_the_full_page_shows_the_machine_of_the_stop(visit):
-    page = visit("lesson?stop=contact&chosen=contact.top_block")
-    page.get_by_role("link", name=lesson.stop("contact").link_label).click()
-    settle(page)
-    assert heading(page) == "Motion"
-    assert page.get_by_role("tab", name="Contact forces").get_attribute("aria-selected") == "true"
-
-
-def test_machines_to_compare_stand_side_by_side_and_hands_are_compared_at_the_moment_of_the_question(visit):
+def test_machines_to_compare_stand_side_by_side(visit):
     page = visit("lesson?stop=zero-modes&chosen=zero-modes.two")
     machines = page.locator(".st-key-observed_several svg.machine")
     expect(machines).to_have_count(3)
@@ -125,11 +118,7 @@ def test_machines_to_compare_stand_side_by_side_and_hands_are_compared_at_the_mo
     page.set_viewport_size({"width": 390, "height": 844})
     next_frame(page)
     assert len({round(machine.bounding_box()["x"]) for machine in machines.all()}) == 1
-    page = visit("lesson?chosen=two-clocks.ahead")
-    page.get_by_role("button", name="Show the hands after 10 periods").click()
-    page.wait_for_function("ramanujan.last('time/stage_two-clocks_0')?.time > 1")
-    shown = page.evaluate("ramanujan.last('time/stage_two-clocks_0').time")
-    assert shown == pytest.approx(10 * 2 * math.pi / math.sqrt(10.0), rel=1e-6)
+    assert page.evaluate(WIDTH) <= 390
 
 
 def test_the_stopwatch_measures(visit):
@@ -146,29 +135,25 @@ def test_the_stopwatch_measures(visit):
     assert float(judged[1]) == pytest.approx(shown / 10, abs=1e-3)
 
 
-@pytest.mark.parametrize(
-    "address",
-    [
-        "lesson?stop=contact",
-        "lesson?stop=two-clocks&chosen=two-clocks.ahead",
-        "lesson?stop=radius&chosen=radius.same",
-        "lesson?part=tasks&task=top-at-rest",
-        "lesson?part=notes",
-    ],
-)
-def test_a_phone_shows_it_without_scrolling_sideways(visit, address):
-    page = visit(address, width=390, height=844)
-    assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= 390
-    if "stop=contact" in address:
-        # The machine comes before the options.
-        stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
-        assert stage < options
-
-
-def test_on_a_phone_the_verdict_is_seen_without_scrolling_and_the_reason_stands_below_the_machine(visit):
+def test_on_a_phone_the_verdict_is_seen_and_hands_are_compared_at_the_moment_of_the_question(visit):
     page = visit("lesson?chosen=two-clocks.ahead", width=390, height=844)
     verdict, machine = (page.locator(place).first.bounding_box() for place in (".st-key-judged", "svg.machine"))
     reason = page.get_by_role("link", name="See the two clocks").bounding_box()
     assert verdict["height"] > 20
     assert verdict["y"] + verdict["height"] <= machine["y"] < 600
     assert machine["y"] + machine["height"] <= reason["y"]
+    assert page.evaluate(WIDTH) <= 390
+    page.get_by_role("button", name="Show the hands after 10 periods").click()
+    page.wait_for_function("ramanujan.last('time/stage_two-clocks_0')?.time > 1")
+    shown = page.evaluate("ramanujan.last('time/stage_two-clocks_0').time")
+    assert shown == pytest.approx(10 * 2 * math.pi / math.sqrt(10.0), rel=1e-6)
+
+
+@pytest.mark.parametrize("address", ["stop=contact", "part=tasks&task=top-at-rest", "part=notes"])
+def test_a_phone_shows_it_without_scrolling_sideways(visit, address):
+    page = visit(f"lesson?{address}", width=390, height=844)
+    assert page.evaluate(WIDTH) <= 390
+    if "contact" in address:
+        # The machine comes before the options.
+        stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
+        assert stage < options

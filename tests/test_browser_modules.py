@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import pytest
 
@@ -130,60 +128,23 @@ def test_samples_are_joined_by_straight_lines_and_stay_at_their_ends(page):
     assert states[2]["X_dot"] == 6
 
 
-PLAYBACK = """
-  const { solve } = await MOTION;
-  const playback = new it.Playback();
-  const leaves = (state) => (state.X > given[1] ? "edge" : null);
-  const take = (parameters) => playback.take({ parameters, solution: solve(parameters), leaves });
-  take(given[0]);
-"""
-
-
-def playback(page, body: str, bound: float = math.inf) -> object:
-    start = PLAYBACK.replace("MOTION", module("stage/motion"))
-    return run(page, "stage/playback", start + body, [PARAMETERS, bound])
-
-
-def test_a_change_of_parameters_keeps_the_phase_and_fades(page):
-    before, after, faded = playback(
-        page,
-        """playback.advance(0.4);
-        const before = playback.drawn(), { phase } = playback;
-        take({ ...given[0], k: 5 });
-        playback.flowFrom(before);
-        const after = playback.drawn();
-        for (let i = 0; i < 100 && playback.fade(0.05); i++);
-        return [{ ...before, phase }, { ...after, phase: playback.phase }, playback.fade(0.05)];""",
-    )
-    for name in ("X", "phi", "Phi", "plain", "phase"):
-        assert after[name] == pytest.approx(before[name], abs=1e-12)
-    assert faded is False
-
-
 def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):
-    first, second = playback(
+    first, second = run(
         page,
-        """playback.advance(3);
+        "stage/playback",
+        """
+        const { solve } = await MOTION, playback = new it.Playback();
+        const take = (parameters) => playback.take({ parameters, solution: solve(parameters), leaves: () => null });
+        take(given);
+        playback.advance(3);
         const first = playback.phase - playback.plainPhase;
-        take({ ...given[0], m_prime: 1 });
-        return [first, playback.phase - playback.plainPhase];""",
+        take({ ...given, m_prime: 1 });
+        return [first, playback.phase - playback.plainPhase];
+        """.replace("MOTION", module("stage/motion")),
+        PARAMETERS,
     )
     assert first != 0
     assert second == 0
-
-
-def test_a_step_beyond_the_end_of_the_way_stops_there(page):
-    """A machine that drifts: it is pushed, and X grows until it leaves its place."""
-    reason, now, seen = playback(
-        page,
-        """const initial = { X: 0, phi: 0, Phi: 0, X_dot: 0.1, phi_dot: 0, Phi_dot: 0 };
-        playback.take({ parameters: given[0], solution: solve(given[0], initial), leaves });
-        const reason = playback.goToTime(100);
-        return [reason, playback.now().X, playback.phase > playback.exit];""",
-        bound=0.5,
-    )
-    assert (reason, seen) == ("edge", True)
-    assert now == pytest.approx(0.5, abs=1e-6)
 
 
 def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):

@@ -10,39 +10,14 @@ from tests.browser import settle
 from tests.test_browser_access import OPEN
 
 
-def ready(page: object) -> object:
-    page.wait_for_selector(".st-key-counts .js-plotly-plot", timeout=60_000)
-    settle(page)
-    return page
-
-
 def shown(page: object) -> object:
     return page.locator(".st-key-stage_bodies [data-read=normalized]")
 
 
-def test_a_click_on_a_machine_builds_it_and_its_own_ratio_brings_it_into_step(visit: object) -> None:
-    page = ready(visit("1729"))
-    expect(shown(page)).to_have_text(re.compile(r"\d"))
-    paper = shown(page).inner_text()
-    number = page.locator(".st-key-machines text", has_text="5896").first
-    number.scroll_into_view_if_needed()
-    box = number.bounding_box()
-    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    page.wait_for_url("**top=sphere**")
+def test_figures_have_words_cubes_turn_and_come_apart_and_a_click_builds_a_machine(visit: object) -> None:
+    page = visit("1729?digits=1000")
+    page.wait_for_selector(".st-key-counts .js-plotly-plot", timeout=60_000)
     settle(page)
-    assert "right=shell" in page.url
-    assert page.get_by_text("hoop and shell; on top: sphere", exact=False).count() == 1
-    # Another body, another frequency, at the same masses.
-    expect(shown(page)).not_to_have_text(paper)
-    page.locator(".st-key-own_ratio button").click()
-    page.wait_for_url("**m_prime=**")
-    settle(page)
-    expect(shown(page)).to_have_text("1.000000")
-    assert max(page.frames_received) < 200_000
-
-
-def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit: object) -> None:
-    page = ready(visit("1729?digits=1000"))
     labels = page.evaluate("[...document.querySelectorAll('.stPlotlyChart')].map(e => e.getAttribute('aria-label'))")
     assert len(labels) == 5
     assert all(label and any(map(str.isdigit, label)) for label in labels)
@@ -62,3 +37,21 @@ def test_figures_have_words_and_the_stacks_turn_by_keyboard_and_come_apart(visit
     digits = page.locator(".stCode pre")
     digits.wait_for()
     assert digits.evaluate("(box) => box.scrollHeight <= box.clientHeight + 1")
+    # A click on a machine builds it, and its own ratio brings it into step.
+    expect(shown(page)).to_have_text(re.compile(r"\d"))
+    paper = shown(page).inner_text()
+    number = page.locator(".st-key-machines text", has_text="5896").first
+    number.scroll_into_view_if_needed()
+    box = number.bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.wait_for_url("**top=sphere**")
+    settle(page)
+    assert "right=shell" in page.url
+    assert page.get_by_text("hoop and shell; on top: sphere", exact=False).count() == 1
+    # Another body, another frequency, at the same masses.
+    expect(shown(page)).not_to_have_text(paper)
+    page.locator(".st-key-own_ratio button").click()
+    page.wait_for_url("**m_prime=**")
+    settle(page)
+    expect(shown(page)).to_have_text("1.000000")
+    assert max(page.frames_received) < 200_000

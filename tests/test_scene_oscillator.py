@@ -55,6 +55,7 @@ def test_the_first_run_shows_the_defaults(app):
     assert values(sound(app.run())) == DEFAULTS
     assert not app.warning
     assert not any("$$" in each.value for each in app.markdown)
+    assert "derivation" in [each.proto.page for each in app.get("page_link")]
     assert steps(app).count("$$") == 12
 
 
