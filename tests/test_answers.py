@@ -6,10 +6,8 @@ import os
 import re
 import time
 from contextlib import suppress
-from dataclasses import FrozenInstanceError
 from fractions import Fraction
 
-import mpmath
 import pytest
 import sympy as sp
 from hypothesis import example, given, settings
@@ -160,6 +158,10 @@ WRONG = [
     (RATIO, "√(24/18)", "leave out the linear term bε"),
     (RATIO, "√1729-1/36", "divide only one of the two terms"),
     (RATIO, "(√433-1)/36", "the factor 4 under the root"),
+    # Discriminants of machines with one body changed: two hoops 37, two cylinders 33. A hoop beside a cylinder without
+    # spin has the same inertia as two cylinders.
+    (RATIO, "(√37-1)/6", "a hoop"),
+    (RATIO, "(√33+1)/4", "rotation of the lower cylinder"),
     (RATIO, "1.2", "off by one unit"),
     (RATIO, "1,128", "off by one unit"),
     (RATIO, "(√1730-1)/36", "without the root is right"),
@@ -266,12 +268,6 @@ def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name):
     assert asked.prompt().count("$") % 2 == 0
 
 
-def test_only_the_named_names_are_in_the_answers():
-    assert question(OMEGA).names == ("m", "m'", "k", "eps")
-    assert question(SLAB).names == ("m", "R", "X'", "phi'")
-    assert question(RATIO).names == ()
-
-
 @pytest.mark.parametrize("name", ["", "Ω", None, ["a"], 3])
 def test_an_unknown_question_is_refused(name):
     assert judge(name, "m").kind == "unreadable"
@@ -282,11 +278,6 @@ def test_an_unknown_question_is_refused(name):
 @pytest.mark.parametrize("text", [None, 3, b"m", ["m"], object(), float("nan"), "v", "ω²", "I/m"])
 def test_what_is_no_text_or_has_letters_without_use_is_unreadable(text):
     assert judge(OMEGA, text).kind == "unreadable"
-
-
-def test_verdicts_are_frozen():
-    with pytest.raises(FrozenInstanceError):
-        judge(OMEGA, "k/m").kind = "right"
 
 
 # Near misses, and other machines
@@ -316,15 +307,6 @@ def test_a_tiny_addition_is_not_overlooked(name, size, root):
     assert judge(name, f"({text})*(1 + 1/{size}^5{root})").kind == "wrong"
 
 
-def test_the_accepted_mass_ratio_makes_the_accepted_frequency_one():
-    """Two accepted answers, put together with 60 digits by mpmath, give Ω² = k/m."""
-    with mpmath.workdps(60):
-        ratio = (mpmath.sqrt(1729) - 1) / 36
-        frequency = 8 * (7 + 6 * ratio) / (32 + 49 * ratio + 18 * ratio**2)
-        assert abs(frequency - 1) < mpmath.mpf(10) ** -58
-    assert judge(RATIO, RIGHT[RATIO][0]).kind == judge(OMEGA, RIGHT[OMEGA][0]).kind == "right"
-
-
 @pytest.mark.parametrize("mistake", [*machines.common()[::5], *machines.exotic()[::4]], ids=lambda each: each.hint[28:])
 def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(mistake):
     """SymPy solves the equations of motion of the altered machine; the judge has them solved in numbers."""
@@ -335,20 +317,6 @@ def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(mistake
     ):
         if formula != expected:
             assert re.match("You get this result|This is", judge(name, str(formula)).message)
-
-
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
-        # Discriminants of machines with one body changed: two hoops 37, two cylinders 33.
-        ("(√37-1)/6", "a hoop"),
-        # A hoop beside a cylinder that does not spin has the same inertia as two cylinders.
-        ("(√33+1)/4", "rotation of the lower cylinder"),
-    ],
-)
-def test_the_ratio_of_another_machine_is_recognized(text, said):
-    verdict = judge(RATIO, text)
-    assert (verdict.kind, said in verdict.message) == ("wrong", True)
 
 
 def test_mistakes_change_something_and_have_a_sentence_and_a_question():
@@ -372,13 +340,13 @@ def _judged(name, text):
     assert 0 < len(verdict.message) < 500
     # Nothing typed is shown that Markdown, HTML or LaTeX could read.
     assert not set(verdict.message) & set("<>[]$\\`_*{}|#&!") - {"!"}
+    return verdict.kind
 
 
 @pytest.mark.parametrize("text", HOSTILE, ids=lambda text: ascii(text[:20]))
 def test_hostile_text_gets_a_sentence(text):
     for name in QUESTIONS:
-        _judged(name, text)
-        assert judge(name, text).kind in ("wrong", "unreadable")
+        assert _judged(name, text) in ("wrong", "unreadable")
 
 
 _PIECES = [

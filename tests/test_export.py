@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 import shutil
@@ -111,9 +112,8 @@ def test_the_environment_check_sees_what_is_wrong():
 @pytest.mark.parametrize("name", ROUTES)
 def test_latex_compiles_and_nothing_sticks_out(name, tmp_path):
     longest = exact_values(*OFF_THE_STEPS)
-    documents = (to_latex(ROUTES[name], values) for values in (None, longest))
-    slides = (to_beamer(ROUTES[name], values, PICTURE) for values in (VALUES, longest))
-    for document in (*documents, *slides):
+    documents = [to_latex(ROUTES[name], values) for values in (None, longest)]
+    for document in (*documents, to_beamer(ROUTES[name], longest, PICTURE)):
         assert not re.findall("Overfull.*|Missing character.*", typeset(document, tmp_path)), document[:40]
 
 
@@ -188,20 +188,18 @@ def result(notebook: nbformat.NotebookNode, key: str) -> str:
     return cell.outputs[0].data["text/plain"]
 
 
-@pytest.mark.parametrize("name", ROUTES)
-def test_the_notebook_of_the_download_button_runs(name, kernel):
-    """In symbols and for two machines: what the button hands over ends in the Ω² that the page shows."""
+@pytest.mark.parametrize(("name", "masses"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
+def test_the_notebook_of_the_download_button_runs(name, masses, kernel):
+    """In symbols and for a machine: what the button hands over ends in the Ω² that the page shows."""
     found = result(executed(page.document.__wrapped__(name, None, "notebook"), kernel), "check")
     found = sp.sympify(found.replace("m'", "m_prime"), locals={"m": m, "m_prime": m_prime, "k": k})
     assert sp.cancel(found - ROUTES[name].natural_frequency_squared) == 0
-    for masses in MACHINES:
-        notebook = executed(page.document.__wrapped__(name, masses, "notebook"), kernel)
-        values = exact_values(*masses)
-        expected = sp.radsimp(ROUTES[name].natural_frequency_squared.subs(values))
-        assert sp.sympify(result(notebook, "numbers")) == expected
-        distance = result(notebook, "distance")
-        assert ("'distance from the root': (0, 0)" in distance) == (masses == IN_STEP)
-        assert ("'Omega^2 m/k': 1," in distance) == (masses == IN_STEP)
+    notebook = executed(page.document.__wrapped__(name, masses, "notebook"), kernel)
+    expected = sp.radsimp(ROUTES[name].natural_frequency_squared.subs(exact_values(*masses)))
+    assert sp.sympify(result(notebook, "numbers")) == expected
+    distance = result(notebook, "distance")
+    assert ("'distance from the root': (0, 0)" in distance) == (masses == IN_STEP)
+    assert ("'Omega^2 m/k': 1," in distance) == (masses == IN_STEP)
 
 
 def test_a_notebook_that_fails_is_noticed(kernel):

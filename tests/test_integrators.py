@@ -81,26 +81,6 @@ def test_symplectic_means_that_area_is_preserved(name, z):
         assert abs(area - 1) > 1e-9  # RK4 at z = 0.1: z⁶/72 = 1.4e-8
 
 
-def largest_energy_errors(name, steps_per_period, periods):
-    """The largest |E/E₀ − 1| over each tenth of the run."""
-    states = trajectory(METHODS[name], harmonic, 1.0, 0.0, 2 * math.pi / steps_per_period)
-    tenth = steps_per_period * periods // 10
-    return [max(abs(q * q + v * v - 1) for q, v in islice(states, tenth)) for _ in range(10)]
-
-
-@pytest.mark.parametrize("name", SYMPLECTIC)
-def test_symplectic_energy_stays_bounded_for_a_thousand_periods(name):
-    errors = largest_energy_errors(name, steps_per_period=8, periods=1000)
-    # Rounding walks: 1e4 steps of 1e-16 or so.
-    assert max(errors) <= errors[0] * 1.001 + 1e-12
-
-
-def test_rk4_energy_is_not_bounded():
-    errors = largest_energy_errors("rk4", steps_per_period=40, periods=1000)
-    assert errors == sorted(errors)
-    assert errors[-1] > 5 * errors[0]
-
-
 @pytest.mark.parametrize("name", ALL)
 def test_reversibility(name):
     q, v = after(name, pendulum, 1.0, 0.3, 0.3, 200)
@@ -152,7 +132,7 @@ def test_yoshida_6_weights_are_the_root_to_the_last_digit():
         return sum(w**3 for w in weights), sum(w**5 for w in weights), (q - mpmath.sin(z)) / z**5
 
     with mpmath.workdps(160):
-        root = mpmath.findroot(conditions, YOSHIDA_6_WEIGHTS[:3], tol=1e-60)
+        root = mpmath.findroot(conditions, YOSHIDA_6_WEIGHTS[:3], tol=1e-50)
         assert tuple(float(w) for w in root) == YOSHIDA_6_WEIGHTS[:3]
 
 

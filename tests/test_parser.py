@@ -131,27 +131,20 @@ def test_what_is_no_text_is_refused(thing: object) -> None:
         parse(thing)
 
 
-def test_limits_are_reached_and_not_passed() -> None:
-    """Just inside every limit a formula is read, one step beyond it is refused."""
-    inside = [
-        "m" * MAX_WEIGHT,
-        "(" * MAX_DEPTH + "m" + ")" * MAX_DEPTH,
-        "9" * MAX_DIGITS,
-        f"m^{MAX_EXPONENT}",
-        "m" + " " * (MAX_LENGTH - 1),
-    ]
-    beyond = [
-        "m" * (MAX_WEIGHT + 1),
-        "(" * (MAX_DEPTH + 1) + "m" + ")" * (MAX_DEPTH + 1),
-        "9" * (MAX_DIGITS + 1),
-        f"m^{MAX_EXPONENT + 1}",
-        "m" + " " * MAX_LENGTH,
-    ]
-    for text in inside:
-        parse(text)
-    for text in beyond:
-        with pytest.raises(UnreadableError):
-            parse(text)
+@pytest.mark.parametrize(
+    ("text", "limit"),
+    [
+        (lambda n: "m" * n, MAX_WEIGHT),
+        (lambda n: "(" * n + "m" + ")" * n, MAX_DEPTH),
+        (lambda n: "9" * n, MAX_DIGITS),
+        (lambda n: f"m^{n}", MAX_EXPONENT),
+        (lambda n: "m" + " " * (n - 1), MAX_LENGTH),
+    ],
+)
+def test_a_limit_is_reached_and_not_passed(text, limit) -> None:
+    parse(text(limit))
+    with pytest.raises(UnreadableError):
+        parse(text(limit + 1))
 
 
 def test_many_signs_are_no_depth() -> None:

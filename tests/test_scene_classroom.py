@@ -208,18 +208,17 @@ def test_a_bad_code_gets_one_sentence_and_is_not_repeated(text):
     assert STOP.question in words(app)
 
 
-def test_a_link_to_a_class_that_is_not_there_gets_one_sentence():
-    app = visitor(**{"class": "bcdfhj"})
+@pytest.mark.parametrize(
+    ("link", "start"),
+    [
+        ({"class": "bcdfhj"}, "There is no class with this code"),
+        ({"lecturer": f"BCDFHJ-{'x' * 32}"}, "This lecturer’s address belongs to no class"),
+    ],
+)
+def test_a_link_to_a_class_that_is_not_there_gets_one_sentence(link, start):
+    app = visitor(**link)
     [said] = [warning.value for warning in app.warning]
-    assert said.startswith("There is no class with this code")
-    assert STOP.question in words(app)
-    assert [warning.value for warning in app.run().warning] == [said]
-
-
-def test_a_wrong_lecturers_address_gets_a_sentence():
-    app = visitor(lecturer=f"BCDFHJ-{'x' * 32}")
-    [said] = [warning.value for warning in app.warning]
-    assert said.startswith("This lecturer’s address belongs to no class")
+    assert said.startswith(start)
     assert STOP.question in words(app)
 
 

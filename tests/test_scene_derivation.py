@@ -11,7 +11,7 @@ import sympy as sp
 from ramanujan.answers import QUESTIONS
 from ramanujan.answers import question as question_of
 from ramanujan.derivation import ROUTES, rayleigh
-from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
+from ramanujan.derivation.energies import PARTS, terms
 from ramanujan.derivation.printers import latex
 from ramanujan.pages.derivation import cache
 
@@ -122,20 +122,6 @@ def test_the_terms_of_all_parts_add_up_to_the_equation(name):
         assert sp.expand(sum(sum(part) for part in own.values()) - equation.rhs) == 0
 
 
-def test_a_part_is_told_by_its_name():
-    forces = ROUTES["newton"]["forces"].equations
-    assert [part for part in PARTS for equation in forces if belongs_to(part, equation)] == [
-        "block",
-        "hoop",
-        "cylinder",
-        "slab",
-        "top",
-    ]
-    slab = next(equation for equation in forces if belongs_to("slab", equation))
-    assert {str(each.func) for each in names("hoop", slab)} == {"S_hoop"}
-    assert not names("spring", slab)
-
-
 @pytest.mark.parametrize("part", PARTS)
 @pytest.mark.parametrize("masses", [None, (1.0, 1.0, 10.0)], ids=["symbols", "numbers"])
 def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, masses):
@@ -237,9 +223,6 @@ def test_what_is_read_is_shown_as_it_was_typed(page):
     for text in ("(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"):
         answer(page, "potential_energy", text)
         assert cache.as_read(text) in formulas(page), text
-
-
-def test_what_means_nothing_is_not_read_back():
     assert cache.as_read("m +") is None
 
 

@@ -160,6 +160,7 @@ def test_says_what_the_paper_form_returns_at_the_edge(app):
     assert abs(wrong - right) > 0.1  # the negative control: it is wrong, and plausible
     assert f"the paper’s form | s from {number(1e-300)} to " in words(app)
     assert f"| {number(wrong, 4)}: wrong" in words(app)
+    assert "effective mass | nowhere" in words(app)
 
 
 def test_every_figure_has_a_text_alternative_with_numbers(app):
@@ -232,13 +233,6 @@ def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the
         diagrams = list(visitors.map(lambda _visitor: cache.diagram(1), range(5)))
     assert len(worked) == len(set(worked)) == 2 * len(METHODS)
     assert all(curve.step == Timing(1.0, 1.0, 1.0) for diagram in diagrams for curve in diagram)
-
-
-def test_forms_that_never_fail_are_named_right():
-    sweeps = [s for s in extremes() if (s.along, s.dtype) == ("scale", "float64")]
-    sound = {form for form, where, _word in verdicts.failure_table(sweeps, "s") if where == "nowhere"}
-    assert "effective mass" in sound
-    assert "the paper’s form" not in sound
 
 
 # ---- figures
