@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from ramanujan import lesson
+from ramanujan.shell.browser_cookie import NAME
 from tests.browser import listen, settle
 
 CUT = """() => {
@@ -42,7 +43,13 @@ def hear(*pages: Page) -> None:
         page.evaluate("hear()")
 
 
+def reload(phone: Page) -> None:
+    phone.context.add_cookies([phone.cookie])
+    phone.reload()
+
+
 def vote(phone: Page, number: int) -> None:
+    phone.bring_to_front()  # a tab behind another draws once a second
     sent = len(phone.frames_sent)
     phone.locator(VOTES).nth(number).click()
     while len(phone.frames_sent) == sent or phone.unanswered:
@@ -52,24 +59,32 @@ def vote(phone: Page, number: int) -> None:
 
 
 @pytest.fixture
-def screen(chromium, server):
-    """Open the lesson's page on a screen of its own, or in another tab of one."""
-    contexts, errors = [], []
+def screen(profile, server):
+    """Open the lesson's page on a screen of its own, or in another tab of one.
+
+    The app knows a browser by its cookie: each screen gets another one, and all share what has been compiled, which
+    for seven browsers takes more than fifteen seconds of a processor.
+    """
+    pages, errors = [], []
 
     def show(query: str, width: int = 390, height: int = 844, beside: Page | None = None) -> Page:
         if beside is None:
-            contexts.append(chromium.new_context(viewport={"width": width, "height": height}, reduced_motion="reduce"))
-        page = (beside.context if beside else contexts[-1]).new_page()
+            profile.clear_cookies(name=NAME)
+        pages.append(profile.new_page())
+        page = pages[-1]
+        page.set_viewport_size({"width": width, "height": height})
+        page.emulate_media(reduced_motion="reduce")
         page.on("pageerror", lambda error: errors.append(str(error)))
         listen(page)
         page.add_init_script(ASK_WHEN_TOLD)
-        # Several pages load at once.
-        page.goto(f"{server}/lesson?{query}", wait_until="commit")
+        page.goto(f"{server}/lesson?{query}")
+        page.locator("[data-testid=stMainBlockContainer] h1").first.wait_for()
+        page.cookie = next(each for each in profile.cookies(server) if each["name"] == NAME)
         return page
 
     yield show
-    for context in contexts:
-        context.close()
+    for page in pages:
+        page.close()
     assert errors == []
 
 
@@ -82,8 +97,9 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
     query = wall_link.partition("?")[2]
     wall = screen(query, 1280, 720)
     code = query.partition("class=")[2][:6]
-    phones = {name: screen(f"class={code}") for name in EVERYBODY[:-1]}
+    phones = {"three tabs": screen(f"class={code}")}
     tabs = [screen(f"class={code}", beside=phones["three tabs"]) for _ in range(2)]
+    phones |= {name: screen(f"class={code}") for name in EVERYBODY[1:-1]}
     for phone in (*phones.values(), *tabs):
         phone.get_by_text("The first question will appear here").wait_for()
     hear(wall)
@@ -96,12 +112,14 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
 
     def press(then: str) -> None:
         """Press the clicker, and wait until it can do the next thing."""
+        desk.bring_to_front()
         desk.keyboard.press("PageDown")
         desk.locator(then).wait_for()
         settle(desk)
         hear(wall)
 
     def whole(state: str) -> None:
+        wall.bring_to_front()
         if (over := wall.evaluate(CUT)) > 2:
             cut.append((stop.id, state, over))
 
@@ -127,7 +145,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
             if name == "changing" or (name, number) == ("reloading", 2):
                 vote(phone, (chosen[name] + 1) % len(stop.options))
             if (name, number) == ("reloading", 3):
-                phone.reload()
+                reload(phone)
             vote(phone, chosen[name])
         if number == 1:
             for tab, option in zip(tabs, (1, 2), strict=True):
@@ -137,7 +155,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
                 vote(tab, option)
                 chosen["three tabs"] = option
         if number == 2:
-            phones["reloading"].reload()
+            reload(phones["reloading"])
             expect(phones["reloading"].locator(f"{VOTES}:has(input:checked)")).to_have_count(1)
             for tab in tabs:
                 tab.close()
