@@ -7,7 +7,6 @@ import pytest
 
 from ramanujan import Oscillator, released
 from ramanujan.motion import motion
-from ramanujan.numerals import number
 from tests.browser import module
 
 MACHINE = {"m": 1.3, "m_prime": 4.7, "k": 21.0, "radius": 0.07}
@@ -92,17 +91,6 @@ def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
     )
     assert heard[0] == [7]
     assert "broken" in heard[1]
-
-
-def test_numbers_are_written_as_python_writes_them(page):
-    values = [0, 1, -1.5, 0.00012345, 123456.7, -98765432.1, 1e-5, 9.99996e5, 0.1, 2e300, 5e-324]
-    for digits in (1, 3, 7):
-        written = run(page, "page/sentences", "return given[0].map((x) => it.number(x, given[1]))", [values, digits])
-        assert written == [number(float(value), digits) for value in values]
-
-
-def test_sentences_take_values_into_their_slots(page):
-    assert run(page, "page/sentences", "return it.fill('{a} of {b}, {a}', { a: '{b}', b: 2 })") == "{b} of 2, {b}"
 
 
 def test_the_motion_is_that_of_the_numeric_core(page):

@@ -44,18 +44,6 @@ def test_heading_and_reason_are_there_and_hold_no_result(name, key):
     assert not re.search(r"\d\d|\d\.\d|\\frac\{\d|\\sqrt", step.heading + step.reason)
 
 
-@pytest.mark.parametrize("name", ROUTES)
-def test_keys_find_their_steps(name):
-    route = ROUTES[name]
-    assert len({step.key for step in route.steps}) == len(route.steps)
-    assert all(route[step.key] is step for step in route.steps)
-    assert route.name == name
-
-
-def test_a_route_is_derived_once():
-    assert ROUTES["euler_lagrange"] is ROUTES["euler_lagrange"]
-
-
 def test_what_is_not_there_is_refused_by_name():
     with pytest.raises(KeyError, match="guess"):
         ROUTES["guess"]

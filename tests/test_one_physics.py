@@ -1,14 +1,18 @@
 """The numeric core against the derivation: every matrix, energy, momentum, force and motion, number for number.
 
 The symbolic side is printed to functions of 50-digit numbers by SymPy and evaluated at random machines and states.
+What the browser gets of it is run by the JavaScript engine that Playwright brings.
 """
 
 from __future__ import annotations
 
+import json
+import subprocess
 from functools import cache
 
 import mpmath
 import numpy as np
+import pytest
 import sympy as sp
 
 from ramanujan import (
@@ -23,11 +27,15 @@ from ramanujan import (
     relative_positions,
     relative_velocities,
 )
+from ramanujan.browser.stage.formulas import formulas as stage_formulas
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.newton import contact_forces as derived_contact_forces
+from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import INITIAL, INITIAL_RATE, Omega, coefficients, mode_shape
 from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Phi, R, X, k, m, m_prime, machine, phi, t
 from ramanujan.energy import body_momenta
+from tests.reference import numpy_function
+from tests.test_numerals import NODE
 
 EXACT = 3e-15
 """A dozen roundings of the largest term."""
@@ -147,3 +155,29 @@ def test_the_motion_is_the_derived_solution():
                 assert close(found[i], a + b * time + c * cosine + d * sine, size)
                 rate_size = abs(b) + omega * (abs(c) + abs(d))
                 assert close(found_rate[i], b + omega * (d * cosine - c * sine), rate_size)
+
+
+def flat(formulas, prefix=""):
+    """Every formula of a tree of formulas: its names, joined → expression."""
+    found = {}
+    for name, each in formulas.items():
+        found |= flat(each, f"{prefix}{name}_") if isinstance(each, dict) else {prefix + name: sp.sympify(each)}
+    return found
+
+
+def test_the_browser_computes_the_expressions_of_the_derivation():
+    """One expression, two printers: JavaScript and NumPy get the same numbers from the same names."""
+    formulas = flat(stage_formulas())
+    names = dict(zip((*VELOCITIES, *COORDINATES), ("X_dot", "phi_dot", "Phi_dot", "X", "phi", "Phi"), strict=True))
+    symbols = set().union(*(formula.free_symbols for formula in formulas.values())) - {t, R}
+    # An initial value is a symbol of its own with the name of its coordinate: one number serves both.
+    names |= {R: "radius"} | {symbol: symbol.name for symbol in sorted(symbols, key=str)}
+    values = {name: 0.2 + 0.07 * i for i, name in enumerate(dict.fromkeys(names.values()))}
+    entries = "Object.entries(formulas).map(([name, formula]) => [name, formula(values)])"
+    script = f"const formulas = {javascript(formulas)}, values = {json.dumps(values)};"
+    script += f"console.log(JSON.stringify(Object.fromEntries({entries})));"
+    done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
+    assert len(formulas) > 30
+    for name, found in json.loads(done.stdout).items():
+        expected = numpy_function(list(names), formulas[name])(*(values[given] for given in names.values()))
+        assert found == pytest.approx(float(expected), rel=1e-13, abs=1e-15), name

@@ -125,12 +125,6 @@ def test_refuses_with_a_sentence(text: str, said: str) -> None:
     assert sentence.endswith((".", "?"))
 
 
-@pytest.mark.parametrize("thing", [None, 3, b"m", ["m"], object()])
-def test_what_is_no_text_is_refused(thing: object) -> None:
-    with pytest.raises(UnreadableError, match="text"):
-        parse(thing)
-
-
 @pytest.mark.parametrize(
     ("text", "limit"),
     [

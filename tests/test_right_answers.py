@@ -46,7 +46,6 @@ def rewritten(expression: sp.Expr, source: random.Random) -> sp.Expr:
         sp.factor,
         sp.together,
         sp.cancel,
-        sp.simplify,
         sp.nsimplify,
         lambda e: sp.collect(sp.expand(e), source.choice([m, mp, R, k, Xd, phid])),
         lambda e: sp.Mul(common, sp.expand(e / common), evaluate=False),

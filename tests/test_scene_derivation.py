@@ -144,16 +144,6 @@ def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, mas
     assert COLOR not in cache.step("matrix", 0, masses, None, None).by_body
 
 
-def test_choosing_a_body_shows_it_in_the_colour_that_it_has_on_the_stage(page):
-    from ramanujan.shell import theme
-
-    choose(page, show="reading", body="hoop")
-    ink = theme.colors()["hoop_ink"]
-    assert formulas(page).count(rf"\textcolor{{{ink}}}") > 4
-    choose(page, body=None)
-    assert "textcolor" not in formulas(page)
-
-
 @pytest.mark.parametrize("part", ["top", "spring"])
 def test_a_step_without_a_term_of_the_chosen_part_says_so(page, part):
     choose(page, show="reading", body=part)

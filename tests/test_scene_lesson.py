@@ -23,7 +23,6 @@ def opened(app):
 
     def visit(**address):
         # An address is read when a page is opened: the visitor comes from the first page.
-        app.run()
         app.switch_page("ramanujan/pages/oscillator/page.py").run()
         for key, text in address.items():
             app.query_params[key] = text
