@@ -34,7 +34,6 @@ ROOM = st.floats(2, 40).map(lambda room: math.nextafter(room, 50))
 PUSH = decimals(-2, 2)
 STARTS = st.builds(InitialState, X=PUSH, phi=PUSH, Phi=PUSH, X_dot=PUSH, phi_dot=PUSH, Phi_dot=PUSH)
 BRIEFLY = settings(max_examples=60, deadline=None)
-PUSHED = InitialState(X=0.4, phi=0.3, Phi=-1.0, X_dot=0.2, phi_dot=-0.7, Phi_dot=1.5)
 
 
 def newton(oscillator):

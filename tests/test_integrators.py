@@ -13,7 +13,6 @@ from scipy.integrate import solve_ivp
 from ramanujan.integrators import METHODS, YOSHIDA_6_WEIGHTS, trajectory
 
 ALL = sorted(METHODS)
-SYMPLECTIC = [name for name in ALL if METHODS[name].symplectic]
 REVERSIBLE = ["implicit_midpoint", "velocity_verlet", "yoshida4", "yoshida6"]
 
 

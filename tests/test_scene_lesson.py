@@ -308,16 +308,6 @@ def test_the_notes_cover_every_stop_and_name_their_sources(opened):
     assert cited == {str(number) for number in range(1, len(lesson.SOURCES) + 1)}
 
 
-def test_the_parts_are_chosen_on_the_page(opened):
-    app = opened()
-    assert app.title[0].value.startswith("1.")
-    for part in ("tasks", "notes"):
-        sound(app.segmented_control(key="part").set_value(part).run())
-        assert app.query_params["part"] in (part, [part])
-    sound(app.segmented_control(key="part").set_value("stops").run())
-    assert app.title[0].value.startswith("1.")
-
-
 def test_the_full_page_understands_the_link_of_every_stop():
     for stop in lesson.STOPS:
         keys = {key.name: key for key in PAGES[stop.page].url_parameters}
