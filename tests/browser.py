@@ -12,7 +12,7 @@ import time
 import urllib.request
 from pathlib import Path
 
-from playwright.sync_api import Error, Page, WebSocket
+from playwright.sync_api import BrowserContext, Error, Page, WebSocket
 from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
@@ -112,6 +112,20 @@ def listen(page: Page) -> None:
 
     page.on("websocket", watch)
     count_anew(page)
+
+
+def open_tab(profile: BrowserContext, address: str, *scripts: str, motion: str = "reduce") -> Page:
+    """Open an address in a tab of its own, with scripts that run before those of the page."""
+    page = profile.new_page()
+    listen(page)
+    page.set_viewport_size({"width": 1280, "height": 720})
+    page.emulate_media(reduced_motion=motion)
+    for script in scripts:
+        page.add_init_script(script)
+    page.goto(address)
+    page.locator("[data-testid=stMainBlockContainer] h1").first.wait_for()
+    settle(page)
+    return page
 
 
 def count_anew(page: Page) -> None:

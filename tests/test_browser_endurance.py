@@ -10,7 +10,7 @@ import itertools
 import os
 from collections import Counter
 
-from tests.browser import listen, settle
+from tests.browser import open_tab, settle
 from tests.test_browser_access import switch
 
 MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "0.3"))
@@ -28,6 +28,13 @@ CURSORS = """[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {lay
 """How many marks of the time the figures of the page should have."""
 
 
+def watched(tab: object) -> object:
+    """Return what counts for `counts`."""
+    client = tab.context.new_cdp_session(tab)
+    client.send("Performance.enable")
+    return client
+
+
 def counts(tab: object, client: object) -> dict[str, float]:
     """Return what the page holds after its garbage has been collected."""
     for _ in range(2):
@@ -37,23 +44,9 @@ def counts(tab: object, client: object) -> dict[str, float]:
     return {name: metrics[name] for name in ("JSHeapUsedSize", "JSEventListeners", "Nodes")}
 
 
-def open_tab(profile: object, address: str, motion: str, hasty: bool = False) -> tuple[object, object]:
-    tab = profile.new_page()
-    tab.set_viewport_size({"width": 1280, "height": 720})
-    tab.emulate_media(reduced_motion=motion)
-    listen(tab)
-    if hasty:
-        tab.add_init_script(HASTE)
-    tab.goto(address)
-    tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
-    settle(tab)
-    client = tab.context.new_cdp_session(tab)
-    client.send("Performance.enable")
-    return tab, client
-
-
 def test_theme_and_page_changes_leave_nothing_behind(server: str, profile: object) -> None:
-    tab, client = open_tab(profile, f"{server}/speed?periods=1", "reduce")
+    tab = open_tab(profile, f"{server}/speed?periods=1")
+    client = watched(tab)
 
     def known(stage: str) -> set[str]:
         """What the bus knows of a stage; what stays on every page may listen for news of any."""
@@ -98,7 +91,8 @@ def test_theme_and_page_changes_leave_nothing_behind(server: str, profile: objec
 
 
 def test_a_running_stage_holds_no_more_after_a_while(server: str, profile: object) -> None:
-    tab, client = open_tab(profile, server, "no-preference", hasty=True)
+    tab = open_tab(profile, server, HASTE, motion="no-preference")
+    client = watched(tab)
     tab.wait_for_timeout(3000)
     before = counts(tab, client)
     tab.wait_for_timeout(1000 * max(MINUTES, 0.2))

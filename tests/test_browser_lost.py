@@ -16,7 +16,7 @@ from playwright.sync_api import expect
 
 from ramanujan import Oscillator
 from ramanujan.shell import navigation
-from tests.browser import listen, next_frame, settle, thumb
+from tests.browser import next_frame, open_tab, settle, thumb
 from tests.slow_network import network
 from tests.test_browser_hand import PRESENT, TOLD, normalized, take_slab
 
@@ -26,17 +26,6 @@ BOX = ".st-key-m_prime_exact input"
 M_PRIME = ".st-key-m_prime input[type=range]"
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 HEADING = ".st-key-lecture h2:visible"
-
-
-def open_tab(profile, address: str):
-    page = profile.new_page()
-    listen(page)
-    page.set_viewport_size({"width": 1280, "height": 720})
-    page.emulate_media(reduced_motion="reduce")
-    page.goto(address)
-    page.wait_for_selector(BOX, timeout=60_000)
-    settle(page)
-    return page
 
 
 @pytest.fixture(scope="module")

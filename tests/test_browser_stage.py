@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle, slab_over_block, thumb
+from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle, thumb
 from tests.test_browser_speed import CUT
 
 
@@ -105,19 +105,6 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
     page.evaluate("delete window.lags")  # the watch ends
 
 
-def test_an_off_step_value_is_not_rounded_by_its_slider(visit):
-    page = visit()
-    page.get_by_text("In step (1729)", exact=True).click()
-    settle(page)
-    assert text(page, "[data-read=normalized]") == "1.000000"
-    assert page.locator(".st-key-m_prime input[type=range]").input_value() == "1.13"
-    page.locator(".st-key-k input[type=range]").focus()
-    page.keyboard.press("ArrowRight")
-    settle(page)
-    assert text(page, "[data-read=normalized]") == "1.000000"
-    assert "m_prime=1.1272568270162107" in page.url
-
-
 def test_nothing_jumps_when_a_parameter_changes(visit):
     """The slab's place, frame by frame across a preset, never moves further than twice its greatest speed allows."""
     page = visit(motion="no-preference")
@@ -148,29 +135,21 @@ def test_nothing_jumps_when_a_parameter_changes(visit):
     page.evaluate("delete window.places")  # the watch ends
 
 
-def test_step_scrub_and_speed(visit):
+def test_buttons_menu_and_keys_have_their_names(visit):
+    """What they do to the picture, and how far, is measured in test_browser_picture."""
     page = visit()
     pause(page)
     scrub = page.locator(".st-key-stage .scrub input")
-    page.get_by_role("button", name="Release again").click()
-    next_frame(page)
-    assert float(scrub.input_value()) == 0
-    for name, expected in [("Step forward", 1 / 24), ("Step forward", 2 / 24), ("Step back", 1 / 24)]:
+    for name, expected in [
+        ("Release again", 0),
+        ("Step forward", 1 / 24),
+        ("Step forward", 2 / 24),
+        ("Step back", 1 / 24),
+    ]:
         page.get_by_role("button", name=name).click()
         next_frame(page)
         assert float(scrub.input_value()) == pytest.approx(expected, abs=1e-9)
-    scrub.focus()
-    scrub.fill("0.5")
-    next_frame(page)
-    # Half a period after release the spring is stretched by what it was compressed: 2·8 cm apart, over the block.
-    half = slab_over_block(page)
-    scrub.fill("0")
-    next_frame(page)
-    start = slab_over_block(page)
-    # Positions on the page are single precision: four of them, below 128, each off by half a unit in the last place.
-    assert start - half == pytest.approx(16, abs=4 * 2**-18)
-    speed = page.get_by_role("combobox", name="Speed")
-    speed.select_option("½×")
+    page.get_by_role("combobox", name="Speed").select_option("½×")
     assert page.evaluate(f"{STAGE}.querySelector('.speeds select').value") == "0.5"
     # The keyboard does as much.
     page.locator(".st-key-stage .stage").evaluate("node => node.focus()")
