@@ -60,10 +60,13 @@ def cube_stack(sides: Sequence[int], *, widest: int, apart: bool, turn: float, c
         # A new direction from the slider is taken over; otherwise the view that a person has turned stays.
         "uirevision": f"{turn:g}",
     }
-    scene = {
-        f"{axis}axis": {"visible": False, "showspikes": False, "range": [float(at - half), float(at + half)]}
-        for axis, at in middle.items()
-    }
+    # Of an axis that is not visible Plotly would still make triangles for the letters of its name and numbers, half a
+    # second for each figure on a slow machine.
+    nothing = dict.fromkeys(
+        ("showgrid", "zeroline", "showline", "showticklabels", "showspikes", "showbackground"), False
+    )
+    empty = {**nothing, "title": {"text": ""}, "tickvals": []}
+    scene = {f"{axis}axis": {**empty, "range": [float(at - half), float(at + half)]} for axis, at in middle.items()}
     # Larger than Plotly's box of one, since the cubes fill only the middle of it.
     scene |= {"aspectmode": "manual", "aspectratio": {"x": 1.7, "y": 1.7, "z": 1.7}, "dragmode": "turntable"}
     eye = {"x": float(EYE[0] * np.cos(angle)), "y": float(EYE[0] * np.sin(angle)), "z": EYE[1]}
