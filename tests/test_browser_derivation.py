@@ -105,7 +105,7 @@ def test_clickers_and_the_space_bar_turn_steps_typing_does_not_and_a_screen_read
 
 
 def test_long_formulas_scroll_in_their_own_box_on_a_phone(visit):
-    page = visit("derivation?route=matrix&show=reading&body=hoop", width=390, height=844)
+    page = visit("derivation?route=matrix&show=reading&body=hoop", width=320, height=640)
     page.wait_for_selector(".st-key-question")
     page.evaluate("document.fonts.ready")
     settle(page)

@@ -1,4 +1,7 @@
-"""The app in its pseudo-language: no sentence was forgotten, and longer words are neither cut nor on top of others."""
+"""The app in its pseudo-language: no sentence was forgotten, and longer words are neither cut nor on top of others.
+
+They fit a narrow phone, too, where nothing scrolls sideways.
+"""
 
 from __future__ import annotations
 
@@ -75,6 +78,7 @@ OVERLAPS = """() => {
     if (clips.has(node)) return clips.get(node);
     const style = getComputedStyle(node);
     let found = clip(up(node));
+    if (style.clipPath === "inset(50%)") found = { ...found, right: -1e6 }; // for a screen reader alone
     if (["fixed", "sticky"].includes(style.position)) found = { ...clip(document.body), layer: node };
     if (style.overflow !== "visible" && style.display !== "inline" && !node.contains(main)) {
       const box = node.getBoundingClientRect();
@@ -138,9 +142,22 @@ COVER = """() => {
 """Puts a text over the title, and one over a figure's tick; returns them."""
 
 
+SMALL = """() => [...document.querySelectorAll("main button, [data-testid=stSidebarNavLink]")]
+  .filter((node) => node.offsetParent && node.tabIndex >= 0)
+  .filter((node) => !node.closest(".modebar, .stTooltipIcon, [role=tablist]"))
+  .filter((node) => node.getBoundingClientRect().height < 43.5).map((node) => node.outerHTML.slice(0, 160))"""
+"""What a finger could miss."""
+WIDTHS = (
+    """[document.documentElement, document.querySelector("[data-testid=stMain]")].map((each) => each.scrollWidth)"""
+)
+ADDRESSES = {name: page.address for name, page in PAGES.items()}
+ADDRESSES["taxicab"] += "?p=1000&q=999&digits=1000&left=sphere"
+"""Name of a page → its address, with the longest numbers."""
+
+
 @pytest.fixture(scope="module")
 def page(profile: object) -> Iterator[object]:
-    """A tab for the app that speaks the pseudo-language, with its address in `app`."""
+    """A tab for the app that speaks the pseudo-language, with its address in `app`, and `screen` to set its size."""
     os.environ["RAMANUJAN_LANGUAGE"] = "pseudo"
     try:
         with running(ROOT / "app.py") as address:
@@ -148,6 +165,14 @@ def page(profile: object) -> Iterator[object]:
             tab.app = address
             listen(tab)
             tab.emulate_media(reduced_motion="reduce")
+            client = tab.context.new_cdp_session(tab)
+
+            def screen(width: int, height: int, *, phone: bool) -> None:
+                size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": phone}
+                client.send("Emulation.setDeviceMetricsOverride", size)
+                client.send("Emulation.setTouchEmulationEnabled", {"enabled": phone, "maxTouchPoints": 5})
+
+            tab.screen = screen
             yield tab
             tab.close()
     finally:
@@ -155,21 +180,32 @@ def page(profile: object) -> Iterator[object]:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_no_sentence_was_forgotten_none_is_cut_and_none_covers_another(page, name):
-    page.set_viewport_size({"width": 1280, "height": 720})
+def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_narrow_phone(page, name):
+    page.screen(1280, 720, phone=False)
     count_anew(page)
-    page.goto(f"{page.app}/{PAGES[name].address}")
+    page.goto(f"{page.app}/{ADDRESSES[name]}")
     page.wait_for_selector("[data-testid=stMainBlockContainer] h1")
     settle(page)
     assert "⟦" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
     assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
     assert page.evaluate(CUT) == []
     assert page.evaluate(OVERLAPS) == []
-    page.set_viewport_size({"width": 390, "height": 844})
+    page.screen(390, 844, phone=True)
     settle(page)
     assert page.evaluate(CUT) == []
     assert page.evaluate(OVERLAPS) == []
+    check_narrow(page)
     # Negative control: a text that is put over another one is found.
     covers = page.evaluate(COVER)
     found = page.evaluate(OVERLAPS)
     assert all(any(cover in pair for pair in found) for cover in covers), found
+
+
+def check_narrow(page) -> None:
+    """Check that under every tab nothing scrolls sideways down to 320 px, and nothing is too small for a finger."""
+    page.screen(320, 640, phone=True)
+    for tab in page.get_by_role("tab").all() or [page.locator("h1")]:
+        tab.click()
+        settle(page)
+        assert max(page.evaluate(WIDTHS)) <= 320
+        assert page.evaluate(SMALL) == []

@@ -48,6 +48,13 @@ def test_figures_have_words_cubes_turn_and_come_apart_and_a_click_builds_a_machi
     settle(page)
     assert "right=shell" in page.url
     assert page.get_by_text("hoop and shell; on top: sphere", exact=False).count() == 1
+    # The picture names its bodies, and the slab is a slider of its own.
+    stage = page.locator(".st-key-stage_bodies")
+    named = stage.locator("svg.machine [role=img]").get_attribute("aria-label")
+    assert "a hoop on the left and a spherical shell on the right" in named
+    assert "a sphere rolls freely" in named
+    assert stage.locator("[role=img] [role=slider]").count() == 0
+    assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00\u202fcm"
     # Another body, another frequency, at the same masses.
     expect(shown(page)).not_to_have_text(paper)
     page.locator(".st-key-own_ratio button").click()

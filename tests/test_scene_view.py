@@ -9,7 +9,9 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator
 from ramanujan.shell.display_mode import PARTS
+from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
+from tests.browser import ROOT
 from tests.test_scene_oscillator import DEFAULTS, sound, steps, values
 
 MACHINE = Oscillator(1.0, 2.0, 10.0)
@@ -29,17 +31,17 @@ def sent(app) -> str:
     )
 
 
-def published(app, stage: str) -> dict[str, object]:
-    """What a stage is told."""
-    messages = (json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id)
-    return next(message[f"machine/{stage}"] for message in messages if f"machine/{stage}" in message)
+def published(app) -> dict[str, object]:
+    """What stages and boxes are told: topic → message; what a fragment says counts before what the sidebar has said."""
+    messages = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id]
+    return {topic: told for message in reversed(messages) for topic, told in message.items()}
 
 
 def test_a_link_hides_parts_of_the_first_page(app):
     opened(app, **LINK, hide="numbers,curve,clocks")
     # The steps stay, in symbols.
     assert "varepsilon" in steps(app)
-    assert published(app, "oscillator")["hide"] == ["clocks", "numbers"]
+    assert published(app)["machine/oscillator"]["hide"] == ["clocks", "numbers"]
     assert not app.get("plotly_chart")
     assert not any(number in sent(app) for number in NUMBERS)
     assert not any("clock hands" in each.value for each in app.markdown)
@@ -48,7 +50,7 @@ def test_a_link_hides_parts_of_the_first_page(app):
 def test_nothing_is_hidden_without_being_asked_for(app):
     """Negative control: the same page has all of it."""
     opened(app, **LINK)
-    assert "hide" not in published(app, "oscillator")
+    assert "hide" not in published(app)["machine/oscillator"]
     assert app.get("plotly_chart")
     assert any("clock hands" in each.value for each in app.markdown)
 
@@ -58,8 +60,7 @@ def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path)
     opened(app, hide="clocks,numbers,curve")
     sound(app.switch_page(f"ramanujan/pages/{path}/page.py").run())
     assert app.query_params["hide"] == "clocks,numbers,curve"
-    messages = [json.loads(each.proto.json) for each in app.get("bidi_component") if "_published" in each.proto.id]
-    stages = [told for message in messages for topic, told in message.items() if topic.startswith("machine/")]
+    stages = [told for topic, told in published(app).items() if topic.startswith("machine/")]
     assert stages
     assert all(told["hide"] == ["clocks", "numbers"] for told in stages)
     assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
@@ -139,3 +140,24 @@ def test_a_slider_that_changes_nothing_but_the_machine_s_motion_is_folded_and_ke
     sound(app.run())
     # Where no slider is folded, the words or figures do change.
     assert (said(app) == before) == bool(folded)
+
+
+@pytest.mark.parametrize("path", ["oscillator", "derivation", "motion", "taxicab", "speed"])
+def test_after_a_slider_a_page_says_what_its_address_says(app, path):
+    """Where a slider reruns parts of a page only, no other part may depend on the machine."""
+
+    def shown(app, **machine: str) -> AppTest:
+        opened(app, **machine)
+        for key in ("symbols", "margin", *(f"summary_{number}" for number in range(1, 7))):
+            app.session_state[key] = True
+        return sound(app.switch_page(PAGES[path].file).run())
+
+    assert not shown(app).warning, "with a message the whole page is drawn again"
+    before = said(app), published(app)
+    for key, value in (("m_prime", 2.5), ("k", 20.0)):
+        app.slider(key=key).set_value(value).run()
+    moved = said(sound(app)), published(app)
+    assert moved[0] != before[0]
+    assert moved[1]["exact/k"]["value"] == 20
+    whole = shown(AppTest.from_file(str(ROOT / "app.py"), default_timeout=60), m_prime="2.5", k="20")
+    assert moved == (said(whole), published(whole))
