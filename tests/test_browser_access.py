@@ -1,6 +1,7 @@
-"""Everyone can use and read every page: axe-core finds nothing, headings skip no level, and the focus can be seen.
+"""A tour of the pages, each opened once: everyone can use and read it, in both themes, wide, narrow, and on paper.
 
-Words are set well: the page's own typeface in its figures, short lines, no lone full stop, labels inside figures.
+axe-core finds nothing, headings skip no level, and the focus can be seen. Words are set well: the page's own typeface
+in its figures, short lines, no lone full stop, labels inside figures.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import pytest
 
 from ramanujan.shell.navigation import PAGES
 from tests.browser import settle
+from tests.test_browser_language import OVERLAPS
+from tests.test_browser_print import SHEETS, check_printed
 from tests.test_look import THEME, rgb
 
 OF_STREAMLIT = r"/Source(Sans|Serif)\w*-(Upright|Roman)"
@@ -24,7 +27,7 @@ OPEN = """() => {
 }"""
 OF_THE_SCREEN = ["color-contrast", "link-in-text-block", "scrollable-region-focusable", "target-size"]
 """The rules whose verdict hangs on the theme or on the width."""
-FOUND = """(rules) => axe.run(document, { runOnly: rules, resultTypes: ["violations"] })
+FOUND = """([within, rules]) => axe.run(within, { runOnly: rules, resultTypes: ["violations"] })
   .then((result) => result.violations.flatMap((each) => each.nodes.map((node) =>
     `${each.id}: ${node.target.flat().join(" ")} ${node.html.slice(0, 160)}`)))"""
 REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
@@ -35,19 +38,8 @@ HEADINGS = """() => [...document.querySelectorAll("h1, h2, h3, h4, h5, h6")]
   .filter((each) => each.checkVisibility()).map((each) => Number(each.tagName[1]))"""
 """Levels of the headings in their order."""
 
-REGIONS = """() => {
-  const found = [];
-  const search = (root) => {
-    for (const node of root.querySelectorAll("*")) {
-      if (node.matches("[role=status], [aria-live]:not([aria-live=off]), output:not([aria-hidden=true])"))
-        found.push(node);
-      if (node.shadowRoot) search(node.shadowRoot);
-    }
-  };
-  document.querySelectorAll("[data-testid=stMain], [data-testid=stSidebar]").forEach(search);
-  return found.map((node) => node.outerHTML.slice(0, 80));
-}"""
-"""Every place of the page that a screen reader announces."""
+REGIONS = ":is(main, .stSidebar) :is([role=status], [aria-live]:not([aria-live=off]), output:not([aria-hidden=true]))"
+"""Every place of the page that a screen reader announces; Playwright looks into the components, too."""
 
 LINES = """() => [...document.querySelectorAll(".stMarkdown :is(p, li), [data-testid=stCaptionContainer] p")]
   .filter((each) => each.checkVisibility() && !each.closest("[data-collapsed=true]")).flatMap((each) => {
@@ -67,20 +59,19 @@ LINES = """() => [...document.querySelectorAll(".stMarkdown :is(p, li), [data-te
     return lines.map(({ text }) => text.trim());
   })"""
 """The lines of all paragraphs, as they are broken on the screen; a small index counts as a letter."""
+TICKS = "[...document.querySelectorAll('.js-plotly-plot .xtick text')].map((each) => each.style.fill)"
 FACES = """() => [...document.querySelectorAll(".js-plotly-plot text")].filter((each) => each.textContent.trim())
   .map((each) => getComputedStyle(each).fontFamily)"""
 LOADED = """() => [...document.fonts].filter((each) => each.status === "loaded" && /Source Sans/.test(each.family))
   .map((each) => each.style)"""
-MISPLACED = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((graph) => {
-  const home = graph.getBoundingClientRect(), labels = [...graph.querySelectorAll(".annotation-text")];
-  const boxes = labels.map((label) => [label.textContent, label.getBoundingClientRect()]);
-  return boxes.flatMap(([text, box], at) => [
-    ...(box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1 ? [`${text} is outside`] : []),
-    ...boxes.slice(at + 1).filter(([, other]) => box.left < other.right - 1 && other.left < box.right - 1
-      && box.top < other.bottom - 3 && other.top < box.bottom - 3).map(([other]) => `${text} lies on ${other}`),
-  ]);
+OUTSIDE = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((graph) => {
+  const home = graph.getBoundingClientRect();
+  return [...graph.querySelectorAll(".annotation-text")].filter((label) => {
+    const box = label.getBoundingClientRect();
+    return box.left < home.left - 1 || box.right > home.right + 1 || box.top < home.top - 1;
+  }).map((label) => label.textContent);
 })"""
-"""The labels of figures that are cut or lie on one another."""
+"""The labels of figures that are cut."""
 
 
 def switch(page, theme: str) -> None:
@@ -94,11 +85,11 @@ def switch(page, theme: str) -> None:
     )
 
 
-def audit(page, rules: list[str] = TAGS) -> list[str]:
-    """What axe-core finds now, once the page has come to rest."""
+def audit(page, rules: list[str] = TAGS, within: str = "html") -> list[str]:
+    """What axe-core finds now in a part of the page, once the page has come to rest."""
     settle(page)
     page.wait_for_function(REACHED)
-    return page.evaluate(FOUND, rules)
+    return page.evaluate(FOUND, [within, rules])
 
 
 def check_title_and_headings(page, name: str) -> None:
@@ -133,55 +124,68 @@ def check_words(page) -> None:
     faces = page.evaluate(FACES)
     assert set(faces) <= {'"Source Sans", sans-serif'}
     assert not faces or "normal" in page.evaluate(LOADED)
-    assert page.evaluate(MISPLACED) == []
+    assert page.evaluate(OUTSIDE) == []
+    assert page.evaluate(OVERLAPS) == []
+
+
+def check_figures_follow(page, inks: list[str]) -> None:
+    """Check that no figure keeps an ink of the theme before, and that nothing asks the server for ever."""
+    page.wait_for_function(f"(before) => !{TICKS}.some((ink) => before.includes(ink))", arg=inks)
+    settle(page)
+    sent = len(page.frames_sent)
+    page.wait_for_timeout(800)
+    assert len(page.frames_sent) == sent
+
+
+def check_control(page) -> None:
+    """Negative control: what axe-core and the list of requests are asked to find they find."""
+    page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
+    assert {each.partition(":")[0] for each in audit(page)} == {"color-contrast", "heading-order", "image-alt"}
+    with page.expect_request(lambda request: re.search(OF_STREAMLIT, request.url)):
+        page.evaluate("document.querySelector('h1').append(' Ж')")
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_axe_finds_nothing_in_both_themes_wide_and_narrow_and_words_are_set_well(visit, profile, server, name):
+def test_everyone_can_use_and_read_a_page(visit, profile, tabs, server, name):
     asked: list[str] = []
 
     def note(request: object) -> None:
         asked.append(request.url)
 
     profile.on("request", note)
-    page = visit(PAGES[name].address, width=1920, height=1080, anew=True)
+    page = visit(PAGES[name].address, width=1920, height=1080, theme="dark", anew=True)
     profile.remove_listener("request", note)
+    tabs.remove(page)  # no other test gets it as it will be
     check_requests(asked, server)
     check_title_and_headings(page, name)
     page.evaluate(OPEN)
     settle(page)
     check_words(page)
     page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
-    assert len(page.evaluate(REGIONS)) == 1
+    assert page.locator(REGIONS).count() == 1
     page.evaluate(AXE.read_text(encoding="utf-8"))
     assert audit(page) == []
-    # A theme changes nothing but colours, and a width no colours: two of the four see all of them.
-    switch(page, "dark")
-    page.set_viewport_size({"width": 390, "height": 844})
-    assert audit(page, OF_THE_SCREEN) == []
-    page.wait_for_function(f"({MISPLACED})().length === 0")  # Plotly draws anew some time after its width has changed
-
-
-def test_axe_finds_nothing_under_any_tab(visit):
-    page = visit("motion")
-    page.evaluate(AXE.read_text(encoding="utf-8"))
     for tab in page.get_by_role("tab").all()[1:]:
         tab.click()
-        assert audit(page) == []
-
-
-def test_what_axe_is_asked_to_find_it_finds(visit):
-    """Negative control, and all rules on a phone."""
-    page = visit("worksheet", width=390, height=844)
-    page.evaluate(AXE.read_text(encoding="utf-8"))
-    page.wait_for_function(REACHED)
-    page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
-    rules = {each.partition(":")[0] for each in page.evaluate(FOUND, TAGS)}
-    assert rules == {"color-contrast", "heading-order", "image-alt"}
-    # A letter that the app's own fonts lack is seen to bring Streamlit's.
-    with page.expect_request(lambda request: re.search(OF_STREAMLIT, request.url)):
-        page.evaluate("document.querySelector('h1').append(' Ж')")
-    page.goto("about:blank")
+        assert audit(page, within="[role=tabpanel]") == []
+    if name == "derivation":
+        page.locator(".st-key-more button").click()
+        page.locator(".st-key-show button").nth(1).click()
+        page.keyboard.press("Escape")
+        settle(page)
+    inks = page.evaluate(TICKS)
+    if name in SHEETS:
+        check_printed(page, SHEETS[name])
+    # A theme changes nothing but colours, and a width no colours: two of the four see all of them.
+    page.set_viewport_size({"width": 390, "height": 844})
+    switch(page, "light")
+    check_figures_follow(page, inks)
+    assert audit(page, OF_THE_SCREEN) == []
+    for found in (OUTSIDE, OVERLAPS):  # Plotly draws anew some time after its width has changed
+        page.wait_for_function(f"({found})().length === 0")
+    if name == "worksheet":
+        check_control(page)
+    page.close()
 
 
 FOCUSED = (

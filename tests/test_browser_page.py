@@ -96,25 +96,6 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(prof
     assert max(heights) - min(heights) < 2
 
 
-def test_figures_follow_a_theme_that_is_switched(visit):
-    page = visit("motion", height=1400)
-    ink = "(document.querySelector('.js-plotly-plot .xtick text')?.style.fill ?? '')"
-    page.wait_for_selector(".js-plotly-plot .xtick text", state="attached")
-    light = page.evaluate(ink)
-    page.emulate_media(color_scheme="dark", reduced_motion="reduce")
-    page.wait_for_function(f"!['', '{light}'].includes({ink})")
-    dark = page.evaluate(ink)
-    settle(page)
-    page.emulate_media(color_scheme="light", reduced_motion="reduce")
-    page.wait_for_function(f"{ink} === '{light}'")
-    settle(page)
-    assert dark != light
-    # Once for each switch: nothing asks for ever.
-    sent = len(page.frames_sent)
-    page.wait_for_timeout(800)
-    assert len(page.frames_sent) == sent
-
-
 # ---- one clock
 
 

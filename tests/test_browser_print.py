@@ -8,7 +8,6 @@ import re
 import pytest
 from pypdf import PageObject, PdfReader
 
-from tests.browser import settle
 from tests.test_worksheet import key_of
 
 CONTROLS = (
@@ -64,6 +63,35 @@ def check_paper(page) -> None:
     page.emulate_media(media="null")
 
 
+SHEETS = {"oscillator": 4, "derivation": 11, "motion": 3, "taxicab": 6, "speed": 4}
+"""Page → how many sheets of A4 it takes at most."""
+
+
+def check_printed(page, most: int) -> None:
+    """Check that a page, in the dark theme and with its six steps open if it has them, comes on so many sheets.
+
+    Nothing is cut, nothing is dark, no sheet is empty, and a step stands on one sheet with its equations.
+    """
+    sheets = [each.extract_text().strip() for each in printed(page, "A4").pages]
+    text = "\n".join(sheets)
+    assert not [words for words in CONTROLS if words in text]
+    assert all(sheets), "an empty sheet"
+    assert len(sheets) <= most
+    if page.locator(".st-key-steps summary").count():
+        (sheet,) = (each for each in sheets if "6. Find" in each)
+        assert "1729" in sheet
+        width = page.locator(".js-plotly-plot").evaluate("figure => figure.clientWidth")
+        share = float(page.evaluate("document.documentElement.style.getPropertyValue('--printed')"))
+        assert 600 < width * share <= PAPERS["A4"][0] - MARGINS
+    # A browser that prints tells no script how wide the paper is, and draws no figure anew.
+    client, screen = page.context.new_cdp_session(page), page.viewport_size
+    client.send("Emulation.setScriptExecutionDisabled", {"value": True})
+    check_paper(page)
+    page.set_viewport_size(screen)
+    page.wait_for_timeout(100)
+    client.detach()
+
+
 @pytest.mark.parametrize("query", ["seed=7", "seed=1&level=2", "seed=3&level=3", f"seed=2&paper=key&key={key_of(2)}"])
 def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
     page = visit(f"worksheet?{query}", theme="dark")
@@ -80,38 +108,3 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
         # Of the printable height, from 0.05 to 0.95, at most a quarter stays empty.
         assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
     check_paper(page)
-
-
-SHEETS = {
-    "": 4,
-    "derivation?show=reading": 11,
-    "motion": 3,
-    "1729": 6,
-    "speed?periods=1": 4,
-}
-"""Page → how many sheets of A4 it takes at most."""
-
-
-@pytest.mark.parametrize("path", SHEETS)
-def test_nothing_is_cut_and_nothing_dark_on_paper(visit, path):
-    page = visit(path, theme="dark")
-    sheets = [each.extract_text().strip() for each in printed(page, "A4").pages]
-    text = "\n".join(sheets)
-    assert not [words for words in CONTROLS if words in text]
-    assert all(sheets), "an empty sheet"
-    assert len(sheets) <= SHEETS[path]
-    check_paper(page)
-    if not path:
-        check_step(page)
-
-
-def check_step(page) -> None:
-    """Check that an opened step is on one sheet with its equations, and that figures shrink to the paper's width."""
-    page.home = None  # no other test gets it with a step open
-    page.locator(".st-key-steps summary", has_text="6. Find").click()
-    settle(page)
-    (sheet,) = (each for each in printed(page, "A4").pages if "6. Find" in each.extract_text())
-    assert "1729" in sheet.extract_text()
-    width = page.locator(".js-plotly-plot").evaluate("figure => figure.clientWidth")
-    share = float(page.evaluate("document.documentElement.style.getPropertyValue('--printed')"))
-    assert 600 < width * share <= PAPERS["A4"][0] - MARGINS
