@@ -1,7 +1,5 @@
 """The app in a browser, for tests and benchmarks: start it, open it, and wait for its answers."""
 
-from __future__ import annotations
-
 import contextlib
 import re
 import shutil

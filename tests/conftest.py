@@ -7,8 +7,6 @@ In CI, whose machine others share, a browser test that fails gets a second try, 
 your own machine it gets none, so that a race is seen.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterator
 from weakref import WeakKeyDictionary

@@ -9,8 +9,6 @@ The upright fonts set symbols in italics by themselves: small Greek letters alwa
 the text itself stays plain for screen readers, searches and copies. Letters of words, units and initials stay upright.
 """
 
-from __future__ import annotations
-
 import io
 import math
 import re

@@ -4,8 +4,6 @@ Mass and stiffness matrix come from Kane's method (`reference`), everything else
 from Mq̈ = −Kq, the forces from each roller's own balance. All numbers have 60 digits.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cache
 from typing import Any

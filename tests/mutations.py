@@ -5,8 +5,6 @@ before anything is broken. With words, only the mutations are run whose names co
 and is no part of the test suite.
 """
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

@@ -4,8 +4,6 @@ Nothing here asks the page's own formulas or its layout. The scale comes from th
 from the drawn ruler, and arrows are measured against the reference arrow that is drawn with them.
 """
 
-from __future__ import annotations
-
 import io
 import math
 

@@ -1,7 +1,5 @@
 """Numbers as the pages write them, read back: 0.033, 12 300, −4.6×10¹⁵³, 10⁻⁶. It shares nothing with the package."""
 
-from __future__ import annotations
-
 import base64
 from typing import Any
 

@@ -3,8 +3,6 @@
 It shares with them the symbols only; velocities are put together here from frames and points.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Sequence
 from functools import cache

@@ -6,8 +6,6 @@
 Only websockets are delayed: a page's scripts would otherwise take a minute to load, and they decide nothing.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import re

@@ -1,7 +1,5 @@
 """No address breaks a page: every key of every page with values that nobody means, old labels, and each option's id."""
 
-from __future__ import annotations
-
 import pytest
 from streamlit.testing.v1 import AppTest
 

@@ -1,7 +1,5 @@
 """The judge of a student's formula, through its own door: right in any spelling, mistakes named, never an exception."""
 
-from __future__ import annotations
-
 import os
 import re
 import time

@@ -4,8 +4,6 @@ axe-core finds nothing, headings skip no level, and the focus can be seen. Words
 in its figures, short lines, no lone full stop, labels inside figures.
 """
 
-from __future__ import annotations
-
 import re
 from importlib.resources import files
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """A class in browsers: a desk on a phone, a wall, five voters, a whole lesson by clicker, and the file of the votes."""
 
-from __future__ import annotations
-
 import csv
 import random
 from collections import Counter

@@ -1,7 +1,5 @@
 """Sliders, boxes and presets under a hand; what a slow network does to them is in test_browser_lost."""
 
-from __future__ import annotations
-
 from playwright.sync_api import expect
 
 from tests.browser import settle, thumb

@@ -1,7 +1,5 @@
 """Page 2 in a browser: keys, links, files, colours, and formulas that stay inside a phone."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

@@ -4,8 +4,6 @@ RAMANUJAN_MINUTES sets how long the stage runs (60 for a thorough run), RAMANUJA
 stage are gone through (50 for a thorough run).
 """
 
-from __future__ import annotations
-
 import itertools
 import os
 from collections import Counter

@@ -1,7 +1,5 @@
 """An exercise by link in a browser, from a phone's first answer to the file that is handed in."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

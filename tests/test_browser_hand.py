@@ -1,7 +1,5 @@
 """The hand in a browser: what it does to sliders and slab is followed at once, and can be taken back."""
 
-from __future__ import annotations
-
 import pytest
 from playwright.sync_api import expect
 

@@ -3,8 +3,6 @@
 They fit a narrow phone, too, where nothing scrolls sideways.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """The lesson in a browser: nothing to see and nothing to hear before the prediction, then the machine runs."""
 
-from __future__ import annotations
-
 import itertools
 import math
 import re

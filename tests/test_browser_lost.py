@@ -3,8 +3,6 @@
 RAMANUJAN_CHANGES sets how many quick changes each page sees (500 for a thorough run).
 """
 
-from __future__ import annotations
-
 import os
 import random
 from collections.abc import Callable, Iterator

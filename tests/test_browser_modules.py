@@ -1,7 +1,5 @@
 """The pure modules of the page, each imported alone by the browser: bus, sentences, motion, playback, clock."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

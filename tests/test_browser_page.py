@@ -1,7 +1,5 @@
 """The page's side in a browser: theme, one clock, the screen reader's tree, the host's page."""
 
-from __future__ import annotations
-
 import io
 import re
 from xml.etree import ElementTree

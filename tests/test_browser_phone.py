@@ -1,7 +1,5 @@
 """The app under a finger: what is swiped over stays as it was, and sliders and machine are seen together."""
 
-from __future__ import annotations
-
 from playwright.sync_api import expect
 
 from tests.browser import listen, settle

@@ -3,8 +3,6 @@
 RAMANUJAN_MACHINES sets how many machines from anywhere on the sliders are drawn besides those at the corners.
 """
 
-from __future__ import annotations
-
 import math
 import os
 import re

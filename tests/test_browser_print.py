@@ -1,7 +1,5 @@
 """What the browser prints: no sidebar, no controls, formulas and figures whole, light from a dark theme."""
 
-from __future__ import annotations
-
 import io
 import re
 

@@ -1,7 +1,5 @@
 """Page 5 in a browser: two stages on one clock, work that can be stopped and left, room on a phone."""
 
-from __future__ import annotations
-
 from playwright.sync_api import expect
 
 from tests.browser import settle

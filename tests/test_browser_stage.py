@@ -1,7 +1,5 @@
 """The stage in a real browser: what it shows, what it costs, what a hand can do with it."""
 
-from __future__ import annotations
-
 import json
 import math
 from itertools import combinations, pairwise

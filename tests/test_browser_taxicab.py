@@ -1,7 +1,5 @@
 """Page 4 in a browser: figures have words, a click builds a machine with its own frequency, the phone fits."""
 
-from __future__ import annotations
-
 import re
 
 from playwright.sync_api import expect

@@ -1,7 +1,5 @@
 """How letters are set: the page's font makes one that stands alone a symbol."""
 
-from __future__ import annotations
-
 import io
 from base64 import b64encode
 

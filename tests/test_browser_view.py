@@ -1,7 +1,5 @@
 """A lecturer's view in the browser: what is hidden is nowhere, a projector shows large words and nothing to scroll."""
 
-from __future__ import annotations
-
 import contextlib
 import re
 

@@ -4,8 +4,6 @@ The server is Debian's (`apt-get install postgresql`), started by the test on a 
 skipped, unless RAMANUJAN_REQUIRE_POSTGRES is set.
 """
 
-from __future__ import annotations
-
 import inspect
 import multiprocessing
 import os

@@ -1,7 +1,5 @@
 """The class's votes: none is lost, none is seen too early, and nobody opens what is not theirs."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import random

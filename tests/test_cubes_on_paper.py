@@ -1,7 +1,5 @@
 """The drawing of the cubes for paper: every unit cube of three faces, in the right proportions."""
 
-from __future__ import annotations
-
 import itertools
 import math
 import re

@@ -1,7 +1,5 @@
 """The recipe under .deploy, started as it is on the loopback address: two processes behind HAProxy, with a browser."""
 
-from __future__ import annotations
-
 import gzip
 import os
 import random

@@ -1,7 +1,5 @@
 """What every step of every route has to be, and what is said about one machine."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

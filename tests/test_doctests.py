@@ -1,7 +1,5 @@
 """Every public name has a docstring that says what comes back, with an example that runs, and types without Any."""
 
-from __future__ import annotations
-
 import doctest
 import importlib
 import inspect

@@ -1,7 +1,5 @@
 """Exact numbers as LaTeX, read back, and their decimals against fractions of integers."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import mpmath

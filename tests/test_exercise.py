@@ -1,7 +1,5 @@
 """An exercise by link under AppTest: its order, its verdicts, no key for students, and the sheet at its end."""
 
-from __future__ import annotations
-
 import re
 from urllib.parse import parse_qs, urlsplit
 

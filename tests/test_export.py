@@ -1,7 +1,5 @@
 """What a student takes home: LaTeX that compiles, Markdown, and notebooks that derive Ω² again by themselves."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import re

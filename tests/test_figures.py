@@ -1,7 +1,5 @@
 """The figures that are written as dictionaries: Plotly itself checks every property, and reads the arrays."""
 
-from __future__ import annotations
-
 import json
 import re
 

@@ -1,7 +1,5 @@
 """The lesson: every answer by a way of its own, every task solved and not solved, and that nothing is typed in."""
 
-from __future__ import annotations
-
 import math
 import random
 import re

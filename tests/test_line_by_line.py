@@ -4,8 +4,6 @@
 vanish. A spoiled equation is noticed where it stands or in the next step that uses it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

@@ -1,7 +1,5 @@
 """One colour for each body, everywhere, and readable: the theme, the stage's style sheet and the figures agree."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 import warnings

@@ -3,8 +3,6 @@
 RAMANUJAN_MONKEY sets how many actions it takes (5,000 for a thorough run), RAMANUJAN_SEED its seed.
 """
 
-from __future__ import annotations
-
 import logging
 import os
 import random

@@ -1,7 +1,5 @@
 """The exact motion against an integrator, and its times. The whole range is in test_whole_range.py."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

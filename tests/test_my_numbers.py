@@ -4,8 +4,6 @@ The LaTeX is read and evaluated by `tests.latex`, the motion comes from `tests.m
 derivation puts numbers into its formulas.
 """
 
-from __future__ import annotations
-
 import os
 import random
 import re

@@ -1,7 +1,5 @@
 """The 1729 arithmetic against brute force, mpmath, and a SymPy derivation from rolling constraints and energies."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 import random

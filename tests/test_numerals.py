@@ -1,7 +1,5 @@
 """Numbers as people read them: the same text from Python and from the page's own script, and the way back."""
 
-from __future__ import annotations
-
 import json
 import math
 import random

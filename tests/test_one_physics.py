@@ -4,8 +4,6 @@ The symbolic side is printed to functions of 50-digit numbers by SymPy and evalu
 What the browser gets of it is run by the JavaScript engine that Playwright brings.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 from functools import cache

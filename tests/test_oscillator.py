@@ -1,7 +1,5 @@
 """The Ω² curve and its inverse against mpmath, and what a machine refuses; its numbers are in test_whole_range.py."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

@@ -1,7 +1,5 @@
 """The paper’s equations, typed here as printed: each is in the step of the Euler–Lagrange route that README names."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

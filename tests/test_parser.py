@@ -1,7 +1,5 @@
 """The grammar of a typed formula: what it reads, what it refuses, and that nothing makes it stumble."""
 
-from __future__ import annotations
-
 import os
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """The marginal notes: every claim is computed, and the corrected lines are the right ones."""
 
-from __future__ import annotations
-
 import pytest
 import sympy as sp
 

@@ -1,7 +1,5 @@
 """Ways to write the right answer: SymPy regroups it, prints it as text and as LaTeX; none may be called wrong."""
 
-from __future__ import annotations
-
 import os
 import random
 import re

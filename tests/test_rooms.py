@@ -1,7 +1,5 @@
 """Which room may import which, and what the first page may load: the table of the README, held."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

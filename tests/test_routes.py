@@ -1,7 +1,5 @@
 """Five routes, one Ω², for other bodies too."""
 
-from __future__ import annotations
-
 import pytest
 import sympy as sp
 

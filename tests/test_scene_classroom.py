@@ -1,7 +1,5 @@
 """The class on the lesson's page: a round as lecturer and students see it, and what neither may see."""
 
-from __future__ import annotations
-
 import csv
 import io
 import re

@@ -1,7 +1,5 @@
 """Page 2 under AppTest: every route, shown either way, and what a student may type."""
 
-from __future__ import annotations
-
 import json
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """The page Lesson under AppTest: every stop before and after the prediction, every task, links, no answer too early."""
 
-from __future__ import annotations
-
 import json
 import re
 

@@ -1,7 +1,5 @@
 """Page 1 and the sidebar under AppTest: every control at its ends, presets, exact entries, good and bad links."""
 
-from __future__ import annotations
-
 import json
 import math
 

@@ -1,7 +1,5 @@
 """Page 5: what it says is what was measured, its work is done in pieces, and it can be left at any time."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

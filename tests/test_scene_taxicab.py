@@ -1,7 +1,5 @@
 """Page 4 under AppTest: what it says against brute force, mpmath and SymPy; its figures; bad input."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What a lecturer's link says of the view: parts that are hidden, the projector, the values that Reset returns to."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

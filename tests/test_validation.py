@@ -3,8 +3,6 @@
 The functions are found, not listed; what a parameter has to refuse follows from its annotation.
 """
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import math

@@ -4,8 +4,6 @@ The truth is computed with 60 digits from the mass matrix of the paper, from New
 bodies one by one; no formula of the package takes part. Set RAMANUJAN_DEEP=1 for a hundred times as many machines.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 import os

@@ -1,7 +1,5 @@
 """What goes over the wire, without a browser: few bytes, and nothing that a page forgets and needs again."""
 
-from __future__ import annotations
-
 import asyncio
 import random
 from concurrent.futures import ThreadPoolExecutor

@@ -1,7 +1,5 @@
 """Every sentence for people is a whole template that gettext tools find; the pseudo-language keeps its slots."""
 
-from __future__ import annotations
-
 import ast
 import io
 import re

@@ -1,7 +1,5 @@
 """The worksheet: its answers on an independent way, its picture, and the key that fits the questions."""
 
-from __future__ import annotations
-
 import itertools
 import re
 import xml.etree.ElementTree as ET

@@ -5,8 +5,6 @@ at an altered machine is followed by another way than the judge's: Ω² is the s
 takes a small seeded sample; RAMANUJAN_DEEP=1 takes 5,000 answers to each question.
 """
 
-from __future__ import annotations
-
 import os
 import random
 import re

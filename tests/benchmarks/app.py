@@ -7,8 +7,6 @@ key stroke on a slider: the browser's own time stamps of the websocket give the 
 time until the picture has changed.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import statistics

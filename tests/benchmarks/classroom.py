@@ -13,8 +13,6 @@ printed how long each measurement took. With --visits, sessions are only opened 
 server's memory is printed.
 """
 
-from __future__ import annotations
-
 import argparse
 import asyncio
 import os

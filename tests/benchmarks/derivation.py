@@ -5,8 +5,6 @@ should the six steps of the first page, with √1729 as without. A page may spen
 a question also derives its typical mistakes.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from statistics import median

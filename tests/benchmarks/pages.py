@@ -6,8 +6,6 @@ The wait is that of a request to the server's health address, which the same pro
 on an idle server, most of it the connection's own delay, is printed beside it.
 """
 
-from __future__ import annotations
-
 import argparse
 import statistics
 from http.client import HTTPConnection

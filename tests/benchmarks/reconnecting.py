@@ -1,7 +1,5 @@
 """How soon a page says that its server is away after a kill (goal: 1 s): `python -m tests.benchmarks.reconnecting`."""
 
-from __future__ import annotations
-
 import time
 
 from playwright.sync_api import sync_playwright

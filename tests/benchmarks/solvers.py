@@ -5,8 +5,6 @@ error up to the tolerance. Each one is set as coarse as it may be for that. Four
 status is 1 if one is missed. Run it on a machine that does nothing else.
 """
 
-from __future__ import annotations
-
 import argparse
 import sys
 import time

@@ -9,8 +9,6 @@ The browser is slowed down to so many megabits a second, and each request by so 
 Streamlit sends by itself, as to a browser that takes no compressed answer.
 """
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 from statistics import median

@@ -5,8 +5,6 @@ every question, and the server answers with a hash where it can. The page forget
 `max_cached_message_age` finished runs.
 """
 
-from __future__ import annotations
-
 import asyncio
 import random
 from dataclasses import dataclass, field
