@@ -80,6 +80,7 @@ def switch(page, theme: str) -> None:
         """([theme, paper]) => document.documentElement.dataset.theme === theme &&
           getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper""",
         arg=[theme, paper],
+        timeout=120_000,  # Plotly measures each word of a page of five figures in both themes and at both widths
     )
 
 

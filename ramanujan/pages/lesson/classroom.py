@@ -37,6 +37,8 @@ DESK_EVERY, PHONE_EVERY = 2.0, 2.5
 """Seconds between two looks at what is new, at the lecturer's desk and on a phone."""
 
 _LONGEST_CODE = 20
+NOTHING_TO_SET = "<style>@media (width <= 768px) { :root:root:root { --sheet: 0px; --sheet-content: none; } }</style>"
+"""On a phone whose owner answers. A rule for all pages would need :has(), and phones half of their time for styles."""
 _DRAWN = "class_drawn"
 """Session state: the question with which a phone was last drawn as a whole."""
 _SEEN = "class_seen"
@@ -255,6 +257,7 @@ def _phone() -> None:
     if (seat := seat_held()) is None:
         st.rerun()
     with st.container(key="class_phone"):
+        st.html(NOTHING_TO_SET)
         try:
             question = shared().question(seat.code)
             chosen = shared().chosen(seat, question)
