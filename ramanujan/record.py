@@ -1,10 +1,17 @@
 """A record of one motion: positions, velocities, energies, momenta and forces at equal steps of time, also as CSV.
 
-This module collects and names the series; `motion`, `energy` and `contact` compute them.
+This module collects and names the series; `motion`, `energy` and `contact` compute them. The table opens in a
+spreadsheet, and numpy reads it back exactly:
+
+    # a comment line for each remark and parameter
+    t [s],X [m],…            one header line: each name with its unit
+    0.0,0.04,…               one line for each time: the fewest digits that give back the very same doubles
 """
 
 from __future__ import annotations
 
+import csv
+import io
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,7 +30,6 @@ from ramanujan.motion import (
 )
 from ramanujan.oscillator import Oscillator
 from ramanujan.rounding import in_range
-from ramanujan.table import csv_table
 from ramanujan.translation import _
 from ramanujan.validation import instance, integer, positive
 
@@ -169,7 +175,8 @@ def table(motion: Record, friction_coefficient: float) -> str:
 
     Returns
     -------
-    the table as text
+    the table as text; its first line says how many lines numpy has to skip:
+    `numpy.loadtxt(file, delimiter=",", skiprows=…)`
 
     Raises
     ------
@@ -198,10 +205,12 @@ def table(motion: Record, friction_coefficient: float) -> str:
         (_("largest compression without slip"), largest, "m"),
         *((friction.format(contact=contact), value, "") for contact, value in needed.items()),
     )
-    return csv_table(
-        columns(motion),
-        [
-            _("Ramanujan’s oscillator in SI units: positive to the right. Only X and p_X are positive to the left."),
-            *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters),
-        ],
-    )
+    said = _("Ramanujan’s oscillator in SI units: positive to the right. Only X and p_X are positive to the left.")
+    skipped = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows")
+    comments = [said, *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters)]
+    series, text = columns(motion), io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerows([f"# {comment}"] for comment in (skipped.format(n=len(comments) + 2), *comments))
+    writer.writerow(series)
+    writer.writerows(zip(*(values.tolist() for values in series.values()), strict=True))
+    return text.getvalue()

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from ramanujan import Oscillator
 from ramanujan.record import columns, record, table
-from ramanujan.table import csv_table
 
 MACHINE = Oscillator(1.3, 0.7, 25.0, 0.12)
 
@@ -106,28 +105,11 @@ def test_a_spin_moves_the_top_cylinder_alone():
 doubles = st.floats(allow_nan=False, allow_infinity=False)
 
 
-@given(st.lists(st.tuples(doubles, doubles), min_size=1, max_size=8))
+@given(st.lists(doubles, min_size=5, max_size=5))
 @settings(deadline=None, max_examples=60)
-def test_any_doubles_survive_the_table(rows):
-    first, second = (np.array(column) for column in zip(*rows, strict=True))
-    numbers = np.atleast_2d(read(csv_table({"a [m]": first, "b [s]": second}, ["x"]))[2])
-    assert numbers.T.tobytes() == np.array([first, second]).tobytes()
-
-
-@pytest.mark.parametrize(
-    ("columns", "comments"),
-    [
-        ({}, []),
-        ({"a": [1.0], "b": [1.0, 2.0]}, []),
-        ({"a": [[1.0]]}, []),
-        ({"a,b": [1.0]}, []),
-        ({"a": [1.0]}, ["two\nlines"]),
-        ({"a": [1.0]}, ["one, two"]),
-    ],
-)
-def test_what_would_not_come_back_is_refused(columns, comments):
-    with pytest.raises(ValueError, match=r"^(columns|comments) must"):
-        csv_table(columns, comments)
+def test_any_doubles_survive_the_table(values):
+    motion = replace(taken(points=5), t=np.array(values))
+    assert read(table(motion, 0.2))[2][:, 0].tobytes() == motion.t.tobytes()
 
 
 def test_a_record_keeps_the_compression_that_was_asked_for():

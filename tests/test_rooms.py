@@ -29,7 +29,6 @@ ROOMS = readme_s_table()
 OTHER_PAGES = (
     "accuracy",
     "record",
-    "table",
     "number_theory",
     "lesson",
     "answers",

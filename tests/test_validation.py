@@ -31,7 +31,6 @@ ROOMS = (
     "contact",
     "sampling",
     "record",
-    "table",
     "integrators",
     "number_theory",
     "accuracy",
@@ -96,8 +95,6 @@ NO_OBJECTS = [None, 3, True, "machine", object(), math.nan, [Oscillator()]]
 PERMITTED = {
     "spacing": (math.inf,),
     "after": (None,),
-    # Any text may be a comment.
-    "comments": (["nope"], "rk4", {"rk4"}),
     **dict.fromkeys("abc", (0, -1)),
 }
 """Parameter → what it takes all the same."""
@@ -120,7 +117,6 @@ GOOD = {
     "WorkPrecision": CURVE,
     "WorkPrecision | None": None,
     "Iterable[WorkPrecision]": [CURVE],
-    "Mapping[str, ArrayLike]": {"t [s]": [0.0, 1.0]},
 }
 NAMED = {"a": 18, "b": 1, "c": -24, "spacing": 0.29, "method": "rk4", "by": "seconds", "dtype": "float64"}
 """Annotation, or name of a parameter for which that is not enough → a value that it takes."""
@@ -159,7 +155,7 @@ def good_call(name):
 def test_every_public_function_is_found():
     assert len(CHECKED) > 50
     assert set(UNCHECKED) <= set(FUNCTIONS)
-    assert {"motion", "energies", "sums_of_two_cubes", "extremes", "trajectory", "csv_table"} <= set(CHECKED)
+    assert {"motion", "energies", "sums_of_two_cubes", "extremes", "trajectory"} <= set(CHECKED)
     # What a notebook imports is among them.
     callables = {name for name, value in vars(ramanujan).items() if inspect.isfunction(value)}
     assert callables <= set(CHECKED)
@@ -248,7 +244,6 @@ def test_shown_never_fails():
         (lambda: ramanujan.trajectory(METHODS["rk4"], abs, [1.0, 2.0], [1.0], 0.1), r"^v must have the shape of q"),
         (lambda: ramanujan.trajectory(METHODS["rk4"], abs, 1.0, 1.0, [0.1]), r"^h must be one number or have"),
         (lambda: FUNCTIONS["points_for_half_pixel"](1e300), r"^periods and height_px are too large"),
-        (lambda: FUNCTIONS["csv_table"]({}), r"^columns must hold at least one column"),
         (lambda: record(Oscillator(), 0.08, spacing=0.29, periods=1e308, points=2), r"^(t|periods) "),
     ],
 )
