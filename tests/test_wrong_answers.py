@@ -171,7 +171,7 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
     return Fraction(str(by_the_inverse_matrix(machine, at_point)[name]))
 
 
-HINTED = {mistake.hint: mistake.bodies for mistake in (*machines.common(), *machines.exotic())}
+HINTED = machines.altered()
 SPELLED = dict(zip((*symbols.VELOCITIES, symbols.m, symbols.m_prime, symbols.k, symbols.R, *symbols.COORDINATES),
                    ("X'", "phi'", "Phi'", "m", "m'", "k", "R", "X", "phi", "Phi"), strict=True))  # fmt: skip
 

@@ -5,33 +5,17 @@ one sentence and the question that leads on; what students do often comes first.
 through one elimination, exactly, for any mass ratio.
 """
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import sympy as sp
 from sympy.polys.fields import FracElement, field
 
-from ramanujan.derivation.symbols import (
-    COORDINATES,
-    HOOP,
-    SOLID_CYLINDER,
-    Body,
-    Machine,
-    Phi,
-    R,
-    X,
-    epsilon,
-    k,
-    m,
-    m_prime,
-    machine,
-    phi,
-)
+from ramanujan.derivation import symbols
+from ramanujan.derivation.symbols import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi
 from ramanujan.translation import _
-
-_LOWER_ROLLERS, _ROLLERS = ("hoop", "cylinder"), ("hoop", "cylinder", "top")
-_RIDERS = ("hoop", "cylinder", "slab", "top")
 
 CALLED = {
     "block": _("the block"),
@@ -42,150 +26,98 @@ CALLED = {
 }
 """The name of each body in a sentence."""
 
-_GROUPS = {
-    _LOWER_ROLLERS: _("the lower rollers"),
+_LOWER, _ROLLERS, _RIDERS = "hoop cylinder", "hoop cylinder top", "hoop cylinder slab top"
+_GROUPS = CALLED | {
+    _LOWER: _("the lower rollers"),
     _ROLLERS: _("all rollers"),
     _RIDERS: _("everything on the block"),
-    **{(name,): called for name, called in CALLED.items()},
+}
+_SHAPES = {
+    symbols.HOOP: _("a hoop"),
+    symbols.SOLID_CYLINDER: _("a solid cylinder"),
+    sp.Rational(2, 3): _("a spherical shell"),
+    sp.Rational(2, 5): _("a solid sphere"),
 }
 
 right = cache(machine)
 """The machine as it is."""
 
+_Change = Callable[[Body], dict[str, Any]]
+"""Body → what is different of it."""
 
-@dataclass(frozen=True)
-class Mistake:
-    """A hint (one sentence, then a question), and the machine for which the mistake would be right."""
 
-    hint: str
-    bodies: Machine
+def _other_mass(body: Body) -> dict[str, Any]:
+    return {"mass": m if body.mass == m_prime else m_prime}
+
+
+def _other_angle(body: Body) -> dict[str, Any]:
+    swapped = {phi: Phi, Phi: phi}
+    return {"displacement": body.displacement.xreplace(swapped), "angle": body.angle.xreplace(swapped)}
+
+
+_MISTAKES: dict[str, tuple[tuple[str, ...], *tuple[_Change, ...]]] = {
+    _(
+        "You get this result if you leave out the rotation of {body}. Which energy does a body have because it rotates?"
+    ): ((*_ROLLERS.split(), _LOWER, _ROLLERS), lambda body: {"shape_factor": sp.S.Zero}),
+    _(
+        "You get this result if you divide the velocity of {body} relative to the ground by R to find the angular "
+        "velocity. On which surface does a roller roll?"
+    ): ((*_ROLLERS.split(), _LOWER, _ROLLERS), lambda body: {"angle": sp.expand(body.displacement / R)}),
+    _("You get this result if {body} has the mass {mass}. Which mass does it have?"): (tuple(CALLED), _other_mass),
+    _("You get this result if {body} have the mass {mass}. Which mass do they have?"): ((_LOWER,), _other_mass),
+    _(
+        "You get this result if you add X′ to the velocity of {body} instead of subtracting it. In which direction "
+        "does the block move when X grows?"
+    ): ((*_RIDERS.split(), _LOWER), lambda body: {"displacement": body.displacement.subs(X, -X)}),
+    _(
+        "You get this result if you take the velocity of {body} relative to the block. How does the block itself move?"
+    ): ((*_RIDERS.split(), _LOWER, _RIDERS), lambda body: {"displacement": body.displacement.subs(X, 0)}),
+    _(
+        "You get this result if {body} moves only as far as the centres of its rollers. How fast does the top of a "
+        "rolling body move?"
+    ): (("slab",), lambda _body: {"displacement": right()["hoop"].displacement}),
+    _(
+        "You get this result if you give {body} the displacement of the slab. How far does the centre of a roller move "
+        "when its top moves by 2Rφ?"
+    ): ((*_LOWER.split(), _LOWER), lambda _body: {"displacement": right()["slab"].displacement}),
+    _("You get this result if you use the angle {angle} for {body}. Which angle describes the motion of {body}?"): (
+        tuple(_RIDERS.split()),
+        _other_angle,
+    ),
+    _("You get this result if {body} has the moment of inertia of {shape}. What is the moment of inertia of {body}?"): (
+        tuple(_ROLLERS.split()),
+        *(lambda _body, shape=shape: {"shape_factor": shape} for shape in _SHAPES),
+    ),
+    _("You get this result if you leave out {body}. Which bodies have kinetic energy?"): (
+        tuple(CALLED),
+        lambda _body: {"mass": sp.S.Zero},
+    ),
+}
+"""Hint → the bodies, or groups of them, that a mistake alters, and how; the more common mistakes come first."""
 
 
 @cache
-def common() -> tuple[Mistake, ...]:
-    """Return mistakes that confuse bodies, masses, angles and velocities of this machine."""
-    return (*_rotation(), *_masses(), *_velocities(), *_displacements(), *_inertia("a_hoop", "a_cylinder"))
+def altered() -> dict[str, Machine]:
+    """Return hint → the machine for which that mistake would be right."""
+    found = {}
+    for hint, (groups, *changes) in _MISTAKES.items():
+        for change in changes:
+            for group in groups:
+                names = group.split()
+                bodies = [replace(each, **change(each)) if each.name in names else each for each in right().bodies]
+                if (mistaken := Machine(tuple(bodies))) != right():
+                    said = hint.format(body=_GROUPS[group], **_words(mistaken[names[-1]]))
+                    found[said] = mistaken
+    return found
 
 
-@cache
-def exotic() -> tuple[Mistake, ...]:
-    """Return mistakes that put other bodies into the machine, or take one out."""
-    return (
-        *_inertia("a_shell", "a_sphere"),
-        *_each(
-            _("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
-            _alone(*CALLED),
-            lambda body: replace(body, mass=sp.S.Zero),
-        ),
-    )
-
-
-def _alone(*names: str) -> tuple[tuple[str, ...], ...]:
-    return tuple((name,) for name in names)
-
-
-def _each(
-    hint: str, groups: tuple[tuple[str, ...], ...], change: Callable[[Body], Body], **words: str
-) -> Iterator[Mistake]:
-    for names in groups:
-        bodies = Machine(tuple(change(body) if body.name in names else body for body in right().bodies))
-        yield Mistake(hint.format(body=_GROUPS[names], **words), bodies)
-
-
-def _rotation() -> Iterator[Mistake]:
-    groups = (*_alone(*_ROLLERS), _LOWER_ROLLERS, _ROLLERS)
-    yield from _each(
-        _(
-            "You get this result if you leave out the rotation of {body}. Which energy does a body have because it "
-            "rotates?"
-        ),
-        groups,
-        lambda body: replace(body, shape_factor=sp.S.Zero),
-    )
-    yield from _each(
-        _(
-            "You get this result if you divide the velocity of {body} relative to the ground by R to find the angular "
-            "velocity. On which surface does a roller roll?"
-        ),
-        groups,
-        lambda body: replace(body, angle=sp.expand(body.displacement / R)),
-    )
-
-
-def _masses() -> Iterator[Mistake]:
-    hint = _("You get this result if {body} has the mass {mass}. Which mass does it have?")
-    hint_for_both = _("You get this result if {body} have the mass {mass}. Which mass do they have?")
-
-    def other(body: Body) -> Body:
-        return replace(body, mass=m if body.mass == m_prime else m_prime)
-
-    yield from _each(hint, _alone(*_LOWER_ROLLERS), other, mass="m")
-    yield from _each(hint_for_both, (_LOWER_ROLLERS,), other, mass="m")
-    yield from _each(hint, _alone("block", "slab", "top"), other, mass="m′")
-
-
-def _velocities() -> Iterator[Mistake]:
-    groups = (*_alone(*_RIDERS), _LOWER_ROLLERS)
-    yield from _each(
-        _(
-            "You get this result if you add X′ to the velocity of {body} instead of subtracting it. In which direction "
-            "does the block move when X grows?"
-        ),
-        groups,
-        lambda body: replace(body, displacement=body.displacement.subs(X, -X)),
-    )
-    yield from _each(
-        _(
-            "You get this result if you take the velocity of {body} relative to the block. How does the block itself "
-            "move?"
-        ),
-        (*groups, _RIDERS),
-        lambda body: replace(body, displacement=body.displacement.subs(X, 0)),
-    )
-
-
-def _displacements() -> Iterator[Mistake]:
-    yield from _each(
-        _(
-            "You get this result if {body} moves only as far as the centres of its rollers. How fast does the top of a "
-            "rolling body move?"
-        ),
-        _alone("slab"),
-        lambda body: replace(body, displacement=right()["hoop"].displacement),
-    )
-    yield from _each(
-        _(
-            "You get this result if you give {body} the displacement of the slab. How far does the centre of a roller "
-            "move when its top moves by 2Rφ?"
-        ),
-        (*_alone(*_LOWER_ROLLERS), _LOWER_ROLLERS),
-        lambda body: replace(body, displacement=right()["slab"].displacement),
-    )
-    hint = _("You get this result if you use the angle {angle} for {body}. Which angle describes the motion of {body}?")
-    for names, own, other, shown in ((_RIDERS[:3], phi, Phi, "Φ"), (_RIDERS[3:], Phi, phi, "φ")):
-        yield from _each(
-            hint,
-            _alone(*names),
-            lambda body, own=own, other=other: replace(
-                body, displacement=body.displacement.subs(own, other), angle=body.angle.subs(own, other)
-            ),
-            angle=shown,
-        )
-
-
-def _inertia(*shapes: str) -> Iterator[Mistake]:
-    hint = _(
-        "You get this result if {body} has the moment of inertia of {shape}. What is the moment of inertia of {body}?"
-    )
-    known = {
-        "a_hoop": (_("a hoop"), HOOP),
-        "a_shell": (_("a spherical shell"), sp.Rational(2, 3)),
-        "a_cylinder": (_("a solid cylinder"), SOLID_CYLINDER),
-        "a_sphere": (_("a solid sphere"), sp.Rational(2, 5)),
+def _words(body: Body) -> dict[str, str]:
+    """Return what a hint may say of an altered body."""
+    return {
+        "mass": "m" if body.mass == m else "m′",
+        "angle": "φ" if body.displacement.has(phi) else "Φ",
+        "shape": _SHAPES.get(body.shape_factor, ""),
     }
-    for shape, factor in (known[name] for name in shapes):
-        others = _alone(*(name for name in _ROLLERS if right()[name].shape_factor != factor))
-        yield from _each(hint, others, lambda body, factor=factor: replace(body, shape_factor=factor), shape=shape)
 
 
 # The elimination
@@ -241,59 +173,44 @@ def _solved(name: str, matrix: list[list[FracElement]], stiffness: FracElement) 
     return above / below if below else None
 
 
-PROCEDURES = (
-    (
-        _(
-            "You get this result if you leave the acceleration of Φ out of the X equation. What does the Φ equation "
-            "say about it?"
-        ),
-        (0, 2),
-        0,
-    ),
-    (
-        _(
-            "You get this result if you leave out the acceleration of X, as if the block stood still. What does the X "
-            "equation say about it?"
-        ),
-        (1, 0),
-        0,
-    ),
-    (
-        _(
-            "You get this result if you insert the acceleration of Φ with the wrong sign. What does the Φ equation say "
-            "about its sign?"
-        ),
-        (2, 0),
-        -1,
-    ),
-    (
-        _(
-            "You get this result if you insert the acceleration of X with the wrong sign. What does the X equation say "
-            "about its sign?"
-        ),
-        (1, 0),
-        -1,
-    ),
-)
+PROCEDURES = {
+    _(
+        "You get this result if you leave the acceleration of Φ out of the X equation. What does the Φ equation say "
+        "about it?"
+    ): (0, 2, 0),
+    _(
+        "You get this result if you leave out the acceleration of X, as if the block stood still. What does the X "
+        "equation say about it?"
+    ): (1, 0, 0),
+    _(
+        "You get this result if you insert the acceleration of Φ with the wrong sign. What does the Φ equation say "
+        "about its sign?"
+    ): (2, 0, -1),
+    _(
+        "You get this result if you insert the acceleration of X with the wrong sign. What does the X equation say "
+        "about its sign?"
+    ): (1, 0, -1),
+}
 """Hints at slips in the elimination: which entry of the three equations is multiplied by 0 or −1."""
 
 
 @cache
-def eliminated(name: str) -> tuple[tuple[str, FracElement | None], ...]:
-    """Return hints, and what altered procedures and then altered machines give, in units of m, k and R."""
+def eliminated(name: str) -> dict[str, FracElement | None]:
+    """Return hint → what altered procedures and then altered machines give, in units of m, k and R."""
     matrix, stiffness = _equations(right())
-    found = []
-    for hint, (row, column), factor in PROCEDURES:
-        altered = [list(each) for each in matrix]
-        altered[row][column] *= factor
-        found.append((hint, _solved(name, altered, stiffness)))
-    everyone = (*common(), *exotic())
-    return (*found, *((mistake.hint, _solved(name, *_equations(mistake.bodies))) for mistake in everyone))
+    found = {}
+    for hint, (row, column, factor) in PROCEDURES.items():
+        slipped = [list(each) for each in matrix]
+        slipped[row][column] *= factor
+        found[hint] = _solved(name, slipped, stiffness)
+    return found | {hint: _solved(name, *_equations(bodies)) for hint, bodies in altered().items()}
 
 
-def conditions() -> Iterator[tuple[str, tuple[int, int, int]]]:
-    """Yield the quadratics aε² + bε + c for Ω² = k/m of altered procedures and machines, as a, b and c."""
-    for hint, squared in eliminated("natural_frequency_squared"):
+def conditions() -> dict[str, tuple[int, int, int]]:
+    """Return hint → a, b, c of the quadratic aε² + bε + c for Ω² = k/m of altered procedures and machines."""
+    found = {}
+    for hint, squared in eliminated("natural_frequency_squared").items():
         if squared and squared.denom.degree() <= 2:
             condition = (squared.denom - squared.numer).as_expr()
-            yield hint, tuple(int(condition.coeff(epsilon, n)) for n in (2, 1, 0))
+            found[hint] = tuple(int(condition.coeff(epsilon, n)) for n in (2, 1, 0))
+    return found

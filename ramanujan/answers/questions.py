@@ -15,7 +15,7 @@ from sympy.polys.fields import FracElement
 from ramanujan.answers import mistakes
 from ramanujan.answers.formulas import leaves, length
 from ramanujan.answers.machines import CALLED
-from ramanujan.answers.mistakes import Variants, elimination
+from ramanujan.answers.mistakes import Results, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, exact
 from ramanujan.answers.values import Values, agree, at_points, up_to_a_factor
@@ -40,7 +40,7 @@ class Question:
     quantity : the quantity asked for, in a few words of plain text
     answer : derives the right answer
     prompt : returns one or two sentences, Markdown with $…$
-    mistakes : takes the answer, yields what typical mistakes give
+    mistakes : takes the answer, returns what typical mistakes give
     example : a formula that shows how to type; it is not the answer
     kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
     steps : keys of steps in the route of Euler and Lagrange that say how it is done; the last one has the answer
@@ -56,7 +56,7 @@ class Question:
     quantity: str
     answer: Callable[[], sp.Expr]
     prompt: Callable[[], str]
-    mistakes: Callable[[sp.Expr], Variants]
+    mistakes: Callable[[sp.Expr], Results]
     example: str
     kind: str
     steps: tuple[str, ...]
@@ -116,16 +116,17 @@ class Question:
     @cached_property
     def wrong_values(self) -> tuple[tuple[str, Values], ...]:
         """Hint and result of each typical mistake that changes the answer; the more common ones come first."""
-        results = list(self.mistakes(self.right))
+        results = dict(self.mistakes(self.right))
         if R in leaves(self.right):
             hint = _("You get this result if you leave out R. Which length belongs to an angle?")
-            results.append((hint, self.right.subs(R, 1)))
+            results[hint] = self.right.subs(R, 1)
         found = []
-        for hint, result in results:
-            with suppress(ArithmeticError):
-                values = result and self.values(result)
-                if values and any(values) and not agree(values, self.right_values):
-                    found.append((hint, values))
+        for hint, wrong in results.items():
+            for result in wrong if isinstance(wrong, tuple) else (wrong,):
+                with suppress(ArithmeticError):
+                    values = result and self.values(result)
+                    if values and any(values) and not agree(values, self.right_values):
+                        found.append((hint, values))
         return tuple(found)
 
     @cached_property
