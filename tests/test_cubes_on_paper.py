@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from ramanujan.figures.cubes_on_paper import cubes_svg
+from ramanujan.figures.cubes import cubes_svg
 
 
 @pytest.mark.parametrize("turn", [0, 40, 130, 190, 305])

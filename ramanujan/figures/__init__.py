@@ -2,12 +2,20 @@
 
 The caller gives the numbers and the colours; the functions here compute neither physics nor themes. Every figure fits a
 phone: labels are anchored inside the axes and do not overlap.
+
+Plotly checks every property when a figure is made, and again when it is sent. For two panels that takes tens of
+milliseconds, many times as long as computing the numbers. Every figure is therefore written as the dictionary
+that Plotly would produce. A test lets Plotly check each of them.
 """
 
-from collections.abc import Mapping
+import base64
+from collections.abc import Iterable, Mapping
 from typing import Any
 
-from ramanujan.figures.drawn import Drawn, drawn, line, marks
+import numpy as np
+import plotly.graph_objects as go
+from plotly.basedatatypes import BaseFigure
+
 from ramanujan.translation import _
 
 MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
@@ -56,3 +64,116 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
     if hover:
         scatter["hovertemplate"] = hover
     return {"layout": layout, "data": {"scatter": [scatter]}}
+
+
+def figure(
+    traces: Iterable[Mapping[str, Any]], colors: Mapping[str, str], height: int, hover: str | None = None, **layout: Any
+) -> "Drawn":
+    """Return traces in the common look.
+
+    Parameters
+    ----------
+    traces : as `line` and `marks` return them, or any of Plotly's
+    colors, hover : as in `template`
+    height : of the figure [px]
+    layout : Plotly's properties of this figure
+    """
+    return drawn(traces, {"template": template(colors, hover), "height": height, "showlegend": False, **layout})
+
+
+_TYPES = {"float32": "f4", "float64": "f8", "int8": "i1", "uint8": "u1", "int16": "i2", "int32": "i4"}
+"""NumPy's name of a number type → Plotly's, for arrays that are sent as bytes."""
+
+
+class Drawn(BaseFigure):
+    """A finished figure: `to_dict` returns what is sent. Streamlit accepts it as a figure of Plotly's."""
+
+    def __init__(self, sent: dict[str, Any]) -> None:
+        # The base class would check, copy and index every property.
+        self._sent = sent
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the figure's dictionary, the same at every call; it must not be changed."""
+        return self._sent
+
+    def checked(self) -> go.Figure:
+        """Return the figure as Plotly checks it; a property that Plotly does not know raises ValueError."""
+        return go.Figure(self._sent)
+
+    def __repr__(self) -> str:
+        return f"Drawn({len(self._sent['data'])} traces)"
+
+
+def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Drawn:
+    """Return a figure of these traces; their arrays become Plotly's typed arrays, bytes in base 64."""
+    data = [{name: _typed(value) for name, value in trace.items()} for trace in traces]
+    return Drawn({"data": data, "layout": dict(layout)})
+
+
+def line(x: Any, y: Any, **look: Any) -> dict[str, Any]:
+    """Return a trace that joins points; color, width, dash and shape are the look of its line."""
+    return {"type": "scatter", "x": x, "y": y, "mode": "lines", "line": look}
+
+
+def marks(x: Any, y: Any, symbol: str, size: float, fill: str, **outline: Any) -> dict[str, Any]:
+    """Return a trace of marks at points; color and width are the look of their outlines."""
+    marker = {"symbol": symbol, "size": size, "color": fill} | ({"line": outline} if outline else {})
+    return {"type": "scatter", "x": x, "y": y, "mode": "markers", "marker": marker}
+
+
+def horizontal_bars(
+    lengths: Iterable[float], places: Iterable[Any], words: Iterable[Any], marker: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return a trace of bars that begin at the left, each with words at its end."""
+    bars = {"type": "bar", "orientation": "h", "x": list(lengths), "y": list(places), "marker": marker}
+    return bars | {"text": list(words), "textposition": "outside", "cliponaxis": False}
+
+
+_LEAST = 400
+"""Pixels: the height that a figure has at least; where a sheet has more room, it takes it."""
+_LINE = 16
+"""Letters of an axis title that fit beside one of two panels."""
+
+
+def in_large_print(figure: BaseFigure) -> Drawn:
+    """Return the figure with room for large words, in any height: its axis titles apart.
+
+    >>> from ramanujan.figures import drawn
+    >>> sent = drawn([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
+    >>> layout = in_large_print(sent).to_dict()["layout"]
+    >>> layout["height"], layout["yaxis"]["title"]["text"]
+    (400, 'displacement relative<br>to the block')
+    """
+    sent = figure.to_dict()
+    layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
+    for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
+        layout[name] = _roomy_axis(layout[name], upright=name.startswith("yaxis"))
+    return Drawn({**sent, "layout": layout})
+
+
+def _roomy_axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
+    # The first label of one axis must not touch that of the other.
+    axis = {**axis, "ticklabelstandoff": 6}
+    if text := axis.get("title", {}).get("text", ""):
+        lines = _in_lines(text) if upright else text
+        # Plotly measures a power of ten as if its exponent were not there, and a second line as small.
+        powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
+        standoff = 12 + (18 if upright and powers else 0) + (20 if "<br>" in lines else 0)
+        axis["title"] = {**axis["title"], "text": lines, "standoff": standoff}
+    return axis
+
+
+def _in_lines(text: str) -> str:
+    """Break a long title once, at the space nearest to its middle."""
+    if len(text) <= _LINE or "<br>" in text:
+        return text
+    spaces = [at for at, letter in enumerate(text) if letter == " "]
+    middle = min(spaces, key=lambda at: abs(at - len(text) / 2), default=None)
+    return text if middle is None else f"{text[:middle]}<br>{text[middle + 1 :]}"
+
+
+def _typed(value: Any) -> Any:
+    if not isinstance(value, np.ndarray) or value.dtype.name not in _TYPES:
+        return value
+    little = value.astype(value.dtype.newbyteorder("<"), copy=False)
+    return {"dtype": _TYPES[value.dtype.name], "bdata": base64.b64encode(little.tobytes()).decode()}

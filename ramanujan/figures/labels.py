@@ -15,6 +15,8 @@ _PHONE, _LAPTOP, _LOW = 20, 1.15, 0.5
 _SIZE, _LETTER, _LINE, _GAP, _FAR, _ON = 15, 0.52, 1.2, 0.2, 2.0, 0.5
 """Size of the words [px] at a figure's full height; a letter's width, a name's height, its gap to its curve, what is
 far from others, and how much more room a name must have on its curve than beside it to stand there."""
+_BAND_HIGH, _BAND_WIDE = 0.4, 0.06
+"""Of a name’s height and width in a band, what must be clear of the band’s edges: the name itself stands on paper."""
 _POINTS, _EVERY = 120, 5
 """Points of a curve that a name must keep clear of; it stands at every so many of them at most."""
 _SIDES = [*((across, up) for up in (1, -1) for across in (0, -1, 1)), (0, 0)]
@@ -88,8 +90,8 @@ def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
     for name, (low, high) in area.bands.items():
         x = np.linspace(*area.x_range, len(low))
         middle, *edges = (_path(x, y, area, 4 * _POINTS) for y in ((low + high) / 2, low, high))
-        # Such a name stands on paper: only its middle must be in its band.
-        found.append((name, {}, _places(_half(name) * (1, 0.4), middle, [(0, 0)], edges, screens, 0.06)))
+        low_name = _half(name) * (1, _BAND_HIGH)
+        found.append((name, {}, _places(low_name, middle, [(0, 0)], edges, screens, _BAND_WIDE)))
     best: dict[int, int] = {}
     rooms: dict[int, float] = {}
     # Long names first, then all of them once more: now the others have their places.

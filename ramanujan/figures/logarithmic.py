@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import Drawn, drawn, line, template
+from ramanujan.figures import line
 
 Colors = Mapping[str, str]
 Scale = Callable[[np.ndarray], np.ndarray]
@@ -17,12 +17,6 @@ _SQUEEZED, _APART = 8, 4
 """How much smaller a decade is drawn below the room of the other curves, and a gap of how many decades begins there."""
 
 
-def laid_out(traces: list[dict[str, Any]], colors: Colors, height: int, **more: Any) -> Drawn:
-    """Return the traces in the common look."""
-    layout = {"template": template(colors), "height": height, "showlegend": False, **more}
-    return drawn(traces, layout | {"margin": {"l": 60, "r": 12, "t": 12, "b": 48}})
-
-
 def look_of(index: int, colors: Colors) -> tuple[str, str]:
     return colors[f"method_{index}"], _SYMBOLS[index]
 
@@ -30,7 +24,7 @@ def look_of(index: int, colors: Colors) -> tuple[str, str]:
 def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
     """Return an axis in the common look: its title, and what its ends show, as Plotly counts it."""
     title_look = {"text": title, "standoff": 8, "font": {"size": 14}}
-    look = {"tickfont": {"size": 12}, "automargin": True, "exponentformat": "power", "fixedrange": True}
+    look = {"tickfont": {"size": 12}, "exponentformat": "power", "fixedrange": True}
     return {"title": title_look, "range": list(ends), **look, **more}
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import Drawn, drawn, line, template
+from ramanujan.figures import Drawn, figure, horizontal_bars, line
 from ramanujan.figures.labels import Area, beside
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
@@ -68,7 +68,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     colors : ink, faint and paper
     """
     end = period * periods
-    layout = _layout(colors, _HEIGHT)
+    axes: dict[str, dict[str, Any]] = {}
     traces: list[dict[str, Any]] = []
     areas: list[Area] = []
     for place, (panel, domain) in enumerate(zip(panels, _domains(len(panels)), strict=True), start=1):
@@ -76,15 +76,15 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         traces += [_trace(curve, panel, axis, end, several=len(panels) > 1) for curve in panel.curves]
         areas.append(_area(panel, axis, end, _HEIGHT * (domain[1] - domain[0]), 43 if len(panels) == 1 else 23))
         title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
-        layout[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
-    layout["shapes"] = [_upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")]
-    layout["annotations"] = [_above(period, _("one period"), font={"size": 12}), *beside(colors["paper"], *areas)]
+        axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
+    end_of_one = _upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
+    notes = [_above(period, _("one period"), font={"size": 12}), *beside(colors["paper"], *areas)]
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
     along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
     # One small box for all panels, which must not hide the curves.
     box = {"hovermode": "x unified", "hoversubplots": "axis", "hoverlabel": {"font": {"size": 11}, "namelength": 12}}
-    layout |= {"xaxis": along, **box}
-    return drawn(traces, layout | {"meta": {"cursor": "time", "period": period, "periods": periods}})
+    meta = {"cursor": "time", "period": period, "periods": periods}
+    return _laid_out(traces, colors, shapes=[end_of_one], annotations=notes, meta=meta, xaxis=along, **axes, **box)
 
 
 def phase_plane(
@@ -106,15 +106,16 @@ def phase_plane(
     ]
     centred = {**_zero_line(colors), "nticks": 7}
     places = roomy([orbit.values for orbit in orbits])
-    layout = _layout(colors, _HEIGHT) | {
-        "xaxis": _axis(_("displacement [cm]"), places, **centred),
-        "yaxis": _axis(_("velocity [cm/s]"), roomy(velocities), **centred),
-        "hovermode": "closest",
-        "meta": {"cursor": "orbit", "period": period, "periods": periods},
-    }
     named = [(o.label, o.ink, o.values, velocity) for o, velocity in zip(orbits, velocities, strict=True)]
-    layout["annotations"] = beside(colors["paper"], Area(named, places, roomy(velocities), _HEIGHT, width=15))
-    return drawn(traces, layout)
+    return _laid_out(
+        traces,
+        colors,
+        xaxis=_axis(_("displacement [cm]"), places, **centred),
+        yaxis=_axis(_("velocity [cm/s]"), roomy(velocities), **centred),
+        hovermode="closest",
+        meta={"cursor": "orbit", "period": period, "periods": periods},
+        annotations=beside(colors["paper"], Area(named, places, roomy(velocities), _HEIGHT, width=15)),
+    )
 
 
 def friction_bars(
@@ -131,31 +132,21 @@ def friction_bars(
     """
     longest = max(*needed.values(), friction_coefficient)
     slips = [value > friction_coefficient for value in needed.values()]
-    bars = {
-        "type": "bar",
-        "x": list(needed.values()),
-        "y": [f"{contact}<br><b>{number(value, 3)}</b>" for contact, value in needed.items()],
-        "orientation": "h",
-        "marker": {
-            "color": list(body_colors),
-            "line": {"color": colors["ink"], "width": [2.5 if slip else 0 for slip in slips]},
-        },
-        "text": [_("<b>slips</b>") if slip else "" for slip in slips],
-        "textposition": "outside",
-        "cliponaxis": False,
-        "width": 0.62,
-        "hovertemplate": "%{x:.4~g}<extra></extra>",
-    }
+    contacts = [f"{contact}<br><b>{number(value, 3)}</b>" for contact, value in needed.items()]
+    outlines = {"color": colors["ink"], "width": [2.5 if slip else 0 for slip in slips]}
+    words = [_("<b>slips</b>") if slip else "" for slip in slips]
+    bars = horizontal_bars(needed.values(), contacts, words, {"color": list(body_colors), "line": outlines})
     present = f"<b><i>μ</i> = {fixed(friction_coefficient, 2)}</b>"
-    layout = _layout(colors, 260)
-    layout |= {
-        "shapes": [_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
-        "annotations": [_above(friction_coefficient, present, font={"color": colors["primary"]})],
-        "yaxis": {"autorange": "reversed", "ticks": "", "showgrid": False, "automargin": True, "fixedrange": True},
+    return _laid_out(
+        [bars | {"width": 0.62, "hovertemplate": "%{x:.4~g}<extra></extra>"}],
+        colors,
+        260,
+        shapes=[_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
+        annotations=[_above(friction_coefficient, present, font={"color": colors["primary"]})],
+        yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "fixedrange": True},
         # The word at the end of the longest bar needs room, also on a phone.
-        "xaxis": {"title": {"text": _("friction coefficient")}, "range": [0, 1.4 * longest], "nticks": 5},
-    }
-    return drawn([bars], layout)
+        xaxis=_axis(_("friction coefficient"), (0, 1.4 * longest), nticks=5),
+    )
 
 
 def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
@@ -165,19 +156,14 @@ def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
     return float(least - margin), float(most + margin)
 
 
-def _layout(colors: Mapping[str, str], height: int) -> dict[str, Any]:
-    return {
-        "template": template(colors),
-        "height": height + _BELOW + _ABOVE,
-        "margin": {"t": _ABOVE, "b": _BELOW, "l": 64},
-        "uirevision": "stay",
-        "showlegend": False,
-    }
+def _laid_out(traces: list[dict[str, Any]], colors: Mapping[str, str], height: int = _HEIGHT, **layout: Any) -> Drawn:
+    margin = {"t": _ABOVE, "b": _BELOW, "l": 64}
+    return figure(traces, colors, height + _BELOW + _ABOVE, margin=margin, uirevision="stay", **layout)
 
 
 def _axis(title: str, ends: tuple[float, float], **more: Any) -> dict[str, Any]:
     """Return an axis with its title and what its ends show."""
-    return {"title": {"text": title}, "automargin": True, "range": list(ends), **more}
+    return {"title": {"text": title}, "range": list(ends), **more}
 
 
 def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, drawn, line, marks, template
+from ramanujan.figures import MASS_RATIO, NORMALIZED, Drawn, figure, line, marks
 from ramanujan.figures.labels import note
 from ramanujan.translation import _
 
@@ -88,20 +88,22 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
         note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside | {"xshift": 8, "align": "left"},
     ]
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
-    layout = over_ratios(ends, 1.16 * curve.light_limit, hover, colors)
-    return drawn(traces, {**layout, "shapes": [in_step], "annotations": notes, "meta": {"ring": colors["primary"]}})
+    more = {"shapes": [in_step], "annotations": notes, "meta": {"ring": colors["primary"]}}
+    return over_ratios(traces, ends, 1.16 * curve.light_limit, hover, colors, **more)
 
 
-def over_ratios(ends: tuple[float, float], highest: float, hover: str, colors: Mapping[str, str]) -> dict[str, Any]:
-    """Return the layout of a figure of Ω²m/k: the mass ratio between two ends, logarithmic, and Ω²m/k from 0 on."""
-    along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1}
-    return {
-        "template": template(colors, hover),
-        "height": 336,
-        "showlegend": False,
-        "xaxis": {**along, "title": {"text": MASS_RATIO}, "fixedrange": True},
-        "yaxis": {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True},
-    }
+def over_ratios(
+    traces: list[dict[str, Any]],
+    ends: tuple[float, float],
+    highest: float,
+    hover: str,
+    colors: Mapping[str, str],
+    **more: Any,
+) -> Drawn:
+    """Return a figure of Ω²m/k: the mass ratio between two ends, logarithmic, and Ω²m/k from 0 on."""
+    along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1, "title": {"text": MASS_RATIO}}
+    upward = {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True}
+    return figure(traces, colors, 336, hover, xaxis={**along, "fixedrange": True}, yaxis=upward, **more)
 
 
 def pointed(mark: Mark, to: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:

@@ -5,21 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ramanujan.figures import Drawn, line, marks
+from ramanujan.figures import Drawn, figure, line, logarithmic, marks
 from ramanujan.figures.labels import Area, beside, note
-from ramanujan.figures.logarithmic import (
-    Colors,
-    axis,
-    axis_with_room,
-    laid_out,
-    level_line,
-    log_axis,
-    logarithm,
-    look_of,
-    power_axis,
-    shown_range,
-    within,
-)
+from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, logarithm, look_of, within
 from ramanujan.translation import _, ngettext
 
 _NAMED = "<extra>%{fullData.name}</extra>"
@@ -35,6 +23,7 @@ _HIGH = 560
 """Height [px] of two panels with the gap between them."""
 _STRIP, _HALF_STRIP = 62, 0.28
 """Height [px] of the strip of a form with its name above it, and half of that without, in these."""
+_MARGIN = {"l": 60, "r": 12, "t": 12, "b": 48}
 
 
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -83,7 +72,7 @@ def error_growth(
             for width, opacity in [(4, 1.0) if name == chosen else (2, 0.8)]
         ]
         drawn += [closed] if name_of_axis == "y2" else []
-        drawn_axis, scale, low = axis_with_room(title, [curve[3] for curve in drawn], most)
+        drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve[3] for curve in drawn], most)
         for name, color, x, values, look, opacity in drawn:
             own = {"name": name, "yaxis": name_of_axis, "opacity": opacity, "hovertemplate": hover}
             own["customdata"] = np.float32(np.minimum(values, _BOUNDLESS))
@@ -100,7 +89,7 @@ def error_growth(
         "annotations": beside(colors["paper"], *areas),
         "shapes": shapes,
     }
-    return laid_out(traces, colors, _HIGH + 64, **more)
+    return figure(traces, colors, _HIGH + 64, margin=_MARGIN, **more)
 
 
 def work_precision(
@@ -126,7 +115,7 @@ def work_precision(
     traces, named, methods = [], [], list(dict.fromkeys(name for name, _dtype in curves))
     hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + _NAMED
     marked = [np.array([tolerance])] + [np.array([point[1]]) for point in (cheapest, exact) if point]
-    shown = shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
+    shown = logarithmic.shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
     for (name, dtype), (cost, error, steps) in curves.items():
         color, symbol = look_of(methods.index(name), colors)
         double = dtype == "float64"
@@ -157,7 +146,7 @@ def work_precision(
     y_axis = log_axis(_("largest error, relative to the amplitude"), shown)
     x_axis = axis(cost_title, x_range, type="log", dtick=1)
     notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 420))
-    return laid_out(traces, colors, 480, xaxis=x_axis, yaxis=y_axis, annotations=notes)
+    return figure(traces, colors, 480, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 
 def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
@@ -194,8 +183,9 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     above = {"xanchor": "left", "yanchor": "bottom"}
     notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
-    x_axis = power_axis(quantity, start, end)
-    return laid_out([bars], colors, 76 + _STRIP * len(strips), xaxis=x_axis, yaxis=hidden, annotations=notes)
+    x_axis = logarithmic.power_axis(quantity, start, end)
+    layout = {"margin": _MARGIN, "xaxis": x_axis, "yaxis": hidden, "annotations": notes}
+    return figure([bars], colors, 76 + _STRIP * len(strips), **layout)
 
 
 def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]], colors: Colors) -> Drawn:
@@ -220,7 +210,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
     notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 320))
-    return laid_out(traces, colors, 384, xaxis=x_axis, yaxis=y_axis, annotations=notes)
+    return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 
 def _steps(dtype: str, n: int) -> str:

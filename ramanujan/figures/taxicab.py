@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NORMALIZED, Drawn, drawn, line, marks, template
+from ramanujan.figures import NORMALIZED, Drawn, figure, horizontal_bars, line, marks
 from ramanujan.figures.labels import note
 from ramanujan.figures.oscillator import Mark, over_ratios, pointed
 from ramanujan.translation import _
@@ -54,8 +54,7 @@ def level_crossing(
         pointed(Mark(root, level, root_label), to, side, colors),
         note(level_label, None, right if at_start else left, level) | beside,
     ]
-    layout = over_ratios((ratios[0], ratios[-1]), 1.3 * float(values[0]), hover, colors)
-    return drawn(traces, layout | {"annotations": notes})
+    return over_ratios(traces, (ratios[0], ratios[-1]), 1.3 * float(values[0]), hover, colors, annotations=notes)
 
 
 def machine_grid(
@@ -107,16 +106,15 @@ def machine_grid(
     around = {"x0": column - 0.49, "x1": column + 0.49, "y0": row - 0.47, "y1": row + 0.47}
     plain = {"showgrid": False, "showline": False, "ticks": "", "fixedrange": True}
     across = {"ticktext": columns, "range": [-0.55, len(columns) - 0.45], "side": "top", "title": {"text": _("on top")}}
-    layout = {
-        "template": template(colors),
-        "height": 48 + 40 * len(rows),
-        "showlegend": False,
-        "margin": {"l": 128, "r": 4, "t": 52, "b": 4},
-        "shapes": [{"type": "rect", "line": {"color": colors["ink"], "width": 3}, **around}],
-        "xaxis": {**plain, "tickvals": list(range(len(columns))), **across},
-        "yaxis": {**plain, **_pairs_axis(rows), "tickfont": {"size": 13}},
-    }
-    return drawn([table, clickable], layout)
+    return figure(
+        [table, clickable],
+        colors,
+        48 + 40 * len(rows),
+        margin={"l": 128, "r": 4, "t": 52, "b": 4},
+        shapes=[{"type": "rect", "line": {"color": colors["ink"], "width": 3}, **around}],
+        xaxis={**plain, "tickvals": list(range(len(columns))), **across},
+        yaxis={**plain, **_pairs_axis(rows), "tickfont": {"size": 13}},
+    )
 
 
 def _pairs_axis(pairs: Sequence[str]) -> dict[str, Any]:
@@ -133,25 +131,15 @@ def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, c
     highlighted : which of them is the paper's
     colors : ink, faint, paper, primary, block
     """
-    bars = {
-        "type": "bar",
-        "x": list(counts),
-        "y": list(range(len(pairs))),
-        "orientation": "h",
-        "marker": {"color": [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]},
-        "text": list(counts),
-        "textposition": "outside",
-        "cliponaxis": False,
-        "customdata": list(pairs),
-        "hovertemplate": _("{lower} below: {number}").format(lower="%{customdata}", number="%{x}") + NO_NAME,
-    }
-    layout = {
-        "template": template(colors),
-        "height": 336,
-        "showlegend": False,
-        "margin": {"l": 128, "r": 30, "t": 4, "b": 44},
-        "bargap": 0.3,
-        "xaxis": {"title": {"text": _("number of sums of two cubes")}, "fixedrange": True, "rangemode": "tozero"},
-        "yaxis": {**_pairs_axis(pairs), "showgrid": False, "ticks": "", "fixedrange": True},
-    }
-    return drawn([bars], layout)
+    tones = [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]
+    hover = _("{lower} below: {number}").format(lower="%{customdata}", number="%{x}") + NO_NAME
+    bars = horizontal_bars(counts, range(len(pairs)), counts, {"color": tones})
+    return figure(
+        [bars | {"customdata": list(pairs), "hovertemplate": hover}],
+        colors,
+        336,
+        margin={"l": 128, "r": 30, "t": 4, "b": 44},
+        bargap=0.3,
+        xaxis={"title": {"text": _("number of sums of two cubes")}, "fixedrange": True, "rangemode": "tozero"},
+        yaxis={**_pairs_axis(pairs), "showgrid": False, "ticks": "", "fixedrange": True},
+    )

@@ -6,7 +6,7 @@ from typing import Any
 import streamlit as st
 from plotly.basedatatypes import BaseFigure
 
-from ramanujan.figures.large_print import in_large_print
+from ramanujan.figures import in_large_print
 from ramanujan.shell import display_mode
 
 STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": False}

@@ -6,7 +6,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.figures.cubes_on_paper import cubes_svg
+from ramanujan.figures.cubes import cubes_svg
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
