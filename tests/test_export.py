@@ -217,7 +217,7 @@ def test_every_file_carries_its_steps_and_the_list_of_symbols(name, kind):
         text = "\n".join(cell["source"] for cell in json.loads(text)["cells"]) if kind == "notebook" else text
         written = prose_to_latex if kind == "latex" else str
         assert kind == "notebook" or all(written(step.heading) in text for step in ROUTES[name].steps)
-        for entry in nomenclature(ROUTES[name]):
-            assert f"${entry.latex}$: {written(entry.meaning)}" in text
+        for symbol, meaning in nomenclature(ROUTES[name]).items():
+            assert f"${symbol}$: {written(meaning)}" in text
         assert "positive to the left" in text
         assert text.count("positive clockwise") >= 2

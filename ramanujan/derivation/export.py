@@ -72,7 +72,8 @@ def to_latex(route: Route, values: Values | None = None) -> str:
     route : one of `ROUTES`, in symbols
     values : the machine whose numbers are put in; none for the symbols
     """
-    entries = "".join(f"\\item ${entry.latex}$: {prose_to_latex(entry.meaning)}\n" for entry in nomenclature(route))
+    listed = nomenclature(route).items()
+    entries = "".join(f"\\item ${symbol}$: {prose_to_latex(meaning)}\n" for symbol, meaning in listed)
     heading = prose_to_latex(_SYMBOLS)
     symbols = f"\\section*{{{heading}}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
     body = "".join(_latex_section(step, values) for step in route.steps)
@@ -122,22 +123,19 @@ def to_notebook(route: Route, values: Values | None = None) -> str:
     values : the machine whose numbers the last cells put in; none for the symbols
     """
     cells = [
-        _markdown("title", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
-        _markdown("symbols", _symbols(route)),
-        _code("bodies", BODIES),
+        _cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
+        _cell("symbols", "markdown", _symbols(route)),
+        _cell("bodies", "code", BODIES),
     ]
-    for key, code in route.cells.items():
-        step = route[key]
-        cells += [_markdown(key, f"## {step.heading}\n\n{step.reason}"), _code(key, code)]
-    cells += [_markdown("check", f"## {_CHECKED}\n\n{_CHECK}"), _code("check", CHECK)]
+    parts = [(key, f"## {route[key].heading}\n\n{route[key].reason}", code) for key, code in route.cells.items()]
+    parts.append(("check", f"## {_CHECKED}\n\n{_CHECK}", CHECK))
     if values:
-        cells += [
-            _markdown("numbers", f"## {_WITH_NUMBERS}\n\n{stated(values)}"),
-            _code("values", _assigned(values)),
-            _markdown("distance", _DISTANCE),
-            _code("distance", DISTANCE),
-            _code("numbers", FREQUENCY),
-        ]
+        parts.append(("values", f"## {_WITH_NUMBERS}\n\n{stated(values)}", _assigned(values)))
+        parts.append(("distance", _DISTANCE, DISTANCE))
+    for key, text, code in parts:
+        cells += [_cell(key, "markdown", text), _cell(key, "code", code)]
+    if values:
+        cells.append(_cell("numbers", "code", FREQUENCY))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     notebook = {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
     return json.dumps(notebook, ensure_ascii=False, indent=1) + "\n"
@@ -154,40 +152,35 @@ def prose_to_latex(text: str) -> str:
 def _latex_section(step: Step, values: Values | None) -> str:
     said, shown = step.about(values) if values else step, rows(step, values)
     heading, reason = prose_to_latex(said.heading), prose_to_latex(said.reason)
-    return f"\\section{{{heading}}}\n{reason}\n{_display(shown, _broken(shown, _LINE_WIDTH))}"
+    return f"\\section{{{heading}}}\n{reason}\n{_display(_broken(shown, _LINE_WIDTH))}"
 
 
 def _slides(step: Step, values: Values | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
     said, shown = step.about(values) if values else step, rows(step, values)
     broken = _broken(shown, _SLIDE_WIDTH)
-    total = sum(map(len, broken))
-    count = max(1, -(-total // _SLIDE_LINES))
-    most = -(-total // count)
-    parts: list[list[int]] = [[]]
-    for place, lines in enumerate(broken):
-        used = sum(len(broken[each]) for each in parts[-1])
+    total = sum(len(lines) for _row, lines in broken)
+    most = -(-total // max(1, -(-total // _SLIDE_LINES)))
+    parts: list[list[tuple[Row, list[str]]]] = [[]]
+    for row, lines in broken:
+        used = sum(len(others) for _row, others in parts[-1])
         if used and used + len(lines) > most:
             parts.append([])
-        parts[-1].append(place)
-    frames = []
-    for number, part in enumerate(parts, start=1):
-        label = step.key if number == 1 else f"{step.key}-{number}"
-        reason = f"{prose_to_latex(said.reason)}\n" if number == 1 else ""
-        text = _display([shown[each] for each in part], [broken[each] for each in part]) if part else ""
-        frames.append((label, prose_to_latex(said.heading), f"{reason}{text}"))
-    return frames
+        parts[-1].append((row, lines))
+    heading, texts = prose_to_latex(said.heading), [_display(part) if part else "" for part in parts]
+    texts[0] = f"{prose_to_latex(said.reason)}\n{texts[0]}"
+    labels = (step.key, *(f"{step.key}-{number}" for number in range(2, len(texts) + 1)))
+    return [(label, heading, text) for label, text in zip(labels, texts, strict=True)]
 
 
-def _broken(shown: list[Row], width: int) -> list[list[str]]:
-    """Return the right sides of rows that are aligned with each other, each in lines."""
-    return [each.lines(width, widest(shown)) for each in shown]
+def _broken(shown: list[Row], width: int) -> list[tuple[Row, list[str]]]:
+    """Return rows that are aligned with each other, each with its right side in lines."""
+    return [(each, each.lines(width, widest(shown))) for each in shown]
 
 
-def _display(shown: list[Row], broken: list[list[str]]) -> str:
+def _display(broken: list[tuple[Row, list[str]]]) -> str:
     """Return rows as left &= right, a long sum broken into lines."""
-    made = (f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) for row, lines in zip(shown, broken, strict=True))
-    equations = " \\\\\n".join(made)
+    equations = " \\\\\n".join(f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) for row, lines in broken)
     return f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
 
 
@@ -199,7 +192,7 @@ def _markdown_section(number: int, step: Step, values: Values | None) -> str:
 
 def _symbols(route: Route) -> str:
     """Return the list of symbols as Markdown."""
-    entries = (f"- ${entry.latex}$: {entry.meaning}" for entry in nomenclature(route))
+    entries = (f"- ${symbol}$: {meaning}" for symbol, meaning in nomenclature(route).items())
     return "\n".join([f"**{_SYMBOLS}**", "", *entries, "", DOTS])
 
 
@@ -213,16 +206,6 @@ def _assigned(values: Values) -> str:
     return f"values = {{{pairs}}}\nvalues"
 
 
-def _markdown(key: str, text: str) -> dict[str, object]:
-    return {"cell_type": "markdown", "id": f"{key}-text", "metadata": {}, "source": text}
-
-
-def _code(key: str, code: str) -> dict[str, object]:
-    return {
-        "cell_type": "code",
-        "execution_count": None,
-        "id": f"{key}-code",
-        "metadata": {},
-        "outputs": [],
-        "source": code,
-    }
+def _cell(key: str, kind: str, source: str) -> dict[str, object]:
+    more = {"execution_count": None, "outputs": []} if kind == "code" else {}
+    return {"cell_type": kind, "id": f"{key}-{kind}", "metadata": {}, "source": source, **more}

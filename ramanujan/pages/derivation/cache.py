@@ -156,7 +156,7 @@ def document(
 @st.cache_data(show_spinner=False)
 def symbols(name: str) -> str:
     """Return what each symbol of a route means, in one line of Markdown."""
-    entries = "; ".join(f"${entry.latex}$: {entry.meaning}" for entry in nomenclature(route(name)))
+    entries = "; ".join(f"${symbol}$: {meaning}" for symbol, meaning in nomenclature(route(name)).items())
     # A square bracket before a round one would be read as a link.
     return f"{entries}. {DOTS}".replace("[", "\\[").replace("]", "\\]")
 
