@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
+import mpmath
 import numpy as np
 import sympy as sp
 
@@ -23,18 +24,8 @@ def _twice_the_matrices() -> Any:
     return sp.lambdify((m, m_prime, k, R), [list(sp.expand(2 * each)) for each in reference.mass_and_stiffness()])
 
 
-def solve(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Return x of Ax = b by elimination, in the numbers that come in."""
-    rows = [[*row, entry] for row, entry in zip(matrix.tolist(), right.tolist(), strict=True)]
-    for pivot in range(len(rows)):
-        best = max(range(pivot, len(rows)), key=lambda row: abs(rows[row][pivot]))
-        rows[pivot], rows[best] = rows[best], rows[pivot]
-        rows[pivot] = [entry / rows[pivot][pivot] for entry in rows[pivot]]
-        for other in range(len(rows)):
-            if other != pivot:
-                factor = rows[other][pivot]
-                rows[other] = [a - factor * b for a, b in zip(rows[other], rows[pivot], strict=True)]
-    return np.array([row[-1] for row in rows], dtype=object)
+def inverted(matrix: np.ndarray) -> np.ndarray:
+    return np.array((mpmath.matrix(matrix.tolist()) ** -1).tolist(), dtype=object)
 
 
 def quantities(
@@ -54,8 +45,7 @@ def quantities(
         np.array(each, dtype=object).reshape(3, 3) / 2
         for each in _twice_the_matrices()(mass, roller, stiffness, radius)
     )
-    unit = np.array([[1 if i == j else 0 for j in range(3)] for i in range(3)], dtype=object) * (mass / mass)
-    inverse = np.array([solve(M, column) for column in unit], dtype=object).T
+    inverse = inverted(M)
     shape = inverse[:, 1] / inverse[1, 1]
     frequency = np.trace(inverse @ K)
     q = np.array([start[name] for name in ("X", "phi", "Phi")], dtype=object)
@@ -65,8 +55,8 @@ def quantities(
     a = -inverse @ K @ q
     others = [0, 2]
     p, p_dot = M @ v, M @ a
-    block = M[np.ix_(others, others)]
-    least = (M[1, 1] - M[1, others] @ solve(block, M[others, 1])) / radius**2
+    free = inverted(M[np.ix_(others, others)])
+    least = (M[1, 1] - M[1, others] @ free @ M[others, 1]) / radius**2
 
     masses = dict(zip(BODIES, (mass, roller, roller, mass, mass), strict=True))
     spin = {"hoop": 1, "cylinder": 1, "top": 2}
@@ -116,7 +106,7 @@ def quantities(
         r"\mathcal{L}": T - U,
         r"\mathcal{H}": T + U,
         # At given p_X and p_Φ the energy is least where the rollers stand still and the spring is relaxed.
-        r"\mathcal{H}_{0}": p[others] @ solve(block, p[others]) / 2,
+        r"\mathcal{H}_{0}": p[others] @ free @ p[others] / 2,
         r"\Omega^{2}": frequency,
         r"\Omega_{\text{clamped}}^{2}": K[1, 1] / M[1, 1],
         r"\varepsilon": roller / mass,

@@ -88,12 +88,6 @@ def equal(left: sp.Expr, right: sp.Expr) -> bool:
     return all(sp.radsimp(number(left, seed) - number(right, seed)) == 0 for seed in range(3))
 
 
-def holds(relation: sp.Eq, definitions: dict[sp.Expr, sp.Expr] | None = None) -> bool:
-    """Tell whether an equation is true along every motion, with the given symbols replaced by what they mean."""
-    left, right = (side.subs(definitions or {}).subs(accelerations()) for side in relation.args)
-    return equal(left, right)
-
-
 def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., object]:
     """Return a NumPy function of the arguments, which may be coordinates and their rates."""
     plain = {argument: sp.Dummy() for argument in arguments}

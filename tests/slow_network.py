@@ -1,7 +1,7 @@
 """A slow or broken network between the browser and the app: a small proxy on the loopback address.
 
-    with delayed(server, 0.1) as address:
-        page.goto(address)
+    with network(server, 0.1) as way:
+        page.goto(way.address)
 
 Only websockets are delayed: a page's scripts would otherwise take a minute to load, and they decide nothing.
 """
@@ -139,10 +139,3 @@ def network(server: str, seconds: float = 0.0) -> Iterator[Network]:
         yield way
     finally:
         way.stop()
-
-
-@contextlib.contextmanager
-def delayed(server: str, seconds: float) -> Iterator[str]:
-    """Yield an address at which the server is reached, each message late by `seconds` each way."""
-    with network(server, seconds) as way:
-        yield way.address

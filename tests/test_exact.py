@@ -1,4 +1,4 @@
-"""Exact numbers as LaTeX, read back, and their decimals against fractions of integers."""
+"""How exact numbers look, and their decimals against fractions of integers; test_my_numbers reads all of them back."""
 
 from fractions import Fraction
 
@@ -8,22 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ramanujan.derivation.printers import Number, number_to_latex, rounded, truncated
-from tests.latex import Formula
-
-integers = st.integers(-3000, 3000)
 
 
 def shown(number: Number) -> str:
     """Return a number as it stands alone."""
     found = number_to_latex(number)
     return f"- {found.absolute}" if found.sign < 0 else found.absolute
-
-
-@settings(deadline=None, max_examples=80)
-@given(integers, integers, st.integers(1, 3000))
-def test_a_number_is_written_as_it_is(p, r, q):
-    value = Formula(shown(Number.of(p, r, q, 1729))).value({})
-    assert abs(value - (p + r * mpmath.sqrt(1729)) / q) < mpmath.mpf("1e-40")
 
 
 @settings(deadline=None, max_examples=40)

@@ -85,23 +85,6 @@ def test_every_force_is_what_changes_a_momentum():
         assert change == pytest.approx(force[1:-1], abs=1e-5 * largest)
 
 
-def test_a_push_adds_the_same_to_everything_and_shifts_no_force():
-    still, gliding = taken(glide=0.0, spin=0.0), taken(glide=0.07, spin=0.0)
-    for body, place in still.over_ground.items():
-        assert gliding.over_ground[body] - place == pytest.approx(0.07 * still.t, abs=1e-15)
-    for body, place in still.over_block.items():
-        assert gliding.over_block[body] == pytest.approx(place, abs=1e-15)
-    for name, force in still.forces.items():
-        assert np.array_equal(taken(spin=1.0).forces[name], force)
-        assert np.array_equal(gliding.forces[name], force)
-
-
-def test_a_spin_moves_the_top_cylinder_alone():
-    still, spun = taken(glide=0.0, spin=0.0), taken(glide=0.0, spin=1.5)
-    moved = {body for body in still.over_ground if not np.allclose(still.over_ground[body], spun.over_ground[body])}
-    assert moved == {"top"}
-
-
 doubles = st.floats(allow_nan=False, allow_infinity=False)
 
 
