@@ -11,7 +11,8 @@ from ramanujan.answers import QUESTIONS, judge
 from ramanujan.answers.grammar import MAX_LENGTH, typeset
 from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.derivation.printers import latex
-from tests.test_wrong_answers import ENERGIES, EQUATIONS, QUOTIENTS, RATIO, RIGHT_RATIO, TYPED, R, Xd, k, m, mp, phid
+from tests.test_answers import RIGHT_RATIO
+from tests.test_wrong_answers import ENERGIES, EQUATIONS, QUOTIENTS, RATIO, TYPED, R, Xd, k, m, mp, phid
 
 COUNT = 1000 if os.environ.get("RAMANUJAN_DEEP") else 20
 SPELLINGS = {

@@ -15,8 +15,12 @@ import pytest
 import sympy as sp
 
 from ramanujan.answers import QUESTIONS, judge, machines
+from ramanujan.answers.grammar import parse
+from ramanujan.answers.spelling import SYMBOLS as SPELLINGS
 from ramanujan.derivation import symbols
+from tests import test_answers
 from tests.reading import NUMBER, read
+from tests.test_answers import RIGHT, RIGHT_RATIO, zero_on_the_right
 
 COUNT = 5000 if os.environ.get("RAMANUJAN_DEEP") else 16
 NAMES = ("m", "m'", "k", "R", "X", "X'", "phi", "phi'", "Phi", "Phi'")
@@ -25,34 +29,27 @@ TYPED = dict(zip(SYMBOLS, NAMES, strict=True))
 SHOWN = dict(zip(SYMBOLS, ("m", "m′", "k", "R", "X", "X′", "φ", "φ′", "Φ", "Φ′"), strict=True))
 half, quarter = sp.Rational(1, 2), sp.Rational(1, 4)
 
-# Written out by hand from the drawing of the machine, not taken from the derivation.
-ENERGIES = {
-    "kinetic_energy_block": half * m * Xd**2,
-    "kinetic_energy_hoop": half * mp * (R * phid - Xd) ** 2 + half * mp * R**2 * phid**2,
-    "kinetic_energy_cylinder": half * mp * (R * phid - Xd) ** 2 + quarter * mp * R**2 * phid**2,
-    "kinetic_energy_slab": half * m * (2 * R * phid - Xd) ** 2,
-    "kinetic_energy_top": half * m * (R * Phid - Xd) ** 2 + quarter * m * R**2 * Phid**2,
-    "potential_energy": 2 * k * R**2 * phi**2,
-    "phi_equation": 4 * m * R + sp.Rational(7, 2) * mp * R,
-}
-ENERGIES["lagrangian"] = (
-    sum(ENERGIES[f"kinetic_energy_{body}"] for body in machines.CALLED) - ENERGIES["potential_energy"]
-)
-ENERGIES["block_momentum"] = (3 * m + 2 * mp) * Xd - 2 * (m + mp) * R * phid - m * R * Phid
 Xdd, phidd, Phidd, ratio = ACCELERATIONS = sp.symbols("Xdd phidd Phidd ratio")
 TYPED |= dict(zip(ACCELERATIONS, ("X''", "phi''", "Phi''", "eps"), strict=True))
 SHOWN |= dict(zip(ACCELERATIONS, ("X″", "φ″", "Φ″", "ε"), strict=True))
-EQUATIONS = {
-    "block_equation": (3 * m + 2 * mp) * Xdd - 2 * (m + mp) * R * phidd - m * R * Phidd,
-    "unit_quadratic": 18 * ratio**2 + ratio - 24,
-}
-"""Each is zero."""
+
+
+def by_hand(name: str) -> sp.Expr:
+    """The answer that test_answers has by hand, from the drawing of the machine; of an equation what is zero."""
+    read = parse(zero_on_the_right(RIGHT[name][0])).doit()
+    return read.xreplace({SPELLINGS[text]: symbol for symbol, text in TYPED.items()})
+
+
+OMEGA, RATIO = "natural_frequency_squared", "unit_mass_ratio"
 QUOTIENTS = {
     "block_coupling": (6 * R * m + 6 * R * mp, 7 * m + 6 * mp),
     "top_coupling": (4 * m + 4 * mp, 7 * m + 6 * mp),
     "natural_frequency_squared": (56 * k * m + 48 * k * mp, 32 * m**2 + 49 * m * mp + 18 * mp**2),
 }
-RATIO = "unit_mass_ratio"
+EQUATIONS = {name: by_hand(name) for name in test_answers.EQUATIONS}
+"""Each is zero."""
+ENERGIES = {name: by_hand(name) for name in RIGHT if name not in {*QUOTIENTS, *EQUATIONS, RATIO}}
+ENERGIES["phi_equation"] = sp.expand(ENERGIES["phi_equation"])
 FACTORS = [2, half, 3, sp.Rational(1, 3), sp.Rational(3, 2), sp.Rational(7, 5), 4, quarter, 10, sp.Rational(8, 7)]
 
 
@@ -118,38 +115,21 @@ def true_hint(name: str, message: str, given: sp.Expr) -> bool:
 
 
 def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction | None:
-    right = ENERGIES.get(name)
-    if right is None and name in QUOTIENTS:
-        above, below = QUOTIENTS[name]
-        right = above / below
+    right = ENERGIES.get(name, sp.S.Zero)
     is_spring = name == "lagrangian" and message not in HINTED and "Lagrangian" not in message
     of_spring = is_spring and _from_hint("potential_energy", message, point)
     if of_spring:
         return value(right + ENERGIES["potential_energy"], point) - of_spring
+    # What one spoiled coefficient can lead to; test_answers has an example of every other hint.
     of_formula = {
-        "as if the block stood still": lambda: 8 * k / (8 * m + 7 * mp),
         "add the potential energy": lambda: right + 2 * ENERGIES["potential_energy"],
         "This is the kinetic energy alone": lambda: right + ENERGIES["potential_energy"],
         "subtract one energy": lambda: right - 2 * _rotation(name),
-        "leave out R.": lambda: right.subs(R, 1),
-        "This is the reciprocal": lambda: 1 / right,
-        "This is R times": lambda: R * right,
-        "after you have put in the other two": lambda: R * sum(QUOTIENTS[OMEGA][1].args) / (2 * (7 * m + 6 * mp)),
-        "This is Ω⁴": lambda: right**2,
-        "This is Ω² in units of k/m": lambda: right * m / k,
-        "Ω² of a plain mass": lambda: k / m,
-        "equal masses, m′ = m, in units": lambda: (right * m / k).subs(mp, m),
-        "for equal masses, m′ = m.": lambda: right.subs(mp, m),
         "square a sum term by term": lambda: sum(
             t for t in sp.expand(right).args if len(t.free_symbols & {Xd, phid, Phid}) == 1
         ),
         "leave out the ½.": lambda: 2 * right,
-        "This is only the energy of rotation": lambda: _rotation(name),
-        "½ in the energy of translation": lambda: 2 * right - _rotation(name),
         "½ in the energy of rotation": lambda: right + _rotation(name),
-        "do not square the deformation": lambda: k * R * phi,
-        "take 2Rφ + X": lambda: half * k * (2 * R * phi + X) ** 2,
-        "the slab relative to the ground. Between": lambda: half * k * (2 * R * phi - X) ** 2,
     }
     for words, formula in of_formula.items():
         if words in message:
@@ -189,9 +169,6 @@ def by_the_inverse_matrix(machine: symbols.Machine, at_point: dict) -> dict[str,
         "phi_equation": M[1, 1] * 4 * at_point[symbols.k] * at_point[symbols.R] / stiffness,
         "natural_frequency_squared": stiffness * phi,
     }
-
-
-OMEGA = "natural_frequency_squared"
 
 
 def _rotation(name: str) -> sp.Expr:
@@ -386,7 +363,6 @@ def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
 
 # Spoiled numbers
 
-RIGHT_RATIO = (sp.sqrt(1729) - 1) / 36
 BY_QUADRATIC = {
     "other root": (-1 - sp.sqrt(1729)) / 36,
     "b has the wrong sign": (1 + sp.sqrt(1729)) / 36,
