@@ -79,8 +79,8 @@ def number(expression: sp.Expr, seed: int = 0) -> sp.Expr:
     The same unknown gets the same fraction in every expression, so equal expressions give equal numbers.
     """
     unknowns = expression.atoms(sp.Derivative) | expression.atoms(AppliedUndef)
-    inner = expression.xreplace({u: _fraction(u, seed) for u in unknowns})
-    return inner.xreplace({s: _fraction(s, seed) for s in inner.free_symbols})
+    inner = expression.xreplace({u: fraction(u, seed) for u in unknowns})
+    return inner.xreplace({s: fraction(s, seed) for s in inner.free_symbols})
 
 
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
@@ -94,7 +94,8 @@ def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Calla
     return sp.lambdify(list(plain.values()), expression.xreplace(plain), modules="numpy")
 
 
-def _fraction(unknown: sp.Basic, seed: int) -> sp.Rational:
+def fraction(unknown: sp.Basic, seed: int = 0) -> sp.Rational:
+    """Return a random positive fraction, the same for the same unknown."""
     source = random.Random(f"{unknown}/{seed}")
     return sp.Rational(source.randint(1, 97), source.randint(1, 97))
 
