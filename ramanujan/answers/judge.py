@@ -5,23 +5,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.answers import terms
+from ramanujan.answers import terms, values
 from ramanujan.answers.differences import differences
 from ramanujan.answers.formulas import leaves, length, replaced
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import EQUATION, QUESTIONS, Question
 from ramanujan.answers.questions import question as asked
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK, UnreadableError, not_known
-from ramanujan.answers.values import (
-    DifferentUnitsError,
-    NegativeRootError,
-    Values,
-    agree,
-    decimals,
-    depends_on,
-    unit,
-    units_off,
-)
 from ramanujan.translation import _, ngettext
 
 _TELLING_DIGITS, _HALF = 3, 0.5
@@ -56,7 +46,7 @@ def judge(question: str, text: str) -> Verdict:
         return _verdict(it, _without_letters(it, typed), _letters_in(typed))
     except UnreadableError as error:
         return Verdict("unreadable", str(error))
-    except NegativeRootError:
+    except values.NegativeRootError:
         return Verdict("unreadable", _("Your formula contains a root that is not real for all masses and motions."))
     except ArithmeticError:
         return Verdict("unreadable", _("Your formula divides by zero."))
@@ -85,7 +75,7 @@ def _without_letters(it: Question, typed: sp.Expr) -> sp.Expr:
 
 def _verdict(it: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
     given, right = it.values(typed), it.right_values
-    if not agree(given, right):
+    if not values.agree(given, right):
         if _has_denominator(it, typed):
             return Verdict("unsimplified", _("Right so far! What do you get if you multiply by the denominator?"))
         return Verdict("wrong", " ".join(_advice(it, typed, given)))
@@ -114,7 +104,7 @@ def _has_denominator(it: Question, typed: sp.Expr) -> bool:
     return bool(numerator) and factor.isdisjoint(it.variables)
 
 
-def _advice(it: Question, typed: sp.Expr, given: Values) -> Iterator[str]:
+def _advice(it: Question, typed: sp.Expr, given: values.Values) -> Iterator[str]:
     """Yield what was found, then the question that leads to the next step."""
     is_equation = it.kind == EQUATION
     if not any(given):
@@ -131,7 +121,7 @@ def _advice(it: Question, typed: sp.Expr, given: Values) -> Iterator[str]:
     own = leaves(it.right)
     others = {name: symbol for name, symbol in SYMBOLS.items() if name != "eps" and symbol not in own}
     of_ratio = SYMBOLS["eps"] in own
-    foreign = [name for name, symbol in others.items() if depends_on(typed, symbol, of_ratio=of_ratio)]
+    foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, of_ratio=of_ratio)]
     if foreign:
         yield _depends_on(it, foreign)
     try:
@@ -144,31 +134,31 @@ def _advice(it: Question, typed: sp.Expr, given: Values) -> Iterator[str]:
     yield it.of_terms.get(term or "", it.leads_on)
 
 
-def _known_mistake(it: Question, given: Values) -> str | None:
-    for hint, values in it.wrong_values:
-        if agree(given, values):
+def _known_mistake(it: Question, given: values.Values) -> str | None:
+    for hint, wrong in it.wrong_values:
+        if values.agree(given, wrong):
             return hint
     if it.variables == MOTION and it.kind != EQUATION:
-        for hint, values in it.wrong_values:
-            if agree(given, tuple(2 * value for value in values)):
+        for hint, wrong in it.wrong_values:
+            if values.agree(given, tuple(2 * value for value in wrong)):
                 return _("{hint} A factor ½ is missing as well.").format(hint=hint)
     return None
 
 
 def _rounded(it: Question, typed: sp.Expr) -> str | None:
     """Return a hint if one decimal number of the answer is an exact one, rounded; else None."""
-    numbers = decimals(typed)
+    numbers = values.decimals(typed)
     if not numbers:
         return None
-    off = units_off(typed, it.right_values)
+    off = values.units_off(typed, it.right_values)
     if off is not None:
         if off <= _HALF:
             return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
         return _("The last digit of your decimal number is off by one unit. What is the exact number?")
     # Fewer digits would fit too many cases.
     if all(len(number.name.replace(".", "").lstrip("0")) >= _TELLING_DIGITS for number in numbers):
-        for hint, values in it.wrong_values:
-            off = units_off(typed, values)
+        for hint, wrong in it.wrong_values:
+            off = values.units_off(typed, wrong)
             if off is not None and off <= _HALF:
                 return _("Your decimal number agrees to the last digit with this case. {hint}").format(hint=hint)
     return None
@@ -187,10 +177,10 @@ def _depends_on(it: Question, foreign: list[str]) -> str:
 
 
 def _wrong_unit(it: Question, typed: sp.Expr) -> str | None:
-    right, quantity = unit(it.right), it.quantity
+    right, quantity = values.unit(it.right), it.quantity
     try:
-        found = unit(typed)
-    except DifferentUnitsError as error:
+        found = values.unit(typed)
+    except values.DifferentUnitsError as error:
         one, other = error.args
         if not (one and other):
             return _("You add a plain number to a term with the unit {unit}.").format(unit=one or other)

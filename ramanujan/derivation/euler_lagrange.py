@@ -3,28 +3,14 @@
 The paper derives Ω² twice. Here one computation does both: with roller mass m, then with roller mass m′.
 """
 
-from dataclasses import replace
-
 import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.energies import bodies_steps
-from ramanujan.derivation.in_step import unit_steps
+from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.printers import in_order, latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation
-from ramanujan.derivation.symbols import (
-    COORDINATES,
-    MOMENTA,
-    Omega_squared,
-    gather,
-    k,
-    m,
-    m_prime,
-    machine,
-    normalized_frequency_squared,
-    phi,
-    t,
-)
+from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, gather, k, m, m_prime, machine, phi, t
 from ramanujan.translation import _
 
 EQUAL_MASSES = equation(m_prime, m)
@@ -39,27 +25,11 @@ def build() -> Route:
     steps = (
         *bodies_steps(bodies),
         *_elimination_steps("equal_", equal, EQUAL_MASSES),
-        _close_to_one(equal.natural_frequency_squared * m / k),
+        close_to_one_step(equal.natural_frequency_squared * m / k, EQUAL_MASSES),
         *_elimination_steps("", general, None),
         *unit_steps(general),
     )
     return Route("euler_lagrange", _("Euler–Lagrange"), steps, general.natural_frequency_squared, CELLS)
-
-
-def _close_to_one(normalized: sp.Expr) -> Step:
-    """Return the paper's remark on equal masses: Ω²m/k is close to 1."""
-    step = Step(
-        "equal_close",
-        _("Compare with the plain mass"),
-        _(
-            "A plain mass $m$ on the same spring has $\\Omega^2=k/m$. For machines whose masses are all equal, $m'=m$, "
-            "the value is close to this one. Which mass ratio makes the two exactly equal?"
-        ),
-        (equation(Omega_squared * m / k, normalized),),
-        case=EQUAL_MASSES,
-    )
-    present = replace(step, equations=(equation(normalized_frequency_squared, normalized),), case=None)
-    return replace(step, present=lambda _values: present)
 
 
 def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> tuple[Step, ...]:

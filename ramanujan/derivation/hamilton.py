@@ -9,21 +9,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ramanujan.derivation import symbols
 from ramanujan.derivation.steps import ROUTES, Route, equation, step
-from ramanujan.derivation.symbols import (
-    COORDINATES,
-    MOMENTA,
-    VELOCITIES,
-    M_e,
-    M_x,
-    Machine,
-    Omega_squared,
-    R,
-    gather,
-    machine,
-    phi,
-    t,
-)
+from ramanujan.derivation.symbols import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, machine, phi, t
 from ramanujan.translation import _
 
 p_phi = MOMENTA[COORDINATES.index(phi)]
@@ -175,9 +163,9 @@ def build() -> Route:
                 "a quarter of $M_e$."
             ),
             equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
-            equation(Omega_squared, stiffness / M_e),
+            equation(symbols.Omega_squared, stiffness / M_e),
             equation(M_x, sp.factor(reduced.effective_mass / lever)),
-            equation(Omega_squared, frequency),
+            equation(symbols.Omega_squared, frequency),
         ),
     )
     return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)

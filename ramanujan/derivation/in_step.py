@@ -5,19 +5,28 @@ from dataclasses import replace
 
 import sympy as sp
 
+from ramanujan.derivation import symbols
 from ramanujan.derivation.elimination import Elimination, unit_condition
 from ramanujan.derivation.printers import in_order
 from ramanujan.derivation.steps import Step, equation, step
-from ramanujan.derivation.symbols import (
-    Omega_squared,
-    epsilon,
-    epsilon_star,
-    k,
-    m,
-    m_prime,
-    normalized_frequency_squared,
-)
+from ramanujan.derivation.symbols import Omega_squared, epsilon, epsilon_star, k, m, m_prime
 from ramanujan.translation import _
+
+
+def close_to_one_step(normalized: sp.Expr, equal_masses: sp.Eq) -> Step:
+    """Return the paper's remark on equal masses: Ω²m/k is close to 1."""
+    compared = step(
+        "equal_close",
+        _("Compare with the plain mass"),
+        _(
+            "A plain mass $m$ on the same spring has $\\Omega^2=k/m$. For machines whose masses are all equal, $m'=m$, "
+            "the value is close to this one. Which mass ratio makes the two exactly equal?"
+        ),
+        equation(Omega_squared * m / k, normalized),
+        case=equal_masses,
+    )
+    present = replace(compared, equations=(equation(symbols.normalized_frequency_squared, normalized),), case=None)
+    return replace(compared, present=lambda _values: present)
 
 
 def unit_steps(general: Elimination) -> tuple[Step, ...]:
@@ -35,8 +44,8 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
     two_terms = rollers + coupling
     normalized = (
         equation(epsilon, ratio),
-        equation(normalized_frequency_squared, numerator / in_order(*terms)),
-        equation(normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
+        equation(symbols.normalized_frequency_squared, numerator / in_order(*terms)),
+        equation(symbols.normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
     )
     only_ratio = step(
         "ratio",

@@ -11,23 +11,15 @@ import sympy as sp
 
 from ramanujan.derivation.energies import energies
 from ramanujan.derivation.steps import ROUTES, Route, equation, step
-from ramanujan.derivation.symbols import (
-    ACCELERATIONS,
-    COORDINATES,
-    VELOCITIES,
-    Machine,
-    Omega_squared,
-    gather,
-    machine,
-    phi,
-)
+from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, gather, machine
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)
 """Angular frequency of a mode: ω² is an eigenvalue of K relative to M."""
 
-_PHI = COORDINATES.index(phi)
-_UNIT = sp.ImmutableMatrix([int(q == phi) for q in COORDINATES])
+_PHI = 1
+"""Place of φ in the order X, φ, Φ."""
+_UNIT = sp.ImmutableMatrix([0, 1, 0])
 _M, _K = sp.MatrixSymbol("M", 3, 3), sp.MatrixSymbol("K", 3, 3)
 
 

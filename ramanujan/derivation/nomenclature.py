@@ -3,35 +3,19 @@
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ramanujan.derivation import symbols
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Route
-from ramanujan.derivation.symbols import (
-    COORDINATES,
-    MOMENTA,
-    M_e,
-    M_x,
-    Omega_clamped_squared,
-    Omega_squared,
-    Phi,
-    R,
-    X,
-    epsilon,
-    epsilon_star,
-    k,
-    m,
-    m_prime,
-    phi,
-)
 from ramanujan.translation import _
 
 _MACHINE = {
-    X: _("displacement of the block relative to the ground, positive to the left [m]"),
-    phi: _("angle of the hoop and of the lower cylinder, positive clockwise [rad]"),
-    Phi: _("angle of the top cylinder, positive clockwise [rad]; the paper writes $\\phi$"),
-    m: _("mass of the block, of the slab and of the top cylinder [kg]"),
-    m_prime: _("mass of the hoop, and mass of the lower cylinder [kg]"),
-    k: _("stiffness of the spring [N/m]"),
-    R: _("radius of the three rolling bodies [m]"),
+    symbols.X: _("displacement of the block relative to the ground, positive to the left [m]"),
+    symbols.phi: _("angle of the hoop and of the lower cylinder, positive clockwise [rad]"),
+    symbols.Phi: _("angle of the top cylinder, positive clockwise [rad]; the paper writes $\\phi$"),
+    symbols.m: _("mass of the block, of the slab and of the top cylinder [kg]"),
+    symbols.m_prime: _("mass of the hoop, and mass of the lower cylinder [kg]"),
+    symbols.k: _("stiffness of the spring [N/m]"),
+    symbols.R: _("radius of the three rolling bodies [m]"),
 }
 """The symbols of every route."""
 
@@ -51,16 +35,16 @@ _OTHERS = {
     sp.Symbol("H_0"): _("constant part of the Hamiltonian [J]"),
     **{
         p: _("canonical momentum of {coordinate} [{unit}]").format(coordinate=f"${latex(q)}$", unit=unit)
-        for p, q, unit in zip(MOMENTA, COORDINATES, ("kg·m/s", "kg·m²/s", "kg·m²/s"), strict=True)
+        for p, q, unit in zip(symbols.MOMENTA, symbols.COORDINATES, ("kg·m/s", "kg·m²/s", "kg·m²/s"), strict=True)
     },
-    Omega_squared: _("square of the natural angular frequency [rad²/s²]"),
-    Omega_clamped_squared: _(
+    symbols.Omega_squared: _("square of the natural angular frequency [rad²/s²]"),
+    symbols.Omega_clamped_squared: _(
         "square of the natural angular frequency while block and top cylinder are held still [rad²/s²]"
     ),
-    epsilon: _("mass ratio $m'/m$: a lower roller’s mass divided by the mass of each other body"),
-    epsilon_star: _("mass ratio at which $\\Omega^2=k/m$"),
-    M_e: _("effective mass for the displacement $R\\varphi$ of the lower rollers [kg]"),
-    M_x: _("effective mass for the deformation $2R\\varphi$ of the spring [kg]"),
+    symbols.epsilon: _("mass ratio $m'/m$: a lower roller’s mass divided by the mass of each other body"),
+    symbols.epsilon_star: _("mass ratio at which $\\Omega^2=k/m$"),
+    symbols.M_e: _("effective mass for the displacement $R\\varphi$ of the lower rollers [kg]"),
+    symbols.M_x: _("effective mass for the deformation $2R\\varphi$ of the spring [kg]"),
     sp.Symbol("M_clamped"): _("effective mass for $R\\varphi$ while block and top cylinder are held still [kg]"),
     sp.Symbol("xi"): _("motion of the block relative to that of the lower rollers, $\\dot X/(R\\dot\\varphi)$"),
     sp.Symbol("eta"): _(
@@ -84,7 +68,7 @@ def nomenclature(route: Route) -> dict[str, str]:
     >>> list(nomenclature(ROUTES["energy"]))[:4]
     ['X', '\\\\varphi', '\\\\Phi', 'm']
     """
-    one_machine = dict.fromkeys((m, m_prime, k), sp.S.One)
+    one_machine = dict.fromkeys((symbols.m, symbols.m_prime, symbols.k), sp.S.One)
     said = (*route.steps, *(step.present(one_machine) for step in route.steps if step.present))
     kinds = (sp.Symbol, AppliedUndef, sp.MatrixSymbol)
     present = {_name(atom) for step in said for equation in step.equations for atom in equation.atoms(*kinds)}

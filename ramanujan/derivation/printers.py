@@ -16,30 +16,21 @@ import sympy as sp
 from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinter
 from sympy.printing.latex import translate
 
-from ramanujan.derivation.symbols import (
-    COORDINATES,
-    VELOCITIES,
-    Omega_clamped_squared,
-    Omega_squared,
-    epsilon_star,
-    m_prime,
-    normalized_frequency_squared,
-    t,
-)
+from ramanujan.derivation import symbols
 
 _NAMES = {
-    m_prime: "m'",
-    epsilon_star: r"\varepsilon_{*}",
-    Omega_squared: r"\Omega^{2}",
-    Omega_clamped_squared: r"\Omega_{\text{clamped}}^{2}",
-    normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
+    symbols.m_prime: "m'",
+    symbols.epsilon_star: r"\varepsilon_{*}",
+    symbols.Omega_squared: r"\Omega^{2}",
+    symbols.Omega_clamped_squared: r"\Omega_{\text{clamped}}^{2}",
+    symbols.normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
     sp.Symbol("L"): r"\mathcal{L}",
     sp.Symbol("H"): r"\mathcal{H}",
     sp.Symbol("H_0"): r"\mathcal{H}_{0}",
 }
 _PLAIN = {
-    **dict(zip(VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
-    **dict(zip(COORDINATES, sp.symbols("X phi Phi"), strict=True)),
+    **dict(zip(symbols.VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
+    **dict(zip(symbols.COORDINATES, sp.symbols("X phi Phi"), strict=True)),
     sp.Symbol("R", positive=True): sp.Symbol("radius"),
 }
 """What a program calls the coordinates, their rates and R."""
@@ -137,7 +128,9 @@ def plain_text(expression: sp.Expr) -> str:
     >>> plain_text(2 * R * phi)
     '2Rφ'
     """
-    named = expression.subs({q: sp.Function(str(q.func).replace("var", ""))(t) for q in COORDINATES}).doit()
+    named = expression.subs(
+        {q: sp.Function(str(q.func).replace("var", ""))(symbols.t) for q in symbols.COORDINATES}
+    ).doit()
     return VectorPrettyPrinter({"use_unicode": True, "wrap_line": False}).doprint(named).replace("⋅", "")
 
 

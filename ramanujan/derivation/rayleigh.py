@@ -11,23 +11,10 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from ramanujan.derivation import symbols
 from ramanujan.derivation.energies import energies
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
-from ramanujan.derivation.symbols import (
-    M_clamped,
-    M_e,
-    M_x,
-    Machine,
-    Omega_clamped_squared,
-    Omega_squared,
-    Phi,
-    R,
-    X,
-    gather,
-    machine,
-    phi,
-    t,
-)
+from ramanujan.derivation.symbols import M_e, M_x, Machine, Omega_squared, Phi, R, X, gather, machine, phi, t
 from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)
@@ -140,8 +127,8 @@ def build() -> Route:
                 "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
                 "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
             ),
-            equation(M_clamped - M_e, sp.factor(result.clamped - result.least)),
-            equation(Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
+            equation(symbols.M_clamped - M_e, sp.factor(result.clamped - result.least)),
+            equation(symbols.Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
         ),
     )
     return Route("energy", _("Energy"), steps, frequency, CELLS)

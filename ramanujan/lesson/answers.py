@@ -9,9 +9,8 @@ from ramanujan.accuracy.work_precision import cheapest as cheapest_runs
 from ramanujan.answers import judge as judge_formula
 from ramanujan.energy import energies
 from ramanujan.integrators import METHODS
-from ramanujan.lesson.stop import FREQUENCY
+from ramanujan.lesson.stop import FREQUENCY, after
 from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
-from ramanujan.motion import motion, released
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
 from ramanujan.numerals import filled, number, told_from
 from ramanujan.translation import _
@@ -31,9 +30,7 @@ def half_energy(setting: Setting) -> Verdict:
     """Judge the spring's share of the energy after a part of a period."""
     if setting.part is None or not 0 <= setting.part <= 1:
         return missed(_("Type a number between 0 and 1, such as 0.3 or 1/3."))
-    machine = setting.machine
-    state = motion(machine, released(machine, setting.compression), setting.part * machine.period)
-    stored = energies(machine, *state)
+    stored = energies(setting.machine, *after(setting.part, setting.machine, setting.compression))
     share = float(stored["spring"]) / sum(map(float, stored.values()))
     sentences = (
         _("At that moment the spring holds {share:3 %} of the energy."),

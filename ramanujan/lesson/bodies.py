@@ -1,31 +1,17 @@
 """Stops 6 to 9: which body moves where, and where the energy is."""
 
-import numpy as np
-
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Stop, by_sign
-from ramanujan.motion import (
-    ground_positions,
-    ground_velocities,
-    motion,
-    relative_positions,
-    relative_velocities,
-    released,
-)
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Stop, after, by_sign
+from ramanujan.motion import ground_positions, ground_velocities, relative_positions, relative_velocities
 from ramanujan.translation import _
 
 _CM = 100.0
 _BODIES = ("slab", "block", "hoop", "top")
 
 
-def at(part: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the state (q, q̇) of the released machine after this part of a period."""
-    return motion(EQUAL, released(EQUAL, COMPRESSION), part * EQUAL.period)
-
-
 def _velocities() -> dict[str, float]:
     """Return the velocities of slab (relative to the block) and block (to the ground) while the slab moves right."""
-    rates = at(3 / 4)[1]
+    rates = after(3 / 4)[1]
     return {
         "slab": _CM * float(relative_velocities(EQUAL, rates)["slab"]),
         "block": -_CM * float(ground_velocities(EQUAL, rates)["block"]),
@@ -42,7 +28,7 @@ def _block() -> str:
 
 def _paths() -> dict[str, float]:
     """Return how far a lower roller's centre travels in half a period, relative to the block and to the ground [cm]."""
-    ends = at(0.0)[0], at(0.5)[0]
+    ends = after(0.0)[0], after(0.5)[0]
     block, ground = (
         _CM * abs(float(places(EQUAL, ends[0])["hoop"] - places(EQUAL, ends[1])["hoop"]))
         for places in (relative_positions, ground_positions)
@@ -58,7 +44,7 @@ def _rollers() -> str:
 
 def _stored(part: float) -> dict[str, float]:
     """Return the share of the energy in each body, and in the spring, after this part of a period."""
-    terms = {name: float(value) for name, value in energies(EQUAL, *at(part)).items()}
+    terms = {name: float(value) for name, value in energies(EQUAL, *after(part)).items()}
     total = sum(terms.values())
     return {
         body: sum(value for name, value in terms.items() if name.partition("_")[0] == body) / total
@@ -69,10 +55,6 @@ def _stored(part: float) -> dict[str, float]:
 def _turning() -> str:
     spring = _stored(0.5)["spring"]
     return "spring" if spring > 0.99 else "half" if spring > 0.4 else "bodies"
-
-
-def _middle() -> str:
-    return max(_BODIES, key=_stored(0.25).__getitem__)
 
 
 STOPS = (
@@ -194,7 +176,7 @@ STOPS = (
         ),
         numbers=lambda: {
             "spring": _stored(0.5)["spring"],
-            "stretch": _CM * abs(float(relative_positions(EQUAL, at(0.5)[0])["slab"])),
+            "stretch": _CM * abs(float(relative_positions(EQUAL, after(0.5)[0])["slab"])),
         },
         hints=(_("If the slab rests relative to the block, how fast do the lower rollers turn?"),),
         purpose=_("Released from rest, only one mode is excited, so all bodies stop together."),
@@ -226,7 +208,7 @@ STOPS = (
                 "block. Which body does the spring push directly?"
             ),
         },
-        answer=_middle,
+        answer=lambda: max(_BODIES, key=_stored(0.25).__getitem__),
         why=_(
             "In the middle the slab holds {slab:2 %} of the energy and the hoop {hoop:2 %}. The block holds {block:2 "
             "%}, the top cylinder {top:2 %}. The slab is the fastest body. The hoop hardly travels, but it spins and "
@@ -234,7 +216,7 @@ STOPS = (
         ),
         numbers=lambda: {
             **_stored(0.25),
-            "block_speed": _CM * abs(float(ground_velocities(EQUAL, at(0.25)[1])["block"])),
+            "block_speed": _CM * abs(float(ground_velocities(EQUAL, after(0.25)[1])["block"])),
         },
         hints=(
             _("Kinetic energy grows with the square of the speed. Which body is the fastest relative to the ground?"),

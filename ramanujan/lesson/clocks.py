@@ -3,8 +3,7 @@
 import math
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import EQUAL, Run, Stop, by_sign
-from ramanujan.motion import motion, released
+from ramanujan.lesson.stop import EQUAL, Run, Stop, after, by_sign
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -26,7 +25,7 @@ def lead(machine: Oscillator) -> float:
 
 def spin_share(machine: Oscillator) -> float:
     """Return the share of the kinetic energy that is rotation of the lower rollers; it is the same at all times."""
-    stored = energies(machine, *motion(machine, released(machine, 0.08), machine.period / 4))
+    stored = energies(machine, *after(1 / 4, machine))
     kinetic = sum(float(value) for name, value in stored.items() if name != "spring")
     return float(stored["hoop_rotation"] + stored["cylinder_rotation"]) / kinetic
 

@@ -28,7 +28,8 @@ _ROOT = sp.sqrt(1729)
 CANDIDATES = {"plus": (_ROOT + 1) / 36, "without": _ROOT / 36, "minus": (_ROOT - 1) / 36, "double": (_ROOT - 1) / 18}
 """Option → a mass ratio that may be the exact one; all of them hold 1729, so that no label gives the answer away."""
 
-OTHER_TOP = "sphere"
+OTHER = BodyChoice(top="sphere")
+"""The machine of the last of these stops."""
 
 A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
 """Of the condition aε² + bε + c = 0."""
@@ -91,24 +92,20 @@ def _spelled() -> str:
     return {0: "neither", 2: "both"}.get(len(spelled), "first" if spelled == _SUMS[:1] else "second")
 
 
-def _other() -> BodyChoice:
-    return BodyChoice(top=OTHER_TOP)
-
-
 def _other_body() -> str:
-    paper, other = BodyChoice().discriminant, _other().discriminant
+    paper, other = BodyChoice().discriminant, OTHER.discriminant
     if other == paper:
         return "same"
     return "square" if sp.sqrt(other).is_integer else "another"
 
 
 def _others() -> dict[str, object]:
-    other, all_machines = _other(), number_theory.machines()
+    all_machines = number_theory.machines()
     return {
-        "number": other.discriminant,
-        "below": int(sp.sqrt(other.discriminant)),
-        "above": int(sp.sqrt(other.discriminant)) + 1,
-        "ratio": float(number_theory.positive_root_digits(*other.quadratic, 10)),
+        "number": OTHER.discriminant,
+        "below": int(sp.sqrt(OTHER.discriminant)),
+        "above": int(sp.sqrt(OTHER.discriminant)) + 1,
+        "ratio": float(number_theory.positive_root_digits(*OTHER.quadratic, 10)),
         "machines": len(all_machines),
         "cubes": sum(bool(machine.cubes) for machine in all_machines),
     }
@@ -254,10 +251,10 @@ STOPS = (
         purpose=_("The number is fragile: with one other body, it is gone."),
         expect=_("Many believe that a body that rolls freely cannot matter."),
         minutes=3,
-        runs=(Run(IN_STEP, bodies=("hoop", "cylinder", OTHER_TOP)),),
+        runs=(Run(IN_STEP, bodies=OTHER.bodies),),
         dials=True,
         page="taxicab",
-        link={"top": OTHER_TOP},
+        link={"top": OTHER.top},
         link_label=_("Choose the bodies on the page 1729"),
     ),
 )

@@ -7,9 +7,9 @@ import numpy as np
 
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
-from ramanujan.lesson.stop import FREQUENCY
+from ramanujan.lesson.stop import FREQUENCY, after
 from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
-from ramanujan.motion import ground_positions, ground_velocities, motion, released, with_initial_velocities
+from ramanujan.motion import ground_positions, ground_velocities, motion, with_initial_velocities
 from ramanujan.numerals import filled, number
 from ramanujan.oscillator import drawn_spacing
 from ramanujan.translation import _
@@ -62,7 +62,7 @@ def nine_eighths(setting: Setting) -> Verdict:
 def half_way(setting: Setting) -> Verdict:
     """Judge how far the slab travels relative to the ground until the spring is relaxed, as a share of x₀."""
     machine = setting.machine
-    states = motion(machine, released(machine, setting.compression), [0.0, machine.period / 4])[0]
+    states = after(np.array([0, 1 / 4]), machine, setting.compression)[0]
     travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
     share = travel["slab"] / (travel["slab"] + travel["block"])
     sentences = (

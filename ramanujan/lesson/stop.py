@@ -13,7 +13,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 
-from ramanujan.motion import InitialState
+from numpy.typing import ArrayLike, NDArray
+
+from ramanujan.motion import InitialState, motion, released
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
 
@@ -149,6 +151,11 @@ class Stop:
     def _filled(self, template: str, **numbers: object) -> str:
         machines = {"equal": EQUAL, "machine": self.machine, "shown": self.shown, "runs": self.runs}
         return filled(template, **machines, **self.given, **numbers)
+
+
+def after(part: ArrayLike, machine: Oscillator = EQUAL, compression: float = COMPRESSION) -> tuple[NDArray, NDArray]:
+    """Return the state (q, q̇) of a machine this part of a period, or these, after its release."""
+    return motion(machine, released(machine, compression), part * machine.period)
 
 
 def by_sign(value: object, negative: str, zero: str, positive: str) -> str:
