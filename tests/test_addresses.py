@@ -4,7 +4,7 @@ import pytest
 from streamlit.testing.v1 import AppTest
 
 from ramanujan.shell import address as addresses
-from ramanujan.shell import class_keys, parameters, stages
+from ramanujan.shell import class_keys, display_mode, parameters, stages
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
 from tests.test_worksheet import key_of
@@ -26,7 +26,9 @@ UNMEANT = {
 DANGEROUS = ("empty", "infinite", "huge", "repeated")
 """What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
 OWN = {page.name: {key.name: key for key in page.url_parameters} for page in PAGES.values()}
-SHARED = {key.name: key for key in (*parameters.URL_PARAMETERS, *class_keys.URL_PARAMETERS, *stages.URL_PARAMETERS)}
+_EVERYWHERE = (parameters, class_keys, display_mode, stages)
+SHARED = {key.name: key for room in _EVERYWHERE for key in room.URL_PARAMETERS if key is not display_mode.SHEET}
+"""Any short word may be the name of a sheet."""
 DEFAULTS = {name: key.default for keys in (SHARED, *OWN.values()) for name, key in keys.items()}
 OF_A_CLASS = {"class", "lecturer", "wall"}
 """Keys that mean something only while a class is open (test_scene_classroom)."""

@@ -1,10 +1,7 @@
 """The pure modules of the page, each imported alone by the browser: bus, sentences, motion, playback, clock."""
 
-import numpy as np
 import pytest
 
-from ramanujan import Oscillator, released
-from ramanujan.motion import motion
 from tests.browser import module
 
 MACHINE = {"m": 1.3, "m_prime": 4.7, "k": 21.0, "radius": 0.07}
@@ -89,22 +86,6 @@ def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
     )
     assert heard[0] == [7]
     assert "broken" in heard[1]
-
-
-def test_the_motion_is_that_of_the_numeric_core(page):
-    times = [0.0, 0.1, 1.7, 123.4]
-    states = run(
-        page,
-        "stage/motion",
-        """const solution = it.solve(given[0]);
-        return given[1].map((t) => it.stateAt(solution, solution.Omega * t, t));""",
-        [PARAMETERS, times],
-    )
-    machine = Oscillator(**MACHINE)
-    q, q_dot = motion(machine, released(machine, PARAMETERS["compression"]), np.array(times))
-    for row, name in enumerate(("X", "phi", "Phi")):
-        np.testing.assert_allclose([state[name] for state in states], q[row], rtol=1e-11, atol=1e-14)
-        np.testing.assert_allclose([state[f"{name}_dot"] for state in states], q_dot[row], rtol=1e-11, atol=1e-12)
 
 
 def test_samples_are_joined_by_straight_lines_and_stay_at_their_ends(page):

@@ -212,15 +212,3 @@ def test_what_is_read_is_shown_as_it_was_typed(page):
         answer(page, "potential_energy", text)
         assert cache.as_read(text) in formulas(page), text
     assert cache.as_read("m +") is None
-
-
-# Steps in an address, and files
-
-
-def test_a_step_that_the_route_does_not_have_is_told_once(app):
-    app.run()
-    app.query_params["step"] = "23"
-    sound(app.switch_page(PAGE).run())
-    (warning,) = app.warning
-    assert "whole number from 1 to 22" in warning.value
-    assert not sound(app.run()).warning

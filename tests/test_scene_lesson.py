@@ -236,24 +236,6 @@ def test_the_short_lesson_has_six_stops_and_an_end_that_says_what_was_answered(o
 # What the address holds
 
 
-def test_progress_is_in_the_address_and_survives_another_page(opened):
-    app = opened(stop="block", chosen="block.same~radius.longer")
-    assert any("Your prediction:" in text.value for text in app.markdown)
-    sound(app.switch_page("ramanujan/pages/derivation/page.py").run())
-    app.query_params.clear()
-    sound(app.switch_page(PAGE).run())
-    assert app.title[0].value.endswith(lesson.stop("block").heading)
-    assert any("Your prediction:" in text.value for text in app.markdown)
-
-
-def test_a_link_that_asks_for_what_is_not_there_is_told_so_once(opened):
-    bad = {"part": "exam", "stop": "nowhere", "chosen": "block.up", "task_top": "cube", "task_glide": "1e9"}
-    app = opened(**bad)
-    (warning,) = app.warning
-    assert all(f" {key} " in warning.value for key in bad)
-    assert not sound(app.run()).warning
-
-
 def test_a_link_with_a_machine_keeps_it_and_a_visitor_from_another_page_gets_that_of_the_stop(app):
     app.query_params["m_prime"] = "0.3"
     app.query_params["stop"] = "light-rollers"

@@ -64,26 +64,11 @@ def test_what_is_hidden_stays_hidden_and_in_the_address_on_every_page(app, path)
     assert not any("Ω²m/k" in str(each.proto) for each in app.get("plotly_chart"))
 
 
-@pytest.mark.parametrize("bad", ["numbers,<b>", "Numbers", "x" * 5000])
-def test_an_unknown_part_gets_one_sentence(app, bad):
-    (warning,) = opened(app, hide=bad).warning
-    assert warning.value.startswith("The value of hide in the address was ignored")
-    assert bad not in warning.value
-    assert not sound(app.run()).warning
-
-
 def test_every_part_can_be_hidden_alone_and_all_at_once(app):
     opened(app, hide=",".join(PARTS))
     assert not app.warning
     assert not app.get("plotly_chart")
     assert len(app.markdown) < 5
-
-
-@pytest.mark.parametrize("bad", ["", "projector2", "\u202eprojector"])
-def test_an_unknown_view_is_no_projector(app, bad):
-    opened(app, view=bad)
-    assert len(app.warning) == 1
-    assert not app.toggle(key="projector").value
 
 
 def test_reset_returns_to_what_the_link_set(app):

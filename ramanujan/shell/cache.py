@@ -47,7 +47,7 @@ def numbers_stated(m: float, m_prime: float, k: float) -> str:
 @st.cache_data(show_spinner=False)
 def symbols() -> str:
     """Return the machine's symbols and their meanings as a Markdown list."""
-    entries = [(entry.latex, entry.meaning) for entry in nomenclature(route("euler_lagrange"))]
-    entries.append(("x_0", _("compression of the spring at release [m]")))
+    entries = nomenclature(route("euler_lagrange")) | {"x_0": _("compression of the spring at release [m]")}
     # A square bracket before a round one would be read as a link.
-    return "\n".join(f"- ${symbol}$: {meaning}" for symbol, meaning in entries).replace("[", "\\[").replace("]", "\\]")
+    listed = "\n".join(f"- ${symbol}$: {meaning}" for symbol, meaning in entries.items())
+    return listed.replace("[", "\\[").replace("]", "\\]")
