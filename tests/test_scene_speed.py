@@ -96,7 +96,7 @@ def test_measures_shares_and_measures_again(app):
     assert duration(best.seconds) in said
 
     # A lower tolerance costs more, and the sentence follows.
-    app.select_slider(key="tolerance").set_value(6).run()
+    app.select_slider(key="tolerance").set_value("1e-6").run()
     finer = cheapest(curves, 1e-6)[0]
     assert finer.evaluations > best.evaluations
     assert f"with **{finer.steps_per_period} steps" in words(app)
@@ -104,7 +104,7 @@ def test_measures_shares_and_measures_again(app):
     # For another visitor, and for any other machine, nothing is measured again.
     other = AppTest.from_file(str(app._script_path), default_timeout=60)
     page(other).slider(key="k").set_value(172.5).run()
-    other.select_slider(key="tolerance").set_value(3).run()
+    other.select_slider(key="tolerance").set_value("1e-3").run()
     other.button(key="measure").click().run()
     assert duration(best.seconds) in words(other)
 

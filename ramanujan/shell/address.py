@@ -10,7 +10,7 @@ server. Streamlit's other bindings write labels, and break off the run where a v
 
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 from urllib.parse import SplitResult, urlencode, urlsplit
@@ -39,6 +39,8 @@ class URLParameter(ABC):
     """Whether Streamlit itself binds a widget to it."""
     name: str
     default: Any
+    refused: str
+    """The sentence for a text that does not fit; its slots are the fields of the parameter."""
 
     @abstractmethod
     def read(self, text: str) -> Any:
@@ -48,9 +50,9 @@ class URLParameter(ABC):
         """Return a value as the address has it."""
         return str(value)
 
-    @abstractmethod
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""
+        return self.refused.format(**vars(self))
 
 
 @dataclass(frozen=True)
@@ -61,18 +63,13 @@ class Count(URLParameter):
     most: int
     default: int = 1
     least: int = 1
+    refused = _("The value of {name} in the address was ignored: it must be a whole number from {least} to {most}.")
 
     def read(self, text: str) -> int:
         """Return the number; ValueError if it does not fit."""
         if not (len(text) < 20 and text.isascii() and text.isdigit() and self.least <= int(text) <= self.most):
             raise ValueError(self.name)
         return int(text)
-
-    def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        return _(
-            "The value of {name} in the address was ignored: it must be a whole number from {least} to {most}."
-        ).format(name=self.name, least=self.least, most=self.most)
 
 
 @dataclass(frozen=True)
@@ -82,15 +79,14 @@ class Choice(URLParameter):
     Parameters
     ----------
     name : of the URL parameter
-    options : the options as session state and code have them: ids, or numbers
+    options : the options as session state, code and address have them: ids or numbers; or these → what a person reads
     default : the option that an address without this parameter means; None where nothing is chosen
-    write : option → its text in the address
     """
 
     name: str
-    options: tuple[Any, ...]
+    options: Collection[Any]
     default: Any = None
-    write: Callable[[Any], str] = str
+    refused = _("The value of {name} in the address was ignored: it must be one of these: {options}.")
 
     def read(self, text: str) -> Any:
         """Return the option; ValueError if there is no such option."""
@@ -100,19 +96,22 @@ class Choice(URLParameter):
         return offered[text]
 
     def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        return _("The value of {name} in the address was ignored: it must be one of these: {options}.").format(
-            name=self.name, options=_listed(map(self.write, self.options))
-        )
+        """Return the sentence for a text that does not fit, with the options; of many, the first few."""
+        texts = list(map(str, self.options))
+        few, more = ", ".join(texts[:_FEW]), len(texts) - _FEW
+        listed = few if more <= 0 else _("{few} and {more} more").format(few=few, more=more)
+        return self.refused.format(name=self.name, options=listed)
 
 
 @dataclass(frozen=True)
-class Several(URLParameter):
+class Several(Choice):
     """Any number of options in any order, with commas between them."""
 
-    name: str
-    options: tuple[str, ...]
     default: tuple[str, ...] = ()
+    refused = _(
+        "The value of {name} in the address was ignored: it must be one or more of these, with commas between them: "
+        "{options}."
+    )
 
     def read(self, text: str) -> tuple[str, ...]:
         """Return the options, each once; ValueError if one of them does not exist."""
@@ -125,31 +124,10 @@ class Several(URLParameter):
         """Return the options as the address has them."""
         return ",".join(value)
 
-    def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        return _(
-            "The value of {name} in the address was ignored: it must be one or more of these, with commas between "
-            "them: {options}."
-        ).format(name=self.name, options=_listed(self.options))
-
-
-def _listed(options: Iterable[str]) -> str:
-    """Return options with commas between them; of many, the first few."""
-    texts = list(options)
-    more = len(texts) - _FEW
-    return ", ".join(texts) if more <= 0 else _("{few} and {more} more").format(few=", ".join(texts[:_FEW]), more=more)
-
 
 @dataclass(frozen=True)
 class Text(URLParameter):
-    """A text that fits a regular expression; whether it names anything is known where it is used.
-
-    Parameters
-    ----------
-    name : of the URL parameter
-    form : the regular expression
-    refused : the sentence for a text that does not fit, with the slot {name}
-    """
+    """A text that fits a regular expression, its form; whether it names anything is known where it is used."""
 
     name: str
     form: str
@@ -161,10 +139,6 @@ class Text(URLParameter):
         if not re.fullmatch(self.form, text, re.ASCII):
             raise ValueError(self.name)
         return text
-
-    def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        return self.refused.format(name=self.name)
 
 
 def opened(page: str, parameters: Sequence[URLParameter]) -> list[str]:

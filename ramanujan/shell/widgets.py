@@ -3,7 +3,6 @@
 import string
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from types import MappingProxyType
 from typing import Any
 
 import streamlit as st
@@ -14,32 +13,33 @@ from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
 
 Words = Mapping[Any, str]
-"""Option → what the person reads."""
+"""Option → what the person reads; a widget needs them where the options themselves do not bring them."""
 
 
-def chips(key: Choice, label: str, words: Words = MappingProxyType({}), **more: Any) -> Any:
+def chips(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options side by side; exactly one of them is chosen."""
     return _choice(st.segmented_control, key, label, words, default=key.default, required=True, **more)
 
 
-def pills(key: Choice, label: str, words: Words, **more: Any) -> Any:
+def pills(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options side by side; one of them may be chosen."""
     return _choice(st.pills, key, label, words, **more)
 
 
-def menu(key: Choice, label: str, words: Words, **more: Any) -> Any:
+def menu(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options as a menu."""
-    return _choice(st.selectbox, key, label, words, index=key.options.index(key.default), **more)
+    return _choice(st.selectbox, key, label, words, index=list(key.options).index(key.default), **more)
 
 
-def ladder(key: Choice, label: str, words: Words = MappingProxyType({}), **more: Any) -> Any:
+def ladder(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options as the marks of a slider."""
     return _choice(st.select_slider, key, label, words, value=key.default, **more)
 
 
-def _choice(draw: Callable, key: Choice, label: str, words: Words, **more: Any) -> Any:
+def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more: Any) -> Any:
+    words = words or (key.options if isinstance(key.options, Mapping) else {})
     # A page that was left open may name an option that is gone.
-    options = {"options": key.options, "format_func": lambda option: words.get(option, str(option))}
+    options = {"options": list(key.options), "format_func": lambda option: words.get(option, str(option))}
     draw(label, **options, key=key.name, persist_state="session", **more)
     return address.keep(key)
 
@@ -100,8 +100,9 @@ def _show_hint(name: str, count: int) -> None:
     st.session_state[f"hints_shown_{name}"] = count
 
 
-def tabs(key: Choice, words: Words) -> dict[str, Any]:
+def tabs(key: Choice) -> dict[str, Any]:
     """Draw tabs and return them by the ids of their options; the open one alone has to be filled."""
+    words: Words = key.options
     widget, ids = f"{key.name}_tabs", {label: option for option, label in words.items()}
 
     def chosen() -> None:
@@ -110,9 +111,9 @@ def tabs(key: Choice, words: Words) -> dict[str, Any]:
     # Streamlit knows a tab only by its label.
     if st.session_state.get(widget, words[key.default]) != words[address.held(key)]:
         st.session_state[widget] = words[address.held(key)]
-    drawn = st.tabs([words[option] for option in key.options], key=widget, on_change=chosen)
+    drawn = st.tabs(list(words.values()), key=widget, on_change=chosen)
     address.keep(key)
-    return dict(zip(key.options, drawn, strict=True))
+    return dict(zip(words, drawn, strict=True))
 
 
 def slider(parameter: Parameter, **more: Any) -> float:

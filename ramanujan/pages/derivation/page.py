@@ -20,16 +20,14 @@ from ramanujan.translation import _
 
 LONGEST_ROUTE = 99
 ROUTE = address.Choice("route", tuple(ROUTES), "euler_lagrange")
-VIEW = address.Choice("show", ("lecture", "reading"), "lecture")
-VALUES = address.Choice("values", ("symbols", "numbers"), "symbols")
-BODY = address.Choice("body", tuple(PARTS))
+VIEW = address.Choice("show", {"lecture": _("One step"), "reading": _("All steps")}, "lecture")
+VALUES = address.Choice("values", {"symbols": _("Symbols"), "numbers": _("Numbers")}, "symbols")
+BODY = address.Choice("body", PARTS)
 STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION, *MODES)
 
 ASIDE = ("compression",)
 
-VIEW_WORDS = {"lecture": _("One step"), "reading": _("All steps")}
-VALUES_WORDS = {"symbols": _("Symbols"), "numbers": _("Numbers")}
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
     "slides": (_("LaTeX slides (beamer)"), "slides.tex", "application/x-tex"),
@@ -124,11 +122,11 @@ def choose(beside: DeltaGenerator | None) -> None:
         widgets.chips(ROUTE, _("Route"), cache.titles(), wrap=True, on_change=start_over, **hidden)
         more = beside or st.popover(_("Show"), icon=":material/tune:", key="more")
     with more:
-        widgets.pills(BODY, _("Highlight the terms of"), PARTS, wrap=True)
+        widgets.pills(BODY, _("Highlight the terms of"), wrap=True)
         if not display_mode.is_projector():
-            widgets.chips(VIEW, _("How to show the steps"), VIEW_WORDS, **hidden)
+            widgets.chips(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):
-            widgets.chips(VALUES, _("Symbols or numbers"), VALUES_WORDS, **hidden)
+            widgets.chips(VALUES, _("Symbols or numbers"), **hidden)
 
 
 @st.fragment(key="beside")

@@ -15,7 +15,6 @@ from ramanujan.translation import _, ngettext
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
 # Stops whose notes fill a sheet of a projector.
 _ON_A_SHEET = 3
-PART_WORDS = {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}
 
 
 def show() -> None:
@@ -33,7 +32,7 @@ def show() -> None:
 def lesson_parts() -> None:
     """Draw the choice between stops, tasks and notes, and the one that is chosen."""
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
-        part = widgets.chips(progress.PART, _("Part of the lesson"), PART_WORDS, label_visibility="collapsed")
+        part = widgets.chips(progress.PART, _("Part of the lesson"), label_visibility="collapsed")
         head = st.container(key="turner")
         classroom.door()
     {"stops": walk, "tasks": work, "notes": notes}[part](head)
@@ -87,9 +86,7 @@ def turn(place: str) -> None:
 def work(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the present task, and in the head the choice of another one."""
     with head:
-        name = widgets.menu(
-            progress.TASK, _("Task"), {task.id: task.heading for task in lesson.TASKS}, label_visibility="collapsed"
-        )
+        name = widgets.menu(progress.TASK, _("Task"), label_visibility="collapsed")
     tasks.draw(lesson.task(name))
 
 

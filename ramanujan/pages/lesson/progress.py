@@ -15,9 +15,9 @@ ASKED, PREDICTED, MISSED, ANSWERED = "asked", "predicted", "missed", "answered"
 right answer is not named; it is."""
 END = "end"
 
-PART = address.Choice("part", ("stops", "tasks", "notes"), "stops")
+PART = address.Choice("part", {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}, "stops")
 STOP = address.Choice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
-TASK = address.Choice("task", tuple(task.id for task in lesson.TASKS), lesson.TASKS[0].id)
+TASK = address.Choice("task", {task.id: task.heading for task in lesson.TASKS}, lesson.TASKS[0].id)
 LENGTH = address.Choice("stops", ("short", "all"))
 
 
@@ -30,6 +30,8 @@ class Predictions(address.URLParameter):
 
     name: str
     default: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    example: str = "radius.same~block.rest"
+    refused = _("The value of {name} in the address was ignored: it must list predictions, such as {example}.")
 
     def read(self, text: str) -> dict[str, tuple[str, str]]:
         """Return the predictions; ValueError if the text is no such list."""
@@ -46,12 +48,6 @@ class Predictions(address.URLParameter):
     def write(self, made: Mapping[str, tuple[str, str]]) -> str:
         """Return the predictions as the address has them."""
         return "~".join(".".join((stop, *said)).removesuffix(f".{ANSWERED}") for stop, said in made.items())
-
-    def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
-        return _("The value of {name} in the address was ignored: it must list predictions, such as {example}.").format(
-            name=self.name, example="radius.same~block.rest"
-        )
 
 
 CHOSEN = Predictions("chosen")

@@ -20,15 +20,12 @@ from ramanujan.translation import _
 
 RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
 GLIDE, SPIN = replace(motion.GLIDE, name="task_glide"), replace(motion.SPIN, name="task_spin")
-METHOD = address.Choice("task_method", tuple(METHODS), "rk4")
+METHOD = address.Choice("task_method", {name: method.title for name, method in METHODS.items()}, "rk4")
 STEPS = address.Count("task_steps", MOST_STEPS, 100, FEWEST_STEPS)
 PERIODS = address.Count("task_periods", 100, 10)
-PLACES = {
-    address.Choice(f"task_{place}", tuple(BODIES), body): other_bodies.PLACE_WORDS[place]
-    for place, body in other_bodies.PAPER.items()
-}
+WORDS = {body: BODY_WORDS[body] for body in BODIES}
+PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in other_bodies.PAPER.items()]
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
-METHOD_WORDS = {name: METHODS[name].title for name in METHODS}
 _LONGEST = 200
 _WIDTH = 160
 
@@ -87,9 +84,9 @@ def machine(task: Task, setting: Setting) -> None:
 
 def _bodies() -> tuple[str, ...]:
     chosen = []
-    for column, (place, label) in zip(st.columns(len(PLACES)), PLACES.items(), strict=True):
+    for column, place, label in zip(st.columns(3), PLACES, other_bodies.PLACE_WORDS.values(), strict=True):
         with column:
-            chosen.append(widgets.menu(place, label, BODY_WORDS))
+            chosen.append(widgets.menu(place, label))
     return tuple(chosen)
 
 
@@ -101,7 +98,7 @@ FIELDS = {
     "seconds": lambda: page.stopwatch("task_stopwatch"),
     "periods": lambda: widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH),
     "formula": lambda: st.text_input("ε =", key="task_formula", placeholder="(sqrt(5) − 1)/2", max_chars=_LONGEST),
-    "method": lambda: widgets.menu(METHOD, _("Method"), METHOD_WORDS),
+    "method": lambda: widgets.menu(METHOD, _("Method")),
     "steps": lambda: widgets.count(STEPS, _("Steps per period"), width=_WIDTH),
     "bodies": _bodies,
 }

@@ -17,14 +17,14 @@ from ramanujan.translation import _
 GLIDE = Parameter("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01)
 SPIN = Parameter("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
 MU = Parameter("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
-FIGURE = address.Choice("figure", tuple(cache.VIEWS), "displacements")
-URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE)
-VIEW_WORDS = {
+FIGURES = {
     "displacements": _("Displacements"),
     "energy": _("Energy"),
     "momentum": _("Momentum"),
     "forces": _("Contact forces"),
 }
+FIGURE = address.Choice("figure", FIGURES, "displacements")
+URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE)
 
 
 def show() -> None:
@@ -144,7 +144,7 @@ def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) 
         return cache.figures(view, theme.current(), *setting)
 
     if display_mode.is_projector():
-        for view, title in VIEW_WORDS.items():
+        for view, title in FIGURES.items():
             with sheet(view, title):
                 shows[view](motion, drawn(view))
                 if view == "forces":
@@ -152,7 +152,7 @@ def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) 
         with sheet("friction", _("Friction needed")):
             plots.friction_needed(motion, friction)
         return
-    for view, tab in widgets.tabs(FIGURE, VIEW_WORDS).items():
+    for view, tab in widgets.tabs(FIGURE).items():
         if tab.open:
             with tab:
                 cursor_and_download(motion, friction.coefficient)

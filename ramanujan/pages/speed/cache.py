@@ -33,8 +33,6 @@ ALONG = {
     "scale": ("s", _("scale <i>s</i> = <i>m</i>/kg = <i>m</i>′/kg = <i>k</i>/(N/m)")),
 }
 """What is varied in a sweep → its symbol, and what the axis says."""
-SWEEPS = tuple(f"{along}_{dtype}" for along in ALONG for dtype in DTYPES)
-"""The ids of the sweeps."""
 
 PERIODS = (1, 3, 10, 30, 100, 300)
 """The numbers of periods that a person can choose."""
@@ -126,9 +124,9 @@ def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
     return phase_errors(Oscillator(m=m, m_prime=m_prime, k=k))
 
 
-@st.cache_resource(show_spinner=False, max_entries=2 * len(SWEEPS))
+@st.cache_resource(show_spinner=False, max_entries=4 * len(ALONG))
 def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> Drawn:
-    """Return the figure of one of the SWEEPS in the given colours."""
+    """Return the figure of what is varied, one of ALONG, with a precision, in the given colours."""
     strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in _shown}
     return figures.forms(strips, quantity=ALONG[name.partition("_")[0]][1], colors=colors)
 

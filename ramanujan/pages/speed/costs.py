@@ -14,9 +14,9 @@ from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.translation import _, ngettext
 
-COST = address.Choice("cost", ("evaluations", "seconds"), "evaluations")
-TOLERANCE = address.Choice("tolerance", tuple(range(1, 16)), 3, write=lambda digits: f"1e-{digits}")
-COST_WORDS = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
+COST = address.Choice("cost", {"evaluations": _("evaluations"), "seconds": _("seconds")}, "evaluations")
+TOLERANCE = address.Choice("tolerance", {f"1e-{n}": number(10.0**-n, 1) for n in range(1, 16)}, "1e-3")
+_COST_TITLES = {"evaluations": _("evaluations of the force"), "seconds": _("seconds on this server")}
 
 
 _ASKED, _COMPLETE = "speed_asked", "speed_complete"
@@ -48,10 +48,8 @@ def costs_controls(asked: bool) -> tuple[str, float]:
     with st.container(horizontal=True, vertical_alignment="bottom"):
         label = _("Measure again") if asked else _("Measure on this server")
         st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_ask)
-        by = widgets.chips(COST, _("Cost"), {"evaluations": _("evaluations"), "seconds": _("seconds")})
-        errors = {digits: number(10.0**-digits, 1) for digits in TOLERANCE.options}
-        digits = widgets.ladder(TOLERANCE, _("Error that you allow"), errors, width=320)
-    return by, 10.0**-digits
+        by = widgets.chips(COST, _("Cost"))
+        return by, float(widgets.ladder(TOLERANCE, _("Error that you allow"), width=320))
 
 
 def _ask() -> None:
@@ -98,7 +96,7 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     drawings.plot(
         figures.work_precision(
             {(METHODS[c.method].title, c.dtype): downsampling.costs(c, by) for c in curves},
-            cost_title=COST_WORDS[by],
+            cost_title=_COST_TITLES[by],
             tolerance=tolerance,
             cheapest=(getattr(best, by), best.error) if best else None,
             exact=(closed.seconds.median, closed.phase_error) if by == "seconds" else None,

@@ -13,13 +13,14 @@ from ramanujan.pages.speed import cache, own_choices, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.translation import _
 
-SWEEP = address.Choice("sweep", cache.SWEEPS, cache.SWEEPS[0])
-SWEEP_WORDS = {
+SWEEPS = {
     "ratio_float64": _("mass ratio, float64"),
     "ratio_float32": _("mass ratio, float32"),
     "scale_float64": _("scale, float64"),
     "scale_float32": _("scale, float32"),
 }
+"""What is varied, one of `cache.ALONG`, and the precision → what one reads."""
+SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 
 
 def forms_at_extremes() -> list[Sweep]:
@@ -33,7 +34,7 @@ def forms_at_extremes() -> list[Sweep]:
         ).format(double=number(float(np.finfo(np.float64).max)), single=number(float(np.finfo(np.float32).max)))
     )
     swept, _solvers = cache.sweeps()
-    name = widgets.chips(SWEEP, _("What is varied, and the precision"), SWEEP_WORDS, label_visibility="collapsed")
+    name = widgets.chips(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     along, _between, dtype = name.partition("_")
     shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
     drawings.plot(

@@ -16,7 +16,7 @@ from ramanujan.shell import address, display_mode, drawings, sidebar, stages, th
 from ramanujan.shell.display_mode import folded, sheet
 from ramanujan.translation import _
 
-METHOD = address.Choice("method", tuple(METHODS), "velocity_verlet")
+METHOD = address.Choice("method", {name: method.title for name, method in METHODS.items()}, "velocity_verlet")
 STEPS = address.Choice("steps", (3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192), 12)
 PERIODS = address.Choice("periods", cache.PERIODS, 30)
 PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
@@ -64,7 +64,7 @@ def choose() -> tuple[str, int, int, str]:
     """Draw the choice of method, steps per period, periods and precision."""
     first, second, third, fourth = st.columns([1.2, 1.2, 1.2, 1], gap="medium")
     with first:
-        method = widgets.menu(METHOD, _("Method"), {name: METHODS[name].title for name in METHODS})
+        method = widgets.menu(METHOD, _("Method"))
     with second:
         steps = widgets.ladder(STEPS, _("Steps per period"))
     with third:

@@ -13,7 +13,7 @@ from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
 PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
-URL_PARAMETERS = tuple(address.Choice(place, tuple(BODIES), body) for place, body in PAPER.items())
+URL_PARAMETERS = tuple(address.Choice(place, emblems.WORDS, body) for place, body in PAPER.items())
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
@@ -49,7 +49,7 @@ def choose() -> None:
     pictures.html(emblems.legend(theme.colors()["block"]))
     for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
         with column:
-            widgets.chips(key, PLACE_WORDS[key.name], emblems.WORDS)
+            widgets.chips(key, PLACE_WORDS[key.name])
 
 
 def the_machine(story: cache.Story, chosen: list[str]) -> None:

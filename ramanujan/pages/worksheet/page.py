@@ -13,13 +13,12 @@ from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
-PAPER = address.Choice("paper", ("questions", "key"), "questions")
+PAPER = address.Choice("paper", {"questions": _("Questions"), "key": _("Key")}, "questions")
 SEED = address.Count("seed", sheet_keys.MOST)
 KEY = sheet_keys.parameter("key")
-LEVEL = address.Choice("level", (1, 2, 3), 1)
-URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
-PAPER_WORDS = {"questions": _("Questions"), "key": _("Key")}
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
+LEVEL = address.Choice("level", LEVEL_WORDS, 1)
+URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
 # Of a sheet on a projector: its lines, letters in a line, and letters of LaTeX in a row of formulas.
 _LINES, _WIDTH, _ROW = {"questions": 15, "key": 12.5}, 105, 330
 _LINE = "<span style='display:inline-block;width:35%;border-bottom:1px solid'></span>"
@@ -78,9 +77,9 @@ def choose() -> tuple[str, int, int]:
     with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
         has_key, paper = sheet_keys.fits(KEY, address.held(SEED)), "questions"
         if has_key:
-            paper = widgets.chips(PAPER, _("Sheet"), PAPER_WORDS, label_visibility="collapsed")
+            paper = widgets.chips(PAPER, _("Sheet"), label_visibility="collapsed")
         seed = widgets.count(SEED, _("Sheet number"), width=230)
-        level = widgets.menu(LEVEL, _("Guidance"), LEVEL_WORDS, width=280)
+        level = widgets.menu(LEVEL, _("Guidance"), width=280)
         if not is_projector():
             st.button(_("New sheet with its key"), on_click=make_sheet)
         st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
