@@ -25,7 +25,8 @@ from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.motion import motion, released
 from ramanujan.numerals import duration, number, power_of_ten
-from ramanujan.pages.speed import cache, costs, downsampling, own_choices, verdicts
+from ramanujan.pages.speed import cache, costs, downsampling, verdicts
+from ramanujan.pages.speed.extremes import what_the_app_uses
 from ramanujan.shell import theme
 
 PAGE = "ramanujan/pages/speed/page.py"
@@ -281,7 +282,7 @@ def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
 
 def test_what_is_said_of_the_app_s_own_frequency_holds_for_a_machine_far_out():
     """The curve's form is wrong by 2 ulp here, and has no value at all for the second machine."""
-    said = own_choices.what_the_app_uses(*cache.choices(), extremes())
+    said = what_the_app_uses(*cache.choices(), extremes())
     machine, curve = (line for line in said.splitlines() if "Ω²" in line.partition("**:")[0])
     claimed = float(re.search(r"at most ([\d.]+) ulp", machine)[1])
     for m, m_prime, k in ((1.8732999652319045, 7.5490236095328624, 7.557978417122431), (1e-200, 1e200, 1e200)):

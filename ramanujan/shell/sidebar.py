@@ -6,7 +6,7 @@ used, from wherever it comes, is answered with one sentence, and the last good v
 """
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 from functools import partial
 
 import streamlit as st
@@ -26,10 +26,10 @@ PRESETS = {
 }
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
 _PRESET = "preset"
-_TYPED, _WISHES = "typed", "wishes"
-"""Session state: what has been asked for by box, and by preset or button, and waits for the run that follows.
+_WISHES = "wishes"
+"""Session state: what has been asked for by box, preset or button, and waits for the run that follows.
 
-Both are changed in place, so that a run that is broken off loses nothing.
+It is changed in place, so that a run that is broken off loses nothing.
 """
 _JUDGED = "judged"
 _FIRST = "first_run"
@@ -102,17 +102,12 @@ def _moved() -> None:
     """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due."""
     pending_updates.hold()
     fragments = st.session_state.get(_FOLLOW)
-    if fragments and not (_typed() or _wishes() or pending_updates.waits() or messages.are_shown()):
+    if fragments and not (_wishes() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
 
-def _typed() -> dict[str, str]:
-    """Return key of a parameter → the text typed into its box."""
-    return st.session_state.setdefault(_TYPED, {})
-
-
-def _wishes() -> list[Callable[[], None]]:
-    """Return what gives the sliders a machine: a preset, a click on a curve, a stop."""
+def _wishes() -> list[partial]:
+    """Return what gives the sliders a machine: a text in a box, a preset, a click on a curve, a stop."""
     return st.session_state.setdefault(_WISHES, [])
 
 
@@ -125,10 +120,7 @@ def take_wishes() -> None:
     st.session_state[_FIRST] = _FIRST not in st.session_state
     if not messages.runs_again():
         pending_updates.hold()
-    for key, text in list(_typed().items()):
-        _take_exact(PARAMETERS[key], text)
-        _typed().pop(key, None)
-    for wish in list(_wishes()):
+    for wish in sorted(_wishes(), key=lambda wish: wish.func is not _take_exact):
         wish()
         _wishes().remove(wish)
 
@@ -145,7 +137,7 @@ def compression() -> float:
 
 def enter(key: str, text: str) -> None:
     """Take what was typed into the box of a parameter; the next run judges it."""
-    _typed()[key] = text
+    _wishes().append(partial(_take_exact, PARAMETERS[key], text))
 
 
 def take_ratio(ratio: float, digits: int = 17) -> None:
@@ -174,7 +166,13 @@ def _set_ratio(ratio: float, digits: int) -> None:
     pending_updates.give({"m": new_m, "m_prime": rollers.clamp(_times(ratio, new_m, digits))})
     sentences = []
     if new_m != m:
-        sentences.append(_gave_way(m, new_m, bound, too_heavy=m_prime > bound))
+        sentence = (
+            _("m was changed from {old} to {new}, because m′ can be at most {bound}.")
+            if m_prime > bound
+            else _("m was changed from {old} to {new}, because m′ must be at least {bound}.")
+        )
+        values = {"old": others.written(m), "new": others.written(new_m), "bound": rollers.written(bound)}
+        sentences.append(sentence.format(**values))
     if not math.isclose(new_m, nearest):
         sentences.append(
             _("The mass ratio is now {ratio}, the nearest possible value.").format(ratio=f"{bound / new_m:.3g}")
@@ -220,17 +218,6 @@ def _reset() -> None:
         messages.note("m", _("All values are now those of your link. Press Reset again for the app’s own values."))
 
 
-def _gave_way(old: float, new: float, bound: float, too_heavy: bool) -> str:
-    """Return the sentence that says why m was changed."""
-    sentence = (
-        _("m was changed from {old} to {new}, because m′ can be at most {bound}.")
-        if too_heavy
-        else _("m was changed from {old} to {new}, because m′ must be at least {bound}.")
-    )
-    m, m_prime = PARAMETERS["m"], PARAMETERS["m_prime"]
-    return sentence.format(old=m.written(old), new=m.written(new), bound=m_prime.written(bound))
-
-
 def _take_preset() -> None:
     """Note what is asked for, and leave no choice standing: the next slider would belie it."""
     pending_updates.hold()
@@ -238,7 +225,7 @@ def _take_preset() -> None:
     if preset in _RATIOS:
         take_ratio(_RATIOS[preset])
     elif preset:
-        _wishes().append(_reset)
+        _wishes().append(partial(_reset))
     pending_updates.give({_PRESET: None})
 
 

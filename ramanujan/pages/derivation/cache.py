@@ -50,12 +50,6 @@ class ShownStep:
     by_body: str
 
 
-@st.cache_data(show_spinner=False)
-def titles() -> dict[str, str]:
-    """Return the routes' names and titles, in their order."""
-    return {name: route(name).title for name in ROUTES}
-
-
 @st.cache_data(show_spinner=False, max_entries=1024)
 def step(
     name: str, number: int, masses: Masses, part: str | None, color: str | None, width: int = LINE_WIDTH
@@ -115,16 +109,9 @@ def step_to_answer(name: str) -> str:
     return _aligned([row(each) for each in shown_step(name)])
 
 
-@st.cache_resource(show_spinner=False)
-def prepare(name: str) -> bool:
-    """Derive the answer to a question and its typical mistakes before the first student answers."""
-    judge(name, "1")
-    return True
-
-
 @st.cache_data(show_spinner=False, max_entries=512)
 def verdict(name: str, text: str) -> Verdict:
-    """Return the verdict on an answer."""
+    """Return the verdict on an answer; the first one of a question also derives its answer and typical mistakes."""
     return judge(name, text)
 
 

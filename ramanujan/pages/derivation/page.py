@@ -1,12 +1,10 @@
 """Page 2: five routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
-from ramanujan import Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.energies import PARTS
@@ -39,27 +37,11 @@ FILES = {
 
 @dataclass(frozen=True)
 class Setting:
-    """What a person has set: the machine, and how the route is shown."""
+    """How a route is shown: one step at a time or all, with the present m, m′ [kg] and k [N/m] or in symbols."""
 
-    machine: Oscillator
     route: str
     is_lecture: bool
-    in_numbers: bool
-
-    @property
-    def present(self) -> tuple[float, float, float]:
-        """m, m′ [kg] and k [N/m]."""
-        return self.machine.m, self.machine.m_prime, self.machine.k
-
-    @property
-    def masses(self) -> cache.Masses:
-        """The numbers to show, or None for symbols."""
-        return self.present if self.in_numbers else None
-
-    @cached_property
-    def steps(self) -> int:
-        """The number of steps of the route."""
-        return len(cache.route(self.route).steps)
+    masses: cache.Masses
 
 
 def show() -> None:
@@ -74,7 +56,7 @@ def show() -> None:
     with sheet("try", _("Try it yourself")):
         try_it()
     page.give_back("route", "show", "values", "body")
-    if not setting.in_numbers:
+    if not setting.masses:
         sidebar.follow("beside", "results", "modes")
 
 
@@ -112,14 +94,21 @@ def the_setting() -> Setting:
     """Return what the choices hold; on a projector there is one step at a time."""
     in_numbers = address.held(VALUES) == "numbers" and not display_mode.hides("numbers")
     is_lecture = address.held(VIEW) == "lecture" or display_mode.is_projector()
-    return Setting(sidebar.oscillator(), address.held(ROUTE), is_lecture, in_numbers)
+    return Setting(address.held(ROUTE), is_lecture, present() if in_numbers else None)
+
+
+def present() -> tuple[float, float, float]:
+    """Return m, m′ [kg] and k [N/m] of the sidebar."""
+    machine = sidebar.oscillator()
+    return machine.m, machine.m_prime, machine.k
 
 
 def choose(beside: DeltaGenerator | None) -> None:
     """Draw the choice of the route; the others are folded, but on a projector they stand beside the step."""
     hidden = {"label_visibility": "collapsed"}
     with st.container(horizontal=True, vertical_alignment="center", key="choices"):
-        widgets.chips(ROUTE, _("Route"), cache.titles(), wrap=True, on_change=start_over, **hidden)
+        titles = {name: cache.route(name).title for name in ROUTE.options}
+        widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
         more = beside or st.popover(_("Show"), icon=":material/tune:", key="more")
     with more:
         widgets.pills(BODY, _("Highlight the terms of"), wrap=True)
@@ -162,17 +151,18 @@ def turn_pages(route: str, headings: list[str]) -> None:
 
 def the_steps(setting: Setting, part: str | None) -> None:
     """Draw the steps of the route; of a lecture the page shows one."""
-    if address.held(STEP) > setting.steps:
-        messages.warn(address.Count(STEP.name, setting.steps).message())
+    steps = len(cache.route(setting.route).steps)
+    if address.held(STEP) > steps:
+        messages.warn(address.Count(STEP.name, steps).message())
         start_over()
     address.keep(STEP)
     if not setting.is_lecture:
-        for number in range(1, setting.steps + 1):
+        for number in range(1, steps + 1):
             draw(setting, number, part)
         return
     # The steps that are hidden (page.css; steps.js shows one) leave no gaps.
     with st.container(border=True, key="lecture", gap=None):
-        for number in range(1, setting.steps + 1):
+        for number in range(1, steps + 1):
             with st.container(key=f"step_{number}"):
                 draw(setting, number, part)
 
@@ -226,12 +216,10 @@ def take_home(setting: Setting) -> None:
 @st.fragment(key="results")
 def compare() -> None:
     """Draw the table in which all routes meet."""
-    machine = sidebar.oscillator()
-    present = machine.m, machine.m_prime, machine.k
     st.header(_("All routes give the same frequency"), anchor=False)
     rows = [
         (title, steps, f"$\\displaystyle {symbols}$", f"$\\Omega^2 = {numbers}$")
-        for title, steps, symbols, numbers in cache.results(present)
+        for title, steps, symbols, numbers in cache.results(present())
     ]
     titles = (_("Route"), _("Steps"), _("$\\Omega^2$ in symbols"), _("$\\Omega^2$ with your numbers"))
     columns = 3 if display_mode.hides("numbers") else 4

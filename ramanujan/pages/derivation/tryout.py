@@ -101,4 +101,4 @@ def ask(name: str, with_step: bool = True) -> None:
     if widgets.hints(name, asked.hints, _("Show me this step") if with_step else ""):
         st.latex(cache.step_to_answer(name))
     with st.spinner(_("Deriving the answer …"), show_time=False):
-        cache.prepare(name)
+        cache.verdict(name, "1")

@@ -19,18 +19,8 @@ from ramanujan.lesson.class_record import as_csv
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, class_settings, progress
-from ramanujan.shell import address, widgets
-from ramanujan.shell.class_session import (
-    arrive,
-    attempt,
-    forget_refusal,
-    key_held,
-    leave,
-    open_class,
-    refusal,
-    seat_held,
-    take_seat,
-)
+from ramanujan.shell import address, class_session, widgets
+from ramanujan.shell.class_session import attempt, key_held, leave, seat_held
 from ramanujan.translation import _, ngettext
 
 DESK_EVERY, PHONE_EVERY = 2.0, 2.5
@@ -52,7 +42,7 @@ def guests(show: Callable[[Stop, bool], None]) -> None:
     ----------
     show : draws a stop's machine, and whether it runs
     """
-    arrive()
+    class_session.arrive()
     if seat := seat_held():
         st.session_state[_DRAWN] = _question(seat)
         _phone()
@@ -82,7 +72,7 @@ def door() -> None:
                 autocomplete="off",
             )
             if st.form_submit_button(_("Join"), type="primary"):
-                attempt(take_seat, code)
+                attempt(class_session.take_seat, code)
                 st.rerun()
         # Whoever typed a code looks here, and sees nothing of what stands below.
         if code:
@@ -111,7 +101,9 @@ def _for_lecturers() -> None:
         ),
         key="class_kept",
     )
-    st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
+    st.button(
+        _("Open a class"), key="class_open", type="primary", on_click=attempt, args=(class_session.open_class, kept)
+    )
 
 
 def panel(stop: Stop, phase: Phase) -> None:
@@ -125,7 +117,7 @@ def panel(stop: Stop, phase: Phase) -> None:
 
 
 def _warn() -> None:
-    if sentence := refusal():
+    if sentence := class_session.refusal():
         st.warning(sentence)
 
 
@@ -281,7 +273,7 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         return
-    forget_refusal((question.stop, question.round))
+    class_session.forget_refusal((question.stop, question.round))
     stop = lesson.stop(question.stop)
     st.title(stop.heading, anchor=False)
     st.markdown(stop.question)

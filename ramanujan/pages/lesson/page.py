@@ -7,14 +7,22 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.browser import page
-from ramanujan.pages.lesson import classroom, ending, exercise, progress, stops, tasks, wall
+from ramanujan.pages.lesson import classroom, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import is_projector, sheet
+from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
-# Stops whose notes fill a sheet of a projector.
-_ON_A_SHEET = 3
+_NOTES, _LINES = 3, 9
+"""Stops whose notes, and whose results, fill a sheet of a projector."""
+ENDING = _("What you have seen")
+_ONWARDS = {
+    "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
+    "derivation": _("Derive Ω² step by step, on the page Derivation"),
+    "taxicab": _("Find out more about the number, on the page 1729"),
+    "worksheet": _("Print questions with space to write, on the page Worksheet"),
+}
 
 
 def show() -> None:
@@ -64,13 +72,13 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
     with head:
         # At the desk of a class a clicker presses the button of the next move.
         page.turn(
-            [*(stop.heading for stop in path), ending.HEADING],
+            [*(stop.heading for stop in path), ENDING],
             number,
             lambda to: turn(places[to - 1]),
             clicker=not class_session.key_held(),
         )
     if number > len(path):
-        ending.draw(path)
+        ending(path)
     else:
         stops.draw(path[number - 1], number)
 
@@ -81,6 +89,37 @@ def turn(place: str) -> None:
     if place != progress.END:
         stop = lesson.stop(place)
         stops.load(stop, stops.runs(progress.prediction(stop)[1]))
+
+
+def ending(path: tuple[lesson.Stop, ...]) -> None:
+    """Draw the end: the right answer of every stop that was answered."""
+    right, answered, lines = 0, 0, []
+    for stop in path:
+        chosen, phase = progress.prediction(stop)
+        if phase != progress.ANSWERED:
+            lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
+            continue
+        answered, right = answered + 1, right + (chosen == stop.right)
+        sign = ":green[:material/check_circle:]" if chosen == stop.right else ":red[:material/cancel:]"
+        lines.append(f"- {sign} **{stop.heading}** – {stop.options[stop.right]}")
+    said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
+    first = _LINES if is_projector() else len(lines)
+    with sheet("seen", ENDING):
+        st.title(ENDING, anchor=False)
+        st.markdown(said.format(answered=answered, stops=len(path), right=right))
+        st.markdown("\n".join(lines[:first]))
+    if lines[first:]:
+        with sheet("seen_on", _("{heading}, continued").format(heading=ENDING)):
+            st.markdown("\n".join(lines[first:]))
+    with sheet("onwards", _("Where to go on")):
+        st.markdown(_("Where to go on:"))
+        st.button(_("Set the machine yourself: twelve tasks"), key="to_tasks", on_click=_to_tasks)
+        for name, label in _ONWARDS.items():
+            st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
+
+
+def _to_tasks() -> None:
+    st.session_state[progress.PART.name] = "tasks"
 
 
 def work(head: st.delta_generator.DeltaGenerator) -> None:
@@ -98,8 +137,8 @@ def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     told = _("Show the notes on all stops. They name the right answers.")
     if not (class_session.key_held() or st.toggle(told, key="notes_shown")):
         return
-    for start in range(0, len(lesson.STOPS), _ON_A_SHEET):
-        numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _ON_A_SHEET]
+    for start in range(0, len(lesson.STOPS), _NOTES):
+        numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]
         with sheet(f"notes_{start}", numbered[0][1].heading):
             for number, stop in numbered:
                 _note(number, stop)

@@ -1,5 +1,7 @@
 """Page 3: the motion over time, what it conserves, its zero modes, and the friction that it needs."""
 
+from functools import partial
+
 import numpy as np
 import streamlit as st
 
@@ -133,34 +135,25 @@ def cursor_and_download(motion: Record, mu: float) -> None:
 
 def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) -> None:
     """Draw the figures of the view that is open, or on a projector a sheet for each."""
-    shows = {
-        "displacements": plots.show_displacements,
-        "energy": plots.show_energy,
-        "momentum": plots.show_momentum,
-        "forces": plots.forces_over_time,
-    }
-
-    def drawn(view: str) -> tuple:
-        return cache.figures(view, theme.current(), *setting)
-
-    if display_mode.is_projector():
-        for view, title in FIGURES.items():
-            with sheet(view, title):
-                shows[view](motion, drawn(view))
-                if view == "forces":
-                    plots.about_forces(motion)
-        with sheet("friction", _("Friction needed")):
-            plots.friction_needed(motion, friction)
-        return
-    for view, tab in widgets.tabs(FIGURE).items():
-        if tab.open:
-            with tab:
+    projector = display_mode.is_projector()
+    shows = {"displacements": plots.show_displacements, "energy": plots.show_energy, "momentum": plots.show_momentum}
+    shows["forces"] = plots.forces_over_time if projector else partial(plots.show_forces, friction=friction)
+    if projector:
+        places = {view: sheet(view, title) for view, title in FIGURES.items()}
+    else:
+        places = {view: tab for view, tab in widgets.tabs(FIGURE).items() if tab.open}
+    for view, place in places.items():
+        with place:
+            if not projector:
                 cursor_and_download(motion, friction.coefficient)
                 if view == "forces":
                     freeze(motion)
-                    plots.show_forces(motion, drawn(view), friction)
-                else:
-                    shows[view](motion, drawn(view))
+            shows[view](motion, cache.figures(view, theme.current(), *setting))
+            if view == "forces":
+                plots.about_forces(motion)
+    if projector:
+        with sheet("friction", _("Friction needed")):
+            plots.friction_needed(motion, friction)
 
 
 if __name__ == "__main__":

@@ -123,7 +123,6 @@ def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:
         forces_over_time(motion, drawn)
     with bars:
         friction_needed(motion, friction)
-    about_forces(motion)
 
 
 def forces_over_time(motion: Record, drawn: tuple) -> None:

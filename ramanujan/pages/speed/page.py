@@ -43,7 +43,7 @@ def show() -> None:
     with folded("solver", _("A general eigen-solver, which does not know this machine")):
         extremes.general_solver()
     with folded("choices", _("What this app uses, and why")):
-        extremes.what_the_app_uses()
+        st.markdown(extremes.what_the_app_uses(*cache.choices(), cache.sweeps()[0]))
     # What may take long comes when all else is drawn.
     costs_on_this_server()
 

@@ -1,5 +1,6 @@
 """The section of page 4 on other bodies: choosers, the machine they make, its numbers, and all forty machines."""
 
+from base64 import b64encode
 from fractions import Fraction
 
 import streamlit as st
@@ -7,13 +8,15 @@ import streamlit as st
 from ramanujan import number_theory
 from ramanujan.browser import stage
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.pages.taxicab import cache, emblems
+from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _, ngettext
 
+WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
+"""Body → what one calls it."""
 PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
-URL_PARAMETERS = tuple(address.Choice(place, emblems.WORDS, body) for place, body in PAPER.items())
+URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER.items())
 PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
@@ -46,7 +49,7 @@ def other_bodies() -> None:
 def choose() -> None:
     """Draw the choosers, set out like the machine: the body on top stands above, to the right."""
     pictures, above = st.columns(2, vertical_alignment="center")
-    pictures.html(emblems.legend(theme.colors()["block"]))
+    pictures.html(legend(theme.colors()["block"]))
     for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
         with column:
             widgets.chips(key, PLACE_WORDS[key.name])
@@ -149,7 +152,7 @@ def forty_machines(chosen: BodyChoice) -> None:
     drawings.plot(
         cache.machine_grid(
             [pair(*names) for names in pairs],
-            [emblems.WORDS[body] for body in columns],
+            [WORDS[body] for body in columns],
             [[machine.discriminant for machine in row] for row in rows],
             [[len(machine.cubes) for machine in row] for row in rows],
             place,
@@ -190,10 +193,39 @@ def take_paper() -> None:
 def name(machine: BodyChoice) -> str:
     """Return the bodies in words."""
     return _("Lower rollers: {left} and {right}; on top: {top}").format(
-        **{place: emblems.WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
+        **{place: WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
     )
 
 
 def pair(left: str, right: str) -> str:
     """Return a pair of lower rollers in words."""
-    return _("{left} + {right}").format(left=emblems.WORDS[left], right=emblems.WORDS[right])
+    return _("{left} + {right}").format(left=WORDS[left], right=WORDS[right])
+
+
+def legend(color: str) -> str:
+    """Return all bodies with their names and shape factors β, as HTML."""
+    figures = (
+        f'<figure style="margin:0;display:flex;gap:.4rem;align-items:center">'
+        f'<img width="38" height="38" alt="" src="{_address(body, color)}">'
+        f"<figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>"
+        for body, beta in BODIES.items()
+    )
+    return f'<div style="display:flex;flex-wrap:wrap;gap:.6rem 1rem">{"".join(figures)}</div>'
+
+
+def _address(body: str, color: str) -> str:
+    """Return the drawing of a body as an address that holds it."""
+    ink = f'stroke="{color}" fill="none"'
+    drawings = {
+        "hoop": f'<circle cx="24" cy="24" r="19" stroke-width="5" {ink}/>',
+        "shell": f'<circle cx="24" cy="24" r="20" stroke-width="2.5" stroke="{color}" fill="{color}" '
+        f'fill-opacity=".15"/><ellipse cx="24" cy="24" rx="20" ry="7" stroke-width="1.5" {ink}/>'
+        f'<ellipse cx="24" cy="24" rx="7" ry="20" stroke-width="1.5" {ink}/>',
+        "cylinder": f'<g fill="{color}"><g opacity=".5"><circle cx="29" cy="19" r="15"/>'
+        '<path d="M8.4 18.4 18.4 8.4 39.6 29.6 29.6 39.6z"/></g><circle cx="19" cy="29" r="15"/></g>',
+        "sphere": f'<circle cx="24" cy="24" r="21" fill="{color}"/>'
+        '<circle cx="18" cy="17" r="7" fill="#fff" fill-opacity=".4"/>'
+        '<circle cx="16" cy="15" r="3" fill="#fff" fill-opacity=".6"/>',
+    }
+    svg = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48">{drawings[body]}</svg>'
+    return f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
