@@ -107,8 +107,8 @@ def floats(name: str, values: ArrayLike) -> NDArray[np.floating]:
         array = np.asarray(values)
         if np.ma.is_masked(values) or _holds_a_boolean(values):
             raise TypeError
-        if array.dtype == object:
-            array = np.array([_entry(value) for value in array.flat], dtype=np.float64).reshape(array.shape)
+        if array.dtype == object and all(map(_is_real, array.flat)):
+            array = array.astype(np.float64)
         if array.dtype.kind not in "fiu":
             raise TypeError
     except (TypeError, ValueError, OverflowError):
@@ -208,13 +208,6 @@ def _float(value: object) -> float:
         return float(value) if _is_real(value) else math.nan
     except (TypeError, ValueError, OverflowError):
         return math.nan
-
-
-def _entry(value: object) -> float:
-    """Return an entry of an array of objects as a float, or raise TypeError unless it is a number."""
-    if not _is_real(value):
-        raise TypeError
-    return float(value)
 
 
 def _is_real(value: object) -> bool:

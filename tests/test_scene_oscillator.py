@@ -2,12 +2,13 @@
 
 import json
 import math
+from functools import partial
 
 import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.shell.parameters import PARAMETERS, read_number
-from ramanujan.shell.sidebar import PRESETS
+from ramanujan.shell.sidebar import PRESETS, take_exact
 
 KEYS = list(PARAMETERS)
 
@@ -32,7 +33,7 @@ def box(app, key: str) -> dict[str, object]:
 
 def type_in(app, key: str, text: str):
     """Type into a box, as its callback hears of it, and run the app."""
-    app.session_state["typed"][key] = text
+    app.session_state["wishes"].append(partial(take_exact, key, text))
     return app.run()
 
 

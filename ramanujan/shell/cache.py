@@ -11,7 +11,6 @@ import streamlit as st
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import exact_values, stated
-from ramanujan.translation import _
 
 
 @st.cache_resource(show_spinner=False)
@@ -45,9 +44,8 @@ def numbers_stated(m: float, m_prime: float, k: float) -> str:
 
 
 @st.cache_data(show_spinner=False)
-def symbols() -> str:
-    """Return the machine's symbols and their meanings as a Markdown list."""
-    entries = nomenclature(route("euler_lagrange")) | {"x_0": _("compression of the spring at release [m]")}
+def symbols(name: str, **more: str) -> list[str]:
+    """Return the symbols of a route, and more, with their meanings as Markdown."""
+    entries = (nomenclature(route(name)) | more).items()
     # A square bracket before a round one would be read as a link.
-    listed = "\n".join(f"- ${symbol}$: {meaning}" for symbol, meaning in entries.items())
-    return listed.replace("[", "\\[").replace("]", "\\]")
+    return [f"${symbol}$: {meaning}".replace("[", "\\[").replace("]", "\\]") for symbol, meaning in entries]

@@ -14,7 +14,7 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import page
 from ramanujan.shell import address, cache, display_mode, messages, pending_updates, stages, widgets
-from ramanujan.shell.parameters import MACHINE, PARAMETERS, Parameter, read_number
+from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
 from ramanujan.translation import _
 
 PRESETS = {
@@ -74,7 +74,8 @@ def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[st
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:
-                st.markdown(cache.symbols())
+                compression = f"$x_0$: {_('compression of the spring at release [m]')}"
+                st.markdown("\n".join(f"- {each}" for each in (*cache.symbols("euler_lagrange"), compression)))
         page.publish("boxes_published", followed())
         page.link(address.PRIVATE)
         display_mode.switch()
@@ -120,7 +121,7 @@ def take_wishes() -> None:
     st.session_state[_FIRST] = _FIRST not in st.session_state
     if not messages.runs_again():
         pending_updates.hold()
-    for wish in sorted(_wishes(), key=lambda wish: wish.func is not _take_exact):
+    for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
         wish()
         _wishes().remove(wish)
 
@@ -137,7 +138,7 @@ def compression() -> float:
 
 def enter(key: str, text: str) -> None:
     """Take what was typed into the box of a parameter; the next run judges it."""
-    _wishes().append(partial(_take_exact, PARAMETERS[key], text))
+    _wishes().append(partial(take_exact, key, text))
 
 
 def take_ratio(ratio: float, digits: int = 17) -> None:
@@ -236,8 +237,9 @@ def slider(key: str) -> None:
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
 
 
-def _take_exact(parameter: Parameter, text: str) -> None:
-    """Take what was typed, or say what would do and that the old value stays."""
+def take_exact(key: str, text: str) -> None:
+    """Take what was typed into the box of a parameter, or say what would do and that the old value stays."""
+    parameter = PARAMETERS[key]
     # The box shows its value again whether it has changed or not, so that it must hear of every text that was judged.
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
     number = read_number(text)

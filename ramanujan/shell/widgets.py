@@ -44,6 +44,15 @@ def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more
     return address.keep(key)
 
 
+def beside(widths: int | Sequence[float], *draw: Callable[[], Any]) -> list[Any]:
+    """Draw widgets beside each other in columns, and return their values."""
+    values = []
+    for column, each in zip(st.columns(widths, gap="medium"), draw, strict=True):
+        with column:
+            values.append(each())
+    return values
+
+
 def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
     """Draw a box for a whole number, with the range that Streamlit's own box keeps to itself until it is left."""
     label = _("{label} ({least} to {most})").format(label=label, least=key.least, most=key.most)

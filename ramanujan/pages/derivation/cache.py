@@ -14,7 +14,6 @@ from ramanujan.derivation import ROUTES
 from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
-from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import Remark, conserved_momenta, remarks
@@ -138,14 +137,6 @@ def document(
         return to_beamer(route(name), _values(masses), picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
     return write(route(name), _values(masses))
-
-
-@st.cache_data(show_spinner=False)
-def symbols(name: str) -> str:
-    """Return what each symbol of a route means, in one line of Markdown."""
-    entries = "; ".join(f"${symbol}$: {meaning}" for symbol, meaning in nomenclature(route(name)).items())
-    # A square bracket before a round one would be read as a link.
-    return f"{entries}. {DOTS}".replace("[", "\\[").replace("]", "\\]")
 
 
 def _values(masses: Masses) -> Values | None:

@@ -8,11 +8,12 @@ from streamlit.delta_generator import DeltaGenerator
 from ramanujan.browser import page, stage
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.energies import PARTS
+from ramanujan.derivation.nomenclature import DOTS
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
 from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
-from ramanujan.shell.cache import numbers_stated
+from ramanujan.shell.cache import numbers_stated, symbols
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
@@ -187,7 +188,8 @@ def explain(setting: Setting) -> None:
     """Say whose numbers the steps show, and what their symbols mean."""
     if setting.masses:
         st.caption(numbers_stated(*setting.masses))
-    st.expander(_("What the symbols of this route mean")).caption(cache.symbols(setting.route))
+    meanings = "; ".join(symbols(setting.route))
+    st.expander(_("What the symbols of this route mean")).caption(f"{meanings}. {DOTS}")
 
 
 @st.fragment

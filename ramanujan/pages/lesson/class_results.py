@@ -72,12 +72,8 @@ def _label(label: str, right: bool, own: bool) -> str:
 
 def _share(number: int, votes: int, share: float, people: int, total: int) -> str:
     """Return what stands at a bar: which vote it is, if there were two, and its share."""
-    if votes == 1:
-        words = _("{people} of {total}, {share}")
-    elif number == 0:
-        words = _("First vote: {people} of {total}, {share}")
-    else:
-        words = _("Second vote: {people} of {total}, {share}")
+    one_of_two = (_("First vote: {people} of {total}, {share}"), _("Second vote: {people} of {total}, {share}"))
+    words = one_of_two[number] if votes > 1 else _("{people} of {total}, {share}")
     return words.format(people=people, total=total, share=quantity(round(100 * share), "%"))
 
 

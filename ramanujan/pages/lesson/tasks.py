@@ -1,6 +1,7 @@
 """The tasks of the lesson on the page: choose one, set the machine, read the verdict."""
 
 from dataclasses import replace
+from functools import partial
 
 import streamlit as st
 
@@ -83,11 +84,8 @@ def machine(task: Task, setting: Setting) -> None:
 
 
 def _bodies() -> tuple[str, ...]:
-    chosen = []
-    for column, place, label in zip(st.columns(3), PLACES, other_bodies.PLACE_WORDS.values(), strict=True):
-        with column:
-            chosen.append(widgets.menu(place, label))
-    return tuple(chosen)
+    labels = other_bodies.PLACE_WORDS.values()
+    return tuple(widgets.beside(3, *(partial(widgets.menu, *each) for each in zip(PLACES, labels, strict=True))))
 
 
 FIELDS = {

@@ -41,7 +41,7 @@ def show() -> None:
             )
         )
         scene = st.container(key="without_dials")
-        glide, spin, mu = the_sliders()
+        glide, spin, mu = widgets.beside(3, *(partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)))
         setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
         motion = cache.record(*setting)
         largest = largest_compression(machine, mu, spacing=motion.spacing)
@@ -53,15 +53,6 @@ def show() -> None:
     if display_mode.is_projector():
         page.cursor("motion")
     the_figures(motion, friction, setting)
-
-
-def the_sliders() -> tuple[float, float, float]:
-    """Draw the sliders of this page and return their values in SI units."""
-    values = []
-    for column, each in zip(st.columns(3, gap="medium"), (GLIDE, SPIN, MU), strict=True):
-        with column:
-            values.append(widgets.page_slider(each))
-    return tuple(values)
 
 
 def the_machine(motion: Record, friction: Friction) -> None:

@@ -57,15 +57,12 @@ def told() -> None:
 
 def the_steps() -> None:
     """Draw the derivation in short, and the way to the whole."""
-    if not display_mode.is_projector():
-        st.header(_("The derivation in six steps"), anchor=False)
-    lines = st.container(key="steps")
-    if not display_mode.is_projector():
-        st.page_link(
-            navigation.PAGES["derivation"].file,
-            label=_("The whole derivation, in five ways"),
-            icon=":material/function:",
-        )
+    if display_mode.is_projector():
+        six_steps()
+        return
+    st.header(_("The derivation in six steps"), anchor=False)
+    lines, derivation = st.container(key="steps"), navigation.PAGES["derivation"]
+    st.page_link(derivation.file, label=_("The whole derivation, in five ways"), icon=f":material/{derivation.icon}:")
     with lines:
         six_steps()
 

@@ -1,6 +1,7 @@
 """Page 5: how exact a scene has to be and what that costs, measured on the machine that serves the page."""
 
 import math
+from functools import partial
 
 import numpy as np
 import streamlit as st
@@ -27,7 +28,13 @@ def show() -> None:
     """Draw the page, then take its experiments."""
     with sheet("motion", _("Exact and computed")):
         the_question()
-        method, steps, periods, precision = choose()
+        method, steps, periods, precision = widgets.beside(
+            [1.2, 1.2, 1.2, 1],
+            partial(widgets.menu, METHOD, _("Method")),
+            partial(widgets.ladder, STEPS, _("Steps per period")),
+            partial(widgets.ladder, PERIODS, _("Number of periods")),
+            partial(widgets.chips, PRECISION, _("Precision")),
+        )
         run = two_stages(method, steps, periods, precision)
     with sheet("errors", _("How the errors grow")):
         growing_errors(run)
@@ -58,20 +65,6 @@ def the_question() -> None:
             "error can be seen and measured."
         )
     )
-
-
-def choose() -> tuple[str, int, int, str]:
-    """Draw the choice of method, steps per period, periods and precision."""
-    first, second, third, fourth = st.columns([1.2, 1.2, 1.2, 1], gap="medium")
-    with first:
-        method = widgets.menu(METHOD, _("Method"))
-    with second:
-        steps = widgets.ladder(STEPS, _("Steps per period"))
-    with third:
-        periods = widgets.ladder(PERIODS, _("Number of periods"))
-    with fourth:
-        precision = widgets.chips(PRECISION, _("Precision"))
-    return method, steps, periods, precision
 
 
 def two_stages(method: str, steps: int, periods: int, precision: str) -> downsampling.Run:
