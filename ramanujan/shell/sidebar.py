@@ -74,8 +74,8 @@ def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[st
         # The list is sent to those who open it: on the first page it would be a twentieth of every change.
         with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
             if symbols.open:
-                compression = f"$x_0$: {_('compression of the spring at release [m]')}"
-                st.markdown("\n".join(f"- {each}" for each in (*cache.symbols("euler_lagrange"), compression)))
+                entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
+                st.markdown("\n".join(f"- {entry}" for entry in entries))
         page.publish("boxes_published", followed())
         page.link(address.PRIVATE)
         display_mode.switch()
