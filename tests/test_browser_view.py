@@ -219,6 +219,14 @@ def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrollin
 def test_the_sheet_is_in_the_address_and_figures_grow_with_the_screen(visit):
     page = projected(visit, "?sheet=step_1", width=1920, height=1080)
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
+    # While Streamlit draws a page, another sheet may be there before the one that was asked for.
+    page.evaluate("""async () => {
+      const mark = document.querySelector("[data-sheet=step_1]"), place = mark.parentElement;
+      mark.remove();
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      place.append(mark);
+    }""")
+    expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
     page.keyboard.press("PageUp")
     page.wait_for_url("**sheet=curve*")
     page.wait_for_function(f"Math.max(...{HEIGHTS}) > 0.6")

@@ -21,13 +21,14 @@ class Pager {
   constructor(component, signal) {
     const root = component.parentElement;
     Object.assign(this, { component, sheets: [], now: 0, list: root.querySelector("select") });
+    this.wanted = new URLSearchParams(location.search).get("sheet");
     [this.back, this.next] = root.querySelectorAll("button");
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
     this.tell = atRest(TELL, () => component.setStateValue("at", this.now ? this.sheets[this.now].name : ""), signal);
     // Bubbling up to the window: what the page itself does with a key comes first.
     window.addEventListener("keydown", (event) => this.press(event), { signal });
-    bus.subscribe("turned", () => this.show(0), { signal }); // another stop of the lesson begins with its first sheet
+    bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first sheet
     bus.publish("sheets", { has: (by) => Boolean(this.sheets[this.now + by]) });
     document.documentElement.dataset.pager = "";
     observe(document.body, { childList: true, subtree: true }, () => this.look(), signal);
@@ -38,17 +39,18 @@ class Pager {
     });
   }
 
-  /** Take in the page's sheets where they have changed. The sheet that is seen stays; a new page begins where its address says. */
+  /** Take in the page's sheets where they have changed: while Streamlit draws the page, any of them may come first. The sheet
+   * that was asked for stays, and without one the first; a new page begins where its address says. */
   look() {
     const sheets = dom.sheets();
     if (sheets.length === this.sheets.length && sheets.every(({ node }, i) => node === this.sheets[i].node && node.hasAttribute(AWAY) === (i !== this.now))) return;
     const turned = page && page !== location.pathname;
-    const seen = turned ? "" : this.sheets[this.now]?.name ?? new URLSearchParams(location.search).get("sheet");
     page = location.pathname;
+    if (turned) this.wanted = null;
     this.sheets = sheets;
     const title = (sheet, i) => new Option(fill(this.component.data.place, { now: i + 1, count: sheets.length, title: sheet.title }));
     this.list.replaceChildren(...sheets.map(title));
-    this.show(Math.max(sheets.findIndex(({ name }) => name === seen), 0), turned);
+    this.show(Math.max(sheets.findIndex(({ name }) => name === this.wanted), 0), turned);
   }
 
   show(now, tell = true) {
@@ -63,6 +65,7 @@ class Pager {
 
   turn(by) {
     if (!this.sheets[this.now + by]) return false;
+    this.wanted = this.sheets[this.now + by].name;
     this.show(this.now + by);
     return true;
   }
