@@ -114,7 +114,8 @@ def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, D
     arrangement, projector = _arrangement(stop, running), display_mode.is_projector()
     if arrangement == "several":
         return st.container(), st.container(), st.container()
-    words, picture = st.columns([1, 2] if projector and arrangement == "dials" else [1, 1], gap="medium")
+    around = st.container(key=None if stop.exhibit else "beside")
+    words, picture = around.columns([1, 2] if projector and arrangement == "dials" else [1, 1], gap="medium")
     return words, picture, words
 
 

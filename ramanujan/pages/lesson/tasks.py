@@ -37,7 +37,8 @@ def draw(task: Task) -> Verdict:
         st.title(task.heading, anchor=False)
         st.markdown(task.text)
         beside = task.stage and not is_projector()
-        words, picture = st.columns([1, 1], gap="medium") if beside else (st.container(), st.container())
+        both = st.container(key="beside").columns([1, 1], gap="medium") if beside else (st.container(), st.container())
+        words, picture = both
         with words:
             places = st.columns(len(task.fields) or 1) if is_projector() else [st.container()] * len(task.fields)
             typed = {}
