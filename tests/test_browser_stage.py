@@ -35,25 +35,6 @@ def slab(page) -> dict[str, float]:
     return page.locator(".st-key-stage .moving .body.slab rect:not(.grip)").first.bounding_box()
 
 
-def pause(page) -> None:
-    if page.get_by_role("button", name="Pause", exact=True).count():
-        page.get_by_role("button", name="Pause", exact=True).click()
-
-
-def test_the_machine_moves_at_once_and_play_stops_it(visit):
-    page = visit(motion="no-preference")
-    for _ in range(5):
-        page.wait_for_function(
-            f"(place) => {STAGE}.querySelector('.moving .slab').getAttribute('transform') !== place",
-            arg=inside(page, "root.querySelector('.moving .slab').getAttribute('transform')"),
-        )
-    pause(page)
-    page.wait_for_timeout(300)
-    still = slab(page)["x"]
-    page.wait_for_timeout(300)
-    assert slab(page)["x"] == still
-
-
 def test_the_readouts_are_the_core_s_numbers_and_the_link_holds_the_machine(visit):
     page = visit()
     for m, m_prime, k in [(0.5, 10.0, 1.0), (0.5, 0.05, 200.0), (0.77, 1.3, 33.5)]:
@@ -104,7 +85,7 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
 
 
 def test_nothing_jumps_when_a_parameter_changes(visit):
-    """The slab's place, frame by frame across a preset, never moves further than twice its greatest speed allows."""
+    """The machine moves at once, frame by frame across a preset never further than twice its greatest speed allows."""
     page = visit(motion="no-preference")
     page.evaluate(
         f"""() => {{
@@ -131,12 +112,16 @@ def test_nothing_jumps_when_a_parameter_changes(visit):
     assert max(moved - 2 * (fastest + fading) * ms / 1000 for ms, moved in steps) < 2
     assert sum(moved for _, moved in steps) > 20
     page.evaluate("delete window.places")  # the watch ends
+    page.get_by_role("button", name="Pause", exact=True).click()
+    page.wait_for_timeout(500)  # what fades has faded
+    still = slab(page)["x"]
+    page.wait_for_timeout(300)
+    assert slab(page)["x"] == still
 
 
-def test_buttons_menu_and_keys_have_their_names(visit):
+def test_buttons_layers_and_keys_have_their_names(visit):
     """What they do to the picture, and how far, is measured in test_browser_picture."""
     page = visit()
-    pause(page)
     scrub = page.locator(".st-key-stage .scrub input")
     for name, expected in [
         ("Release again", 0),
@@ -147,8 +132,6 @@ def test_buttons_menu_and_keys_have_their_names(visit):
         page.get_by_role("button", name=name).click()
         next_frame(page)
         assert float(scrub.input_value()) == pytest.approx(expected, abs=1e-9)
-    page.get_by_role("combobox", name="Speed").select_option("½×")
-    assert page.evaluate(f"{STAGE}.querySelector('.speeds select').value") == "0.5"
     # The keyboard does as much.
     page.locator(".st-key-stage .stage").evaluate("node => node.focus()")
     for shown in ("Pause", "Play"):
@@ -158,13 +141,8 @@ def test_buttons_menu_and_keys_have_their_names(visit):
     page.keyboard.press("ArrowRight")
     next_frame(page)
     assert float(scrub.input_value()) == pytest.approx(1 / 24)
-
-
-def test_layers(visit):
-    page = visit()
-    # At a turning point an arrow has no length.
-    page.get_by_role("button", name="Step forward").click()
     page.get_by_role("button", name="Show", exact=True).click()
+    # At a turning point an arrow has no length.
     for layer, selector in [("Velocities", ".arrows"), ("Forces", ".forces"), ("Traces", ".traces")]:
         assert inside(page, f"root.querySelector('{selector}').style.display") == "none"
         page.get_by_role("checkbox", name=layer).check()
@@ -172,11 +150,9 @@ def test_layers(visit):
             f"[...{STAGE}.querySelectorAll('{selector} path')].some((path) => path.getAttribute('d')?.length > 3)"
         )
         assert inside(page, f"root.querySelector('{selector}').style.display") == ""
-    page.get_by_role("checkbox", name="Energy").uncheck()
     # A click elsewhere closes what was opened.
     page.locator(".stMain h1").click()
     expect(page.get_by_role("checkbox", name="Energy")).to_be_hidden()
-    assert inside(page, "!root.querySelector('.energy').checkVisibility()")
 
 
 def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_once(visit):
@@ -305,46 +281,6 @@ def test_no_page_is_wider_than_its_screen_and_no_name_of_a_curve_lies_on_another
                 a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
                 or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
             )  # fmt: skip
-
-
-def test_a_hundred_changes_leave_nothing_behind(visit):
-    page = visit()
-    client = page.context.new_cdp_session(page)
-    client.send("Performance.enable")
-
-    def counted() -> dict[str, float]:
-        client.send("HeapProfiler.collectGarbage")
-        metrics = {metric["name"]: metric["value"] for metric in client.send("Performance.getMetrics")["metrics"]}
-        return {name: metrics[name] for name in ("JSHeapUsedSize", "JSEventListeners", "Nodes")}
-
-    def drag(times: int, way: int) -> None:
-        """So many changes by the thumb, to the right or to the left, and one more by the server's answer."""
-        x, y = thumb(page, "k")
-        page.mouse.move(x, y)
-        page.mouse.down()
-        for i in range(times):
-            page.mouse.move(x + way * 2 * (i + 1), y)
-            next_frame(page)
-        page.mouse.up()
-        settle(page)
-
-    page.evaluate(
-        """() => {
-          window.drawn = 0;
-          ramanujan.subscribe("present/oscillator", () => (window.drawn += 1));
-        }"""
-    )
-    for i in range(2):
-        drag(10, (-1) ** i)
-    before, drawn = counted(), page.evaluate("window.drawn")
-    for i in range(4):
-        drag(25, (-1) ** i)
-    after = counted()
-    assert page.evaluate("window.drawn") - drawn >= 100
-    # Streamlit and Plotly keep a little of their own; a listener or a node for each change would be 100 and more.
-    assert after["JSEventListeners"] - before["JSEventListeners"] < 50
-    assert after["Nodes"] - before["Nodes"] < 80
-    assert after["JSHeapUsedSize"] - before["JSHeapUsedSize"] < 4e6
 
 
 def test_a_change_sends_at_most_twenty_kilobytes(visit):

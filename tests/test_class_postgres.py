@@ -103,13 +103,7 @@ def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server
     told = dict([votes.get()])
     server.kill()
     server.start()
-    while any(process.is_alive() for process in others) or not votes.empty():
-        while not votes.empty():
-            voter, option = votes.get()
-            told[voter] = option
-    for process in others:
-        process.join()
-    assert [process.exitcode for process in others] == [0, 0]
+    told |= in_a_file.told_by(others, votes)
     assert len(told) == 60
     school.show(opened.key, Phase.REVEALED)
     assert school.distribution(opened.code, "faster") == {o: Counter(told.values())[o] for o in OPTIONS}

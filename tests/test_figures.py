@@ -108,6 +108,7 @@ def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypa
             app.run()
     assert not app.exception
     assert bool(sent) == (name in DRAWN)
+    assert all(any(map(str.isdigit, chart.proto.alt)) for chart in app.get("plotly_chart")), "words with numbers"
     for figure, key in sent:
         assert isinstance(figure, BaseFigure)
         # As high as the page gives it room at 16 px a letter: it is drawn once.

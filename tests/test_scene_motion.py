@@ -38,13 +38,6 @@ def figures(view, *setting):
     return motion, [json.loads(draw(motion, colors).to_json()) for draw in cache.VIEWS[view]]
 
 
-@pytest.mark.parametrize("view", VIEWS)
-def test_each_view_shows_its_figures_with_a_text_alternative(app, view):
-    shown = charts(open_page(app, figure=view))
-    assert len(shown) == {"displacements": 2, "energy": 1, "momentum": 1, "forces": 2}[view]
-    assert all(len(alt) > 40 and any(letter.isdigit() for letter in alt) for alt in shown)
-
-
 @pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (1.5, 12.0), (0.01, 0.5)])
 def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression):
     open_page(app, mu=mu, compression=compression, figure="forces")

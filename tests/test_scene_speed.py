@@ -162,14 +162,6 @@ def test_says_what_the_paper_form_returns_at_the_edge(app):
     assert "effective mass | nowhere" in words(app)
 
 
-def test_every_figure_has_a_text_alternative_with_numbers(app):
-    page(app, sweep="ratio_float32")
-    charts = [element.proto for element in app.get("plotly_chart")]
-    assert len(charts) == 3
-    for chart in charts:
-        assert any(character.isdigit() for character in chart.alt)
-
-
 # ---- what the stage plays
 
 

@@ -1,4 +1,4 @@
-"""Every sentence for people is a whole template that gettext tools find; the pseudo-language keeps its slots."""
+"""Every sentence for people is a whole template that gettext tools find; in a browser see test_browser_language."""
 
 import ast
 import re
@@ -8,13 +8,11 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-import pytest
 from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import extract_from_dir
 
 from ramanujan.browser import modules
 from ramanujan.browser.stage import words
-from ramanujan.translation import language
 from tests.browser import ROOT
 
 PACKAGE = ROOT / "ramanujan"
@@ -23,8 +21,6 @@ SHORTEST_LIMIT = 30
 """Words of the longest sentence."""
 
 _FORMULA = re.compile(r"\$[^$]*\$|`[^`]*`")
-_TAG = re.compile(r"</?[a-z]+[^>]*>")
-_LINK = re.compile(r"\]\([^)]*\)")
 
 
 @cache
@@ -97,35 +93,6 @@ def test_slots_have_names():
         for name in fields(text):
             # A slot may show what belongs to a value, as in {machine.period} and {terms[0]}.
             assert re.fullmatch(r"[^\W\d]\w*(\.[^\W\d]\w*|\[\d\])*", name), text
-
-
-# The pseudo-language
-
-
-@pytest.mark.parametrize("kind", ["slots", "formulas", "links", "tags"])
-def test_the_pseudo_language_keeps_everything_but_words(kind):
-    parts = {"slots": fields, "formulas": _FORMULA.findall, "links": _LINK.findall, "tags": _TAG.findall}[kind]
-    pseudo = language("pseudo")
-    for text in every_text():
-        said = pseudo.gettext(text)
-        assert parts(said) == parts(text), text
-        assert (said.startswith("⟦"), said.endswith("⟧")) == (True, True)
-
-
-def test_the_pseudo_language_shows_every_sentence_with_words():
-    pseudo = language("pseudo")
-    for text in every_text():
-        plain = _TAG.sub("", _LINK.sub("", _FORMULA.sub("", re.sub(r"\{\w*\}", "", text))))
-        if re.search("[aeiouyAEIOUYcnsz]", plain):
-            assert pseudo.gettext(text).strip("⟦⟧· ") != text
-        assert len(pseudo.gettext(text)) > 1.2 * len(plain)
-
-
-def test_plurals_are_spoken_in_the_pseudo_language():
-    pseudo = language("pseudo")
-    assert pseudo.ngettext("{n} period", "{n} periods", 1).startswith("⟦{n} péríód")
-    assert "péríódś" in pseudo.ngettext("{n} period", "{n} periods", 2)
-    assert language(None).gettext("period") == "period"
 
 
 # Whole sentences

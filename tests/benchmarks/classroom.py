@@ -3,14 +3,12 @@
     python -m tests.benchmarks.classroom [--sessions 100] [--page oscillator | … | spread | every] [--seconds 30]
     python -m tests.benchmarks.classroom --processes 2
     python -m tests.benchmarks.classroom --measuring 1 --sessions 50
-    python -m tests.benchmarks.classroom --visits 1000
 
 Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
 random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
 something on a busy machine; the load comes from this machine as well. With --processes, the app runs behind the proxy
 of the recipe. With --measuring, so many more sessions have the speed page measure meanwhile, again and again, and it is
-printed how long each measurement took. With --visits, sessions are only opened and closed, and the growth of the
-server's memory is printed.
+printed how long each measurement took.
 """
 
 import argparse
@@ -66,7 +64,6 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1729)
     parser.add_argument("--processes", type=int, default=0, help="run 1 or 2 processes behind HAProxy, by the recipe")
     parser.add_argument("--measuring", type=int, default=0, help="so many more sessions have the server measure")
-    parser.add_argument("--visits", type=int, default=0, help="open and close so many sessions instead")
     given = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
@@ -74,9 +71,6 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         bare = Path(folder) / "bare.py"
         bare.write_text(BARE)
-        if given.visits:
-            visits(ROOT / "app.py", given)
-            return
         print(HEAD)
         lessons = {"bare page": lesson(bare, [""], given)}
         report("bare page", lessons["bare page"])
@@ -204,39 +198,6 @@ def quantiles(values: list[float]) -> tuple[float, float, float]:
         return (float("nan"),) * 3
     cuts = statistics.quantiles(values, n=100, method="inclusive")
     return cuts[49], cuts[94], cuts[98]
-
-
-def visits(script: Path, given: argparse.Namespace) -> None:
-    """Open and close sessions, each with one change, and print the server's memory as their number grows."""
-    server = running(script)
-    with server as address:
-        asyncio.run(_visits(address, [server.process.pid], given))
-
-
-async def _visits(address: str, processes: list[int], given: argparse.Namespace) -> None:
-    pages = [PAGES[given.page]] if given.page in PAGES else list(PAGES.values())
-    chance = random.Random(given.seed)
-    gate = asyncio.Semaphore(AT_ONCE)
-    seen = Lesson()
-
-    async def visit(number: int) -> None:
-        async with gate:
-            visitor = Visitor(address, pages[number % len(pages)])
-            try:
-                await visitor.open()
-                await visitor.move(given.slider, chance)
-                await visitor.close()
-            except (VisitError, OSError) as problem:
-                seen.errors[str(problem)] += 1
-
-    print(f"{'visits':>8}{'memory':>12}{'errors':>8}")
-    done, tenth = 0, max(given.visits // 10, 1)
-    # The caches fill with the first visits, as they are meant to.
-    for count in [given.sessions, *[tenth] * 10]:
-        await asyncio.gather(*(visit(done + number) for number in range(count)))
-        done += count
-        await asyncio.sleep(2)
-        print(f"{done:>8}{memory(processes) / 2**20:>8.1f} MiB{sum(seen.errors.values()):>8}", flush=True)
 
 
 def processor_time(processes: Iterable[int]) -> float:
