@@ -159,11 +159,9 @@ def _solved(name: str, matrix: list[list[FracElement]], stiffness: FracElement) 
     writes its last term as 4kRφ.
     """
     (a, b, c), (d, e, f), (g, h, i) = matrix
-    if i:
-        determinant, block, top = a * i - c * g, c * h - b * i, b * g - a * h
-    else:
-        # Without a top cylinder the Φ equation is empty.
-        determinant, block, top = a, -b, 0 * a
+    # Without a top cylinder the Φ equation is empty: Φ̈ may be anything, also 0.
+    i = i or i + 1
+    determinant, block, top = a * i - c * g, c * h - b * i, b * g - a * h
     above, below = {
         "block_coupling": (block, determinant),
         "top_coupling": (top, determinant),

@@ -77,27 +77,20 @@ _REWRITTEN = [
         (r"\\(?=(sqrt|varphi|phi|Phi|varepsilon|epsilon|omega)(?![A-Za-z]))", " "),
     )
 ]
-_LEIBNIZ = (
+_RATES = (
     (re.compile(r"\bd ?(X|phi|Phi) ?/ ?dt\b"), r"\1'"),
     (re.compile(r"\bd ?\^ ?(?:2|\(2\)) ?(X|phi|Phi) ?/ ?dt ?\^ ?(?:2|\(2\))"), r"\1''"),
+    (re.compile("(X|phi|Phi)_?ddot"), r"\1''"),
+    (re.compile("(X|phi|Phi)_?dot|d(X|phi|Phi)"), r"\1\2'"),
 )
 _TOKEN = re.compile(
     rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])|(?P<word>[A-Za-z_][A-Za-z_']*)"
     r"|(?P<sign>[-+*/^()])"
 )
-_RATES = {
-    f"{before}{name}{after}": f"{name}{primes}"
-    for name in ("X", "phi", "Phi")
-    for before, after, primes in (
-        ("", "_dot", "'"),
-        ("", "dot", "'"),
-        ("d", "", "'"),
-        ("", "_ddot", "''"),
-        ("", "ddot", "''"),
-    )
+_ALIASES = {
+    **{"epsilon": "eps", "varepsilon": "eps", "m_prime": "m'"},
+    **{"varphi": "phi", "varphi'": "phi'", "varphi''": "phi''"},
 }
-_GREEK = {"epsilon": "eps", "varepsilon": "eps", "varphi": "phi", "varphi'": "phi'", "varphi''": "phi''"}
-_ALIASES = {**_GREEK, "m_prime": "m'", **_RATES}
 # Longest first, so that m' is not read as m.
 _NAME = re.compile("|".join(sorted(("sqrt", "frac", *_ALL, *_ALIASES), key=len, reverse=True)))
 
@@ -108,7 +101,7 @@ def plain(text: str) -> str:
     for pattern, replacement in _REWRITTEN:
         text = pattern.sub(replacement, text)
     text = text.translate(_SPELLINGS).replace("**", "^")
-    for pattern, replacement in _LEIBNIZ:
+    for pattern, replacement in _RATES:
         text = pattern.sub(replacement, text)
     return text
 

@@ -148,14 +148,17 @@ def in_short(differences: Differences) -> list[str]:
 def multiple(ratio: FracElement) -> list[str]:
     """Return the ratio of the given answer to the right one in a sentence, if the ratio is simple."""
     factor = shown_factor(ratio)
-    if factor is None:
-        return []
-    if factor == "−1":
-        return [_("Your answer has the wrong sign.")]
-    times = how_many_times(factor.removeprefix("−"))
-    if factor.startswith("−"):
-        return [_("Your answer has the wrong sign. Its size is {times} the right one.").format(times=times)]
-    return [_("Your answer is {times} the right one.").format(times=times)]
+    times, sign = _("Your answer is {times} the right one."), _("Your answer has the wrong sign.")
+    return [] if factor is None else [_size_and_sign(factor, times, sign)]
+
+
+def _size_and_sign(factor: str, times: str, sign: str, **names: str) -> str:
+    """Return how many times the right one it is, or that its sign is wrong, and its size if that is wrong as well."""
+    said = how_many_times(factor.removeprefix("−"))
+    if not factor.startswith("−"):
+        return times.format(times=said, **names)
+    size = _("Its size is {times} the right one.").format(times=said)
+    return sign.format(**names) + ("" if factor == "−1" else f" {size}")
 
 
 # Term by term
@@ -211,30 +214,21 @@ def _coefficient(term: str, yours: FracElement, right: FracElement) -> str | Non
         return missing.format(term=term)
     ratio = yours / right
     factor = shown_factor(ratio)
-    if not term:
-        return _constant(factor)
     if factor is None:
-        return _("Your coefficient of {term} is wrong.").format(term=term)
-    if not factor.startswith("−"):
-        times_right = _("Your coefficient of {term} is {times} the right one.")
-        return _names_off(term, ratio, right) or times_right.format(term=term, times=how_many_times(factor))
+        wrong = _("Your coefficient of {term} is wrong.") if term else _("Your constant term is wrong.")
+        return wrong.format(term=term)
+    if not term:
+        times, sign = _("Your constant term is {times} the right one."), _("Your constant term has the wrong sign.")
+        return _size_and_sign(factor, times, sign)
+    if named := not factor.startswith("−") and _names_off(term, ratio, right):
+        return named
     should = (
         _("Your coefficient of {term} should be negative.")
         if right.numer.LC < 0
         else _("Your coefficient of {term} should be positive.")
     )
-    if factor == "−1":
-        return should.format(term=term)
-    size = _("Its size is {times} the right one.").format(times=how_many_times(factor.removeprefix("−")))
-    return f"{should.format(term=term)} {size}"
-
-
-def _constant(factor: str | None) -> str:
-    if factor is None:
-        return _("Your constant term is wrong.")
-    if factor.startswith("−"):
-        return _("Your constant term has the wrong sign.")
-    return _("Your constant term is {times} the right one.").format(times=how_many_times(factor))
+    times = _("Your coefficient of {term} is {times} the right one.")
+    return _size_and_sign(factor, times, should, term=term)
 
 
 def _names_off(term: str, ratio: FracElement, right: FracElement) -> str | None:

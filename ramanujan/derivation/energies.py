@@ -124,11 +124,7 @@ def belongs_to(part: str, equation: sp.Eq) -> bool:
 def names(part: str, expression: sp.Basic) -> frozenset[sp.Basic]:
     """Return the symbols and functions of time whose subscript is the part's name."""
     candidates = expression.atoms(sp.Symbol, sp.core.function.AppliedUndef)
-    return frozenset(atom for atom in candidates if _name(atom).endswith(f"_{part}"))
-
-
-def _name(atom: sp.Basic) -> str:
-    return atom.name if isinstance(atom, sp.Symbol) else atom.func.__name__
+    return frozenset(atom for atom in candidates if str(atom).removesuffix("(t)").endswith(f"_{part}"))
 
 
 @cache

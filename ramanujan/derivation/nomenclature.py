@@ -78,7 +78,7 @@ def nomenclature(route: Route) -> dict[str, str]:
 
 def _name(atom: sp.Basic) -> str:
     """Return a symbol's name, with every body's name replaced by the word body, and the three roots ω by one letter."""
-    name = atom.func.__name__ if isinstance(atom, AppliedUndef) else atom.name
+    name = str(atom).removesuffix("(t)")
     letter, _bar, subscript = name.partition("_")
     if subscript in ("block", "hoop", "cylinder", "slab", "top"):
         return f"{letter}_body"
