@@ -1,7 +1,6 @@
 """What is said of a wrong answer that no typical mistake gives: which term differs, for which masses it is right."""
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 import sympy as sp
 
@@ -9,7 +8,7 @@ from ramanujan.answers import terms
 from ramanujan.answers.formulas import leaves
 from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
-from ramanujan.answers.values import POINTS, Values, agree, alike, decimals, depends_on, evaluate, point, rational_ratio
+from ramanujan.answers.values import POINTS, Values, agree, decimals, depends_on, evaluate, point, rational_ratio
 from ramanujan.numerals import number as written
 from ramanujan.translation import _
 
@@ -47,13 +46,13 @@ def _for_special_masses(it: Question, typed: sp.Expr) -> list[str]:
     right, m, m_prime = it.right, SYMBOLS["m"], SYMBOLS["m'"]
     cases = (
         ({m_prime: POINTS[0][m]}, _("Your answer is right for equal masses, m′ = m, but not for other masses.")),
-        ({m_prime: Fraction(0)}, _("Your answer is right for m′ = 0, so the error is in a term with m′.")),
-        ({m: Fraction(0)}, _("Your answer is right for m = 0, so the error is in a term with m.")),
+        ({m_prime: 0}, _("Your answer is right for m′ = 0, so the error is in a term with m′.")),
+        ({m: 0}, _("Your answer is right for m = 0, so the error is in a term with m.")),
     )
     found = []
     for masses, sentence in cases:
         known = POINTS[0] | masses
-        known[SYMBOLS["eps"]] = known[m_prime] / known[m] if known[m] else Fraction(0)
+        known[SYMBOLS["eps"]] = known[m_prime] / known[m] if known[m] else 0
         try:
             yours, theirs = (evaluate(formula, known) for formula in (typed, right))
         except ArithmeticError:
@@ -76,11 +75,11 @@ def _as_number(it: Question, given: Values) -> list[str]:
     times = rational_ratio(given, right)
     if times is not None:
         return terms.multiple(terms.FIELD(times.numerator) / times.denominator)
-    rational = Fraction(str(it.right.expand().as_independent(sp.Pow)[0]))
-    (yours, theirs, without), one = alike(given[0], right[0], rational), (Fraction(1),)
+    (yours, *_same), (theirs, *_same), one = given, right, (1,)
+    without = evaluate(it.right.expand().as_independent(sp.Pow)[0], POINTS[0])
     if rational_ratio((yours - theirs,), one) is not None:
         return [_("The part of your answer with the root is right. The part without the root is not.")]
-    if not isinstance(given[0], Fraction) and rational_ratio(((yours - without) ** 2,), one) is not None:
+    if rational_ratio((yours,), one) is None and rational_ratio(((yours - without) ** 2,), one) is not None:
         return [_("The part of your answer without the root is right. The part with the root is not.")]
     return []
 
@@ -92,8 +91,7 @@ def _as_mass_ratio(typed: sp.Expr, ratio: object) -> Iterator[str]:
     if ratio <= 0:
         yield _("A ratio of two masses is positive.")
         return
-    one = Fraction(1)
-    known = point(m=one, k=one, **{"m'": ratio})
+    known = point(m=1, k=1, **{"m'": ratio})
     frequency = evaluate(question("natural_frequency_squared").right, known)
     shown, difference = float(ratio), float(abs(frequency - 1))
     if difference < 1e-5:

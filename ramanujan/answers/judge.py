@@ -29,9 +29,8 @@ class Verdict:
 def judge(question: str, text: str) -> Verdict:
     """Return the verdict on a student's answer; never raises, whatever it is given.
 
-    Two formulas are equal if they agree at random points: exactly, or in 120 digits where there are roots. A right
-    formula counts as unsimplified if it contains a symbol that it does not need, or if it is longer than the derived
-    one and its expanded and factored forms.
+    Two formulas are equal if they agree at random points, to 1,150 digits. A right formula counts as unsimplified if
+    it contains a symbol that it does not need, or if it is longer than the derived one, expanded and factored too.
 
     Parameters
     ----------

@@ -1,15 +1,15 @@
-"""What a typed formula is worth: at a few points, exactly or in 150 digits, and in which unit.
+"""What a typed formula is worth: at a few points, in 1,200 digits, and in which unit.
 
 Two formulas count as equal if they agree at all `POINTS`. Their coordinates have twelve random digits: by the lemma of
-Schwartz and Zippel, two different rational formulas of degree 120 agree with a probability below 1e-29.
+Schwartz and Zippel, two different rational formulas of degree 120 agree with a probability below 1e-29. A value carries
+as many digits as a hundred names have together: fractions with fewer names in numerators and denominators differ
+within these digits if they differ at all.
 """
 
 import random
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache, reduce
-from math import isqrt
-from operator import add, mul
+from functools import cache
 
 import mpmath
 import sympy as sp
@@ -20,11 +20,11 @@ from ramanujan.derivation.symbols import COORDINATES, R, epsilon, k, m, m_prime
 from ramanujan.numerals import superscript
 
 _MP = mpmath.mp.clone()
-_MP.dps = 150
-_AGREEING, _VANISHING = _MP.mpf(10) ** -120, _MP.mpf(10) ** -135
-"""Relative differences below which two values count as equal, and a sum as zero; only where there are roots."""
+_MP.dps = 1200
+_AGREEING, _VANISHING = _MP.mpf(10) ** -1150, _MP.mpf(10) ** -1180
+"""Relative differences below which two values count as equal, and a sum as zero."""
 
-Number = Fraction | mpmath.mpf
+Number = mpmath.mpf
 Values = tuple[Number, ...]
 
 
@@ -33,7 +33,7 @@ class NegativeRootError(ArithmeticError):
 
 
 def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
-    """Return the value of a formula: a fraction, or 150 digits where a root is none.
+    """Return the value of a formula.
 
     Parameters
     ----------
@@ -46,53 +46,32 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
     """
     if expression in values:
         return values[expression]
-    if expression.is_Add or expression.is_Mul:
-        parts = alike(*(evaluate(part, values) for part in expression.args))
-        total = reduce(add if expression.is_Add else mul, parts)
-        vanishes = isinstance(total, _MP.mpf) and any(abs(total) < _VANISHING * abs(part) for part in parts)
-        return Fraction(0) if expression.is_Add and vanishes else total
+    if expression.is_Mul:
+        return _MP.fprod(evaluate(part, values) for part in expression.args)
+    if expression.is_Add:
+        parts = [evaluate(part, values) for part in expression.args]
+        total = _MP.fsum(parts)
+        return _MP.zero if any(abs(total) < _VANISHING * abs(part) for part in parts) else total
     if expression.is_Pow:
         base = evaluate(expression.base, values)
-        if expression.exp == 0:
-            return Fraction(1)
-        return (
-            base ** int(expression.exp) if expression.exp.is_Integer else square_root(base) ** int(2 * expression.exp)
-        )
-    return Fraction(str(expression))
+        if base < 0 and not expression.exp.is_Integer:
+            raise NegativeRootError
+        return base ** int(expression.exp) if expression.exp.is_Integer else _MP.sqrt(base) ** int(2 * expression.exp)
+    number = sp.Rational(str(expression))
+    return _MP.mpf(number.p) / number.q
 
 
-def alike(*values: Number) -> tuple[Number, ...]:
-    """Return values of one kind: mpmath's do not mix with fractions."""
-    return tuple(map(_MP.convert, values)) if any(isinstance(value, _MP.mpf) for value in values) else values
-
-
-def square_root(value: Number) -> Number:
-    """Return √value: a fraction if it is one, else 150 digits.
-
-    Raises
-    ------
-    NegativeRootError : value is negative.
-    """
-    if value < 0:
-        raise NegativeRootError
-    if isinstance(value, Fraction):
-        exact = Fraction(isqrt(value.numerator), isqrt(value.denominator))
-        if exact**2 == value:
-            return exact
-    return _MP.sqrt(value)
-
-
-def point(**values: Fraction) -> dict[sp.Expr, Fraction]:
-    """Return symbol → value with ε = m′/m, the other values as they are typed in a formula."""
-    known = {SYMBOLS[name]: value for name, value in values.items()}
+def point(**values: Number | int) -> dict[sp.Expr, Number]:
+    """Return symbol → value with ε = m′/m, the other values by the names as they are typed in a formula."""
+    known = {SYMBOLS[name]: _MP.convert(value) for name, value in values.items()}
     return known | {epsilon: known[m_prime] / known[m]}
 
 
-def _points() -> tuple[dict[sp.Expr, Fraction], ...]:
+def _points() -> tuple[dict[sp.Expr, Number], ...]:
     source = random.Random(1729)
     found = []
     for sign in (1, -1, 1):
-        drawn = {name: Fraction(source.randrange(10**11, 10**12)) for name in SYMBOLS if name != "eps"}
+        drawn = {name: source.randrange(10**11, 10**12) for name in SYMBOLS if name != "eps"}
         # Velocities take both signs against each other, so that √(X′²) is told from X′.
         signed = {name: sign * x if name in MOTION and "phi" not in name else x for name, x in drawn.items()}
         found.append(point(**signed))
@@ -103,7 +82,7 @@ POINTS = _points()
 
 
 @cache
-def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Fraction], ...]:
+def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
     """Return `POINTS` with other values of these names, eps among them for the mass ratio."""
     names = tuple("m'" if name == "eps" else name for name in names)
     found = []
@@ -113,7 +92,7 @@ def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Fraction], ...]:
     return tuple(found)
 
 
-def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Fraction], ...] = POINTS) -> Values:
+def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = POINTS) -> Values:
     """Return the values of a formula at some points.
 
     Raises
@@ -133,27 +112,21 @@ def up_to_a_factor(expression: sp.Expr, names: tuple[str, ...]) -> Values:
     ArithmeticError : as `at_points` does.
     """
     here, there = at_points(expression), at_points(expression, moved_points(names))
-    pairs = (alike(*pair) for pair in zip(here, there, strict=True))
-    return tuple(a / b if b else Fraction(0) for a, b in pairs)
+    return tuple(a / b if b else _MP.zero for a, b in zip(here, there, strict=True))
 
 
 def agree(left: Values, right: Values) -> bool:
-    """Tell whether two formulas have the same values; fractions are compared exactly."""
-    return all(
-        a == b or (isinstance(a, _MP.mpf) and abs(a - b) <= _AGREEING * abs(a))
-        for a, b in (alike(*pair) for pair in zip(left, right, strict=True))
-    )
+    """Tell whether two formulas have the same values."""
+    return all(abs(a - b) <= _AGREEING * abs(a) for a, b in zip(left, right, strict=True))
 
 
 def rational_ratio(left: Values, right: Values) -> Fraction | None:
-    """Return the rational number that is the quotient of two formulas, None if there is none."""
+    """Return the rational number that is the quotient of two formulas, None if there is none, or only a long one."""
     if 0 in right:
         return None
-    quotients = tuple(a / b for a, b in (alike(*pair) for pair in zip(left, right, strict=True)))
-    first = quotients[0]
-    if not isinstance(first, Fraction):
-        first = Fraction(str(_MP.nstr(first, 40))).limit_denominator(10**6)
-    return first if agree(quotients, (first,) * len(quotients)) else None
+    quotients = tuple(a / b for a, b in zip(left, right, strict=True))
+    found = Fraction(_MP.nstr(quotients[0], 40)).limit_denominator(10**6)
+    return found if agree(quotients, (_MP.mpf(found.numerator) / found.denominator,) * len(quotients)) else None
 
 
 def depends_on(expression: sp.Expr, symbol: sp.Expr, *, of_ratio: bool = False) -> bool:
@@ -184,29 +157,25 @@ def units_off(expression: sp.Expr, target: Values) -> Number | None:
     needs no rounding: who types 0.6 for ½ has not rounded.
     """
     for decimal in decimals(expression):
-        typed, unit = Fraction(decimal.name), Fraction(1, 10 ** len(decimal.name.partition(".")[2]))
+        typed, unit = _MP.mpf(decimal.name), _MP.mpf(10) ** -len(decimal.name.partition(".")[2])
         try:
             meant = _meant(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
         except ArithmeticError:
             continue
         if meant is None:
             continue
-        meant, typed = meant / _MP.convert(unit), _MP.convert(typed / unit)
-        if abs(meant - _MP.nint(meant)) > _MP.mpf(10) ** -60:
-            return abs(meant - typed)
+        if abs(meant / unit - _MP.nint(meant / unit)) > _MP.mpf(10) ** -60:
+            return abs(meant - typed) / unit
     return None
 
 
-def _meant(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Fraction, high: Fraction) -> Number | None:
+def _meant(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Number, high: Number) -> Number | None:
     def error(x: Number, i: int = 0) -> Number:
-        value, wanted = map(_MP.convert, (evaluate(expression, POINTS[i] | {decimal: x}), target[i]))
-        return (value - wanted) / wanted
+        return evaluate(expression, POINTS[i] | {decimal: x}) / target[i] - 1
 
     if error(low) * error(high) >= 0:
         return None
-    found = _MP.findroot(
-        error, (_MP.convert(low), _MP.convert(high)), solver="anderson", tol=_AGREEING, maxsteps=60, verify=False
-    )
+    found = _MP.findroot(error, (low, high), solver="anderson", tol=1e-120, maxsteps=60, verify=False)
     exact = all(abs(error(found, i)) <= _MP.mpf(10) ** -80 for i in range(len(POINTS)))
     return found if exact else None
 
