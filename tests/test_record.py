@@ -1,6 +1,5 @@
 """A recorded motion and its table: every series against an independent route, and the way through a file and back."""
 
-import csv
 import io
 from dataclasses import replace
 
@@ -46,16 +45,6 @@ def test_the_comments_hold_the_parameters_exactly():
     assert (numbers["X_dot at release"], numbers["Phi_dot at release"]) == (-0.05, -0.8)
     assert comments["k"].endswith("N/m")
     assert numbers["Omega"] == MACHINE.natural_frequency
-
-
-def test_a_spreadsheet_sees_one_rectangle_of_numbers_below_its_header():
-    rows = list(csv.reader(io.StringIO(table(taken(), 0.2))))
-    remarks = [row for row in rows if row[0].startswith("#")]
-    header, *numbers = rows[len(remarks) :]
-    assert all(len(row) == 1 for row in remarks)
-    assert {len(row) for row in numbers} == {len(header)}
-    assert all(name.endswith("]") and "[" in name for name in header)
-    assert all(np.isfinite([float(cell) for cell in row]).all() for row in numbers)
 
 
 def test_every_velocity_is_the_slope_of_its_displacement():

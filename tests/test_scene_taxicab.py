@@ -4,6 +4,7 @@ import re
 from collections import Counter
 from fractions import Fraction
 from itertools import combinations, pairwise
+from xml.etree import ElementTree
 
 import mpmath
 import numpy as np
@@ -201,6 +202,27 @@ def test_unit_cubes_can_be_counted_in_the_drawn_lines(apart: bool) -> None:
     assert volume == pytest.approx(sum(side**3 for side in sides), rel=0.06)
     assert len(figure.data) <= 4
     assert len(figure.to_json()) < 20_000
+
+
+@pytest.mark.parametrize("turn", [0, 40, 130, 190, 305])
+@pytest.mark.parametrize("sides", [(12, 1), (10, 9)])
+def test_cubes_on_paper_show_every_unit_cube_of_three_faces_and_come_apart(sides, turn) -> None:
+    drawn, apart = (cubes.cubes_svg(sides, widest=19, apart=each, turn=turn, color="#0b6477") for each in (False, True))
+    paths = [path.attrib for path in ElementTree.fromstring(drawn).iter("{http://www.w3.org/2000/svg}path")]
+    edges = {name: [path["d"].count("M") for path in paths if path.get("data-face") == name] for name in ("x", "top")}
+    # n unit cubes need n + 1 lines in each of two directions.
+    assert sorted(edges["x"]) == sorted(edges["top"]) == sorted(2 * (n + 1) for n in sides)
+    # Seen from an elevation, a horizontal square shrinks by its sine, whatever the direction; an edge is ten long.
+    tops = [path["d"] for path, lines in pairwise(paths) if lines.get("data-face") == "top"]
+    elevation = np.sin(np.arctan2(0.42, 0.85))
+    assert sorted(map(area, tops)) == pytest.approx(sorted(100 * n**2 * elevation for n in sides), rel=0.05)
+    assert (drawn.count("<use"), apart.count("<use")) == (0, sum(n - 1 for n in sides))
+
+
+def area(outline: str) -> float:
+    """The area within a closed outline M x y x y … z."""
+    x, y = np.array(re.findall(r"-?[\d.]+", outline), dtype=float).reshape(-1, 2).T
+    return abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2
 
 
 def test_the_figure_of_all_machines_lets_one_stand_out() -> None:

@@ -366,8 +366,6 @@ def true_special_masses(message: str, given: sp.Expr, right: sp.Expr) -> bool:
 BY_QUADRATIC = {
     "other root": (-1 - sp.sqrt(1729)) / 36,
     "b has the wrong sign": (1 + sp.sqrt(1729)) / 36,
-    "the ratio m/m′": 36 / (sp.sqrt(1729) - 1),
-    "leave out the square root": sp.Integer(48),
     "divide by a": (sp.sqrt(1729) - 1) / 18,
     "leave out b in front": sp.sqrt(1729) / 36,
     "leave out b² under": (sp.sqrt(1728) - 1) / 36,
