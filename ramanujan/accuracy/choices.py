@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import count
 from typing import TypeAlias
 
@@ -128,8 +129,12 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     [1, 1000]
     """
     instance("oscillator", oscillator, Oscillator)
-    wholes = [integer("periods", n, 1, 10**15) for n in sequence("periods", periods)]
-    return [_closed_form(oscillator, n) for n in wholes]
+    found, initial = [], InitialState(phi=1.0)
+    for n in [integer("periods", n, 1, 10**15) for n in sequence("periods", periods)]:
+        times = oscillator.period * (n + np.arange(16) / 16)
+        seconds = measure(partial(motion, oscillator, initial, float(times[0])))
+        found.append(ClosedForm(n, largest_phase_error(oscillator, times), seconds))
+    return found
 
 
 def arithmetics(mass_ratio: float = UNIT_MASS_RATIO) -> list[Arithmetic]:
@@ -154,16 +159,20 @@ def arithmetics(mass_ratio: float = UNIT_MASS_RATIO) -> list[Arithmetic]:
     # This call raises ValueError for a negative ratio.
     normalized_frequency_squared(epsilon)
     many, few = np.full(ARRAY, epsilon), np.float32(epsilon)
-    cases: list[tuple[str, int | None, Callable[[], Value], int]] = [
-        ("float32", None, lambda: normalized_frequency_squared(few), 1),
-        ("float64", None, lambda: normalized_frequency_squared(epsilon), 1),
-        ("array", None, lambda: normalized_frequency_squared(many), ARRAY),
-        ("integers", None, lambda: _by_integers(epsilon), 1),
-        ("fraction", None, lambda: _at(Fraction(epsilon)), 1),
+    cases: list[tuple[str, int | None, Callable[[], Value]]] = [
+        ("float32", None, lambda: normalized_frequency_squared(few)),
+        ("float64", None, lambda: normalized_frequency_squared(epsilon)),
+        ("array", None, lambda: normalized_frequency_squared(many)),
+        ("integers", None, lambda: _by_integers(epsilon)),
+        ("fraction", None, lambda: _at(Fraction(epsilon))),
     ]
-    cases += [("mpmath", n, _with_digits(n, epsilon), 1) for n in DIGITS]
-    exact = _at(Fraction(epsilon))
-    return [_arithmetic(*case, exact) for case in cases]
+    cases += [("mpmath", n, _with_digits(n, epsilon)) for n in DIGITS]
+    exact, found = _at(Fraction(epsilon)), []
+    for kind, digits, evaluate in cases:
+        values, timing = np.ravel(evaluate()), measure(evaluate)
+        each = Timing(*(seconds / values.size for seconds in (timing.median, timing.low, timing.high)))
+        found.append(Arithmetic(kind, digits, float(abs(_fraction(values[0]) / exact - 1)), each))
+    return found
 
 
 def caching(oscillator: Oscillator) -> list[Comparison]:
@@ -204,20 +213,6 @@ def _sampled(name: str, curve: Callable, end: float, points: int) -> CurveSampli
     # The height of the curve, not of these samples: two samples may have equal values.
     extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
     return CurveSampling(name, points, float(distance / extent * HEIGHT), measure(lambda: curve(x)))
-
-
-def _closed_form(oscillator: Oscillator, periods: int) -> ClosedForm:
-    times = oscillator.period * (periods + np.arange(16) / 16)
-    initial, t = InitialState(phi=1.0), float(times[0])
-    return ClosedForm(periods, largest_phase_error(oscillator, times), measure(lambda: motion(oscillator, initial, t)))
-
-
-def _arithmetic(
-    kind: str, digits: int | None, evaluate: Callable[[], Value], values: int, exact: Fraction
-) -> Arithmetic:
-    value, timing = np.ravel(evaluate())[0], measure(evaluate)
-    per_value = Timing(timing.median / values, timing.low / values, timing.high / values)
-    return Arithmetic(kind, digits, float(abs(_fraction(value) / exact - 1)), per_value)
 
 
 def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:

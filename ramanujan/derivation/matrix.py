@@ -56,6 +56,7 @@ def modes(bodies: Machine) -> Modes:
     stiffness = _second_derivatives(bodies.potential_energy, COORDINATES)
     squared = sp.Symbol("squared")
     determinant = sp.factor((stiffness - squared * mass).det())
+    roots = sp.roots(determinant, squared)
     inverse = sp.ImmutableMatrix(mass.inv().applyfunc(sp.factor))
     # For a rank-one K every oscillating mode is a multiple of M⁻¹e_φ; the rollers' share is set to one.
     column = inverse[:, _PHI]
@@ -63,7 +64,7 @@ def modes(bodies: Machine) -> Modes:
         mass,
         stiffness,
         sp.Mul(*(gather(f, (squared,)) for f in sp.Mul.make_args(determinant))).subs(squared, omega**2),
-        {sp.factor(root): count for root, count in sorted(sp.roots(determinant, squared).items(), key=_zero_first)},
+        {sp.factor(root): count for root, count in sorted(roots.items(), key=lambda root: root[0] != 0)},
         inverse,
         tuple(sp.ImmutableMatrix(vector) for vector in stiffness.nullspace()),
         sp.ImmutableMatrix((column / column[_PHI]).applyfunc(sp.factor)),
@@ -171,10 +172,6 @@ def build() -> Route:
         ),
     )
     return Route("matrix", _("Matrix"), steps, oscillating, CELLS)
-
-
-def _zero_first(root: tuple[sp.Expr, int]) -> bool:
-    return root[0] != 0
 
 
 def _second_derivatives(energy: sp.Expr, variables: tuple[sp.Expr, ...]) -> sp.ImmutableMatrix:

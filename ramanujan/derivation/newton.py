@@ -77,19 +77,6 @@ class FreeBodies:
     solution: dict[sp.Expr, sp.Expr]
 
     @property
-    def friction(self) -> dict[sp.Expr, sp.Expr]:
-        """Each friction force in terms of the accelerations, from the roller's own equations."""
-        own = [e for e in self.forces if e.lhs.has(*map(acceleration, ("hoop", "cylinder")))]
-        forces = [contact.force for contact in CONTACTS]
-        solved = sp.solve((*own, *self.torques), forces)
-        return {force: sp.expand(solved[force]) for force in forces}
-
-    @property
-    def left_over(self) -> tuple[sp.Eq, ...]:
-        """Newton's second law for block, slab and top cylinder."""
-        return tuple(e for e in self.forces if e.lhs.has(*map(acceleration, ("block", "slab", "top"))))
-
-    @property
     def equations(self) -> tuple[sp.Eq, ...]:
         """All thirteen."""
         return self.forces + self.torques + self.rolling
@@ -204,9 +191,11 @@ def build() -> Route:
     frequency = sp.factor(-cut.solution[roller] / phi)
     centres = {acceleration(body.name): body.displacement.diff(t, 2) for body in machine().bodies}
     of_coordinates = centres | {angular_acceleration(body.name): body.angle.diff(t, 2) for body in cut.rollers}
-    three = [
-        tuple(gather(e.subs(cut.friction).subs(of_coordinates)) for e in relation.args) for relation in cut.left_over
-    ]
+    of_rollers = [e for e in cut.forces if e.lhs.has(*map(acceleration, ("hoop", "cylinder")))]
+    left_over = [e for e in cut.forces if e not in of_rollers]
+    solved = sp.solve((*of_rollers, *cut.torques), [contact.force for contact in CONTACTS])
+    friction = {contact.force: sp.expand(solved[contact.force]) for contact in CONTACTS}
+    three = [tuple(gather(e.subs(friction).subs(of_coordinates)) for e in relation.args) for relation in left_over]
     block, slab, top = (left - right for left, right in three)
     X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
     both = gather(-(block + slab))
@@ -263,7 +252,7 @@ def build() -> Route:
                 "half their sum is $S$, and half their difference is $F$. The top cylinder has one force, which its "
                 "torque determines."
             ),
-            *(equation(force, value) for force, value in cut.friction.items()),
+            *(equation(force, value) for force, value in friction.items()),
         ),
         step(
             "three",

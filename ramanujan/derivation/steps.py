@@ -111,12 +111,7 @@ class Routes(Mapping[str, Route]):
 
     def add(self, name: str) -> Callable[[Callable[[], Route]], Callable[[], Route]]:
         """Return a decorator that enters a function without parameters, which derives a route, under a name."""
-
-        def enter(build: Callable[[], Route]) -> Callable[[], Route]:
-            self._builders[name] = cache(build)
-            return build
-
-        return enter
+        return lambda build: self._builders.setdefault(name, cache(build))
 
     def __getitem__(self, name: str) -> Route:
         return self._builders[name]()

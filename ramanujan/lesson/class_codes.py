@@ -8,7 +8,8 @@ ALPHABET = "BCDFHJKLMNPRSTWXZ"
 LETTERS = 6
 """Letters of a code; 17⁶ is 24 million."""
 
-_SECRET_BYTES, _VOTER_BYTES = 24, 9
+SECRET_BYTES, VOTER_BYTES = 24, 9
+"""Of a lecturer’s key, which fits into an address, and of a student’s random name."""
 _LONGEST = 60
 
 
@@ -46,16 +47,6 @@ def spaced(code: str) -> str:
     return f"{code[: LETTERS // 2]} {code[LETTERS // 2 :]}"
 
 
-def new_secret() -> str:
-    """Return what makes a lecturer's key; it fits into an address."""
-    return secrets.token_urlsafe(_SECRET_BYTES)
-
-
-def new_voter() -> str:
-    """Return a student's random name."""
-    return secrets.token_urlsafe(_VOTER_BYTES)
-
-
 def key_of(code: str, secret: str) -> str:
     """Return the lecturer's key to the class of this code."""
     return f"{code}-{secret}"
@@ -70,11 +61,6 @@ def parts_of(key: str) -> tuple[str, str]:
 def hash_of(secret: str) -> str:
     """Return what is kept of a secret: who reads the database cannot make the key from it."""
     return hashlib.sha256(secret.encode()).hexdigest()
-
-
-def opens(kept: str, secret: str) -> bool:
-    """Tell whether this is the secret; the time that it takes says nothing about either."""
-    return secrets.compare_digest(kept, hash_of(secret))
 
 
 def voter_of(browser: str, code: str) -> str:
