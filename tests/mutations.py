@@ -31,7 +31,7 @@ class Mutation:
 
 
 _SPIN = "rotate(${(FORMULAS.angle[name](known) * 360) / TURN})"
-_ARROWS = "velocityArrow(start, from[name][1], velocity(name, known) * per.speed"
+_ARROWS = "velocityArrow(x + over[name], y, velocity(name, known) * per.speed"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
     Mutation(
@@ -68,8 +68,8 @@ MUTATIONS = [
     Mutation(
         "the spring ends at the slab's left",
         "stage/drawing.js",
-        "coil(g.slab.right + x.slab",
-        "coil(g.slab.left + x.slab",
+        "[from, to] = [g.slab.right + x.slab",
+        "[from, to] = [g.slab.left + x.slab",
     ),
     Mutation(
         "the slab goes half as far",
@@ -114,8 +114,8 @@ MUTATIONS = [
     Mutation(
         "the hands are swapped",
         "stage/stage.js",
-        "phase, plainPhase, shift, write, dirty });",
-        "phase: plainPhase, plainPhase: phase, shift, write, dirty });",
+        "phase, plainPhase, shift, write });",
+        "phase: plainPhase, plainPhase: phase, shift, write });",
     ),
     Mutation(
         "the gauge stays at 1",
@@ -184,12 +184,12 @@ MUTATIONS = [
     Mutation(
         "old ghosts stay",
         "stage/picture.js",
-        "for (const ghost of ghosts) ghost.remove();",
-        "",
+        "replaceChildren(...states",
+        "append(...states",
         "less_motion",
     ),
     Mutation(
-        "the wrong body is lit", "stage/picture.js", "body === name)", 'body === "hoop")', "chosen_body_has_its_ink"
+        "the wrong body is lit", "stage/picture.js", "contains(data.lit)", 'contains("hoop")', "chosen_body_has_its_ink"
     ),
     Mutation(
         "the spring's old colour",

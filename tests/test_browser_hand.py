@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import expect
 
-from ramanujan import UNIT_MASS_RATIO
+from ramanujan import UNIT_MASS_RATIO, Oscillator
 from tests.browser import inside, next_frame, settle, slab_over_block, thumb
 
 SLAB = ".st-key-stage .moving .body.slab"
@@ -75,7 +75,7 @@ def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
     page.mouse.up()
     settle(page)
     assert normalized(page) == before
-    # Where the start is off the slider's steps, it is not rounded.
+    # Where the start is off the slider's steps, it is not rounded as long as no hand is on that slider.
     page.get_by_text("In step (1729)", exact=True).click()
     settle(page)
     page.locator(".st-key-k input[type=range]").press("ArrowRight")
@@ -89,9 +89,19 @@ def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
     page.mouse.move(x + 60, y, steps=6)
     page.mouse.move(x, y, steps=6)
     next_frame(page)
-    assert normalized(page) == 1
-    page.mouse.up()
+    # Away and back, the thumb is on a step of its own: that is what is drawn, and what letting go sends.
+    stepped = Oscillator(m_prime=1.13).normalized_frequency_squared
+    box = page.locator(".st-key-m_prime_exact input")
+    for let_go in (lambda: None, page.mouse.up):
+        let_go()
+        assert normalized(page) == pytest.approx(stepped, abs=1e-6)
+        assert box.input_value() == "1.13"
+        settle(page)
+    assert "m_prime=1.13" in page.url
+    assert page.evaluate(TOLD)["m_prime"] == 1.13
+    page.get_by_text("In step (1729)", exact=True).click()
     settle(page)
+    assert normalized(page) == 1
 
 
 # ---- the slab

@@ -114,6 +114,23 @@ def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):
     assert second == 0
 
 
+def test_what_asks_for_another_frame_within_a_frame_gets_it(page):
+    frames = run(
+        page,
+        "stage/clock",
+        """
+        const stop = new AbortController();
+        let frames = 0;
+        const advance = () => void (++frames < 4 && it.wake());
+        it.joinClock("w", { period: () => 1, advance }, true, stop.signal);
+        for (let i = 0; i < 8; i++) await new Promise(requestAnimationFrame);
+        stop.abort();
+        return frames;
+        """,
+    )
+    assert frames == 4
+
+
 def test_stages_on_one_clock_run_together_and_the_last_one_takes_it_along(page):
     result = run(
         page,

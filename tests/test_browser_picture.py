@@ -304,7 +304,7 @@ def test_the_traces_follow_the_marks_on_the_rims(picture):
     picture.layers("traces")
     picture.show(Oscillator(1.0, 0.3, 20.0), 0.1)
     traces = f"""(name) => {{
-      const path = {STAGE}.querySelector(`.traces [data-body=${{name}}] path`), matrix = path.getScreenCTM();
+      const path = {STAGE}.querySelector(`.traces [data-line=${{name}}] path`), matrix = path.getScreenCTM();
       return path.getAttribute("d").slice(1).split("L").map((pair) => {{
         const [x, y] = pair.split(" ").map(Number), point = new DOMPoint(x, y).matrixTransform(matrix);
         return [point.x, point.y];

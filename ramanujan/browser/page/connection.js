@@ -5,7 +5,7 @@ import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 
 export default function ({ data, parentElement }, signal) {
-  const notice = parentElement.querySelector("p");
+  const notice = parentElement.querySelector(".away");
   notice.textContent = data.away;
   dom.watchConnection((isConnected) => {
     const told = !notice.hidden;

@@ -34,8 +34,7 @@ class Cursor {
 
   /** The time [s] that the figures show. */
   get span() {
-    const { period, periods } = this.meta;
-    return period * periods;
+    return this.meta.period * this.meta.periods;
   }
 
   drawn(graph) {
@@ -66,9 +65,8 @@ class Cursor {
 
   show(graph) {
     if (area(graph)) mark(graph, this.share);
-    const { period, periods } = this.meta;
-    const time = withUnit(fixed(this.share * period * periods, 2), "s");
-    const text = fill(this.place, { time, periods: fixed(this.share * periods, 2) });
+    const time = withUnit(fixed(this.share * this.span, 2), "s");
+    const text = fill(this.place, { time, periods: fixed(this.share * this.meta.periods, 2) });
     if (this.output.textContent === text) return;
     this.output.textContent = text;
     this.slider.setAttribute("aria-valuetext", text);
@@ -110,10 +108,9 @@ function mark(graph, share) {
     draw(graph, CURSOR, 0, along(xaxis, share * meta.period * meta.periods), 0.5).style.height = `${area(graph).height}px`;
     return;
   }
-  graph.data.forEach((orbit, i) => {
-    const [x, y] = ["x", "y"].map((axis) => between(numbers(orbit, axis), share));
-    const seen = orbit.visible !== "legendonly";
-    draw(graph, CURSOR, i, seen ? along(xaxis, x) : NaN, along(yaxis, y)).classList.add("dot");
+  dom.curves(graph).forEach(({ x, y, visible }, i) => {
+    const across = visible === true ? along(xaxis, between(x, share)) : NaN;
+    draw(graph, CURSOR, i, across, along(yaxis, between(y, share))).classList.add("dot");
   });
 }
 
@@ -121,17 +118,4 @@ function between(values, share) {
   const at = share * (values.length - 1);
   const i = Math.min(Math.floor(at), values.length - 2);
   return values[i] + (at - i) * (values[i + 1] - values[i]);
-}
-
-const decoded = new WeakMap();
-
-/** The numbers of a trace, as Plotly got them: an array, or single precision in base 64. */
-function numbers(trace, axis) {
-  const given = trace[axis];
-  if (!given.bdata) return given;
-  if (!decoded.has(given)) {
-    const bytes = Uint8Array.from(atob(given.bdata), (letter) => letter.charCodeAt(0));
-    decoded.set(given, new Float32Array(bytes.buffer));
-  }
-  return decoded.get(given);
 }

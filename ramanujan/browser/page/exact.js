@@ -13,7 +13,7 @@ export default function (component, signal) {
 
   const held = () => dom.held(dom.slider(key), told);
   const show = () => {
-    if (dom.shows(dom.slider(key), told.value)) dom.writeAddress(key, told.value, component.data.default);
+    if (dom.shows(dom.slider(key), told.value, told)) dom.writeAddress(key, told.value, component.data.default);
     const edited = root.activeElement === box && box.value !== box.dataset.shown;
     if (!edited) box.value = box.dataset.shown = held();
   };

@@ -28,7 +28,7 @@ export default function (component, signal) {
     const { data } = component;
     if (data.route !== route) {
       tell.cancel();
-      turner.now = route ? 1 : named(data.headings.length);
+      turner.now = route ? 1 : named(data.headings);
       route = data.route;
     }
     turner.show(turner.now);
@@ -45,7 +45,7 @@ function keyed(event) {
 }
 
 /** The step that the address names, if there is such a step, else the first. */
-function named(count) {
-  const text = new URLSearchParams(location.search).get("step") ?? "";
-  return /^\d+$/.test(text) && Number(text) >= 1 && Number(text) <= count ? Number(text) : 1;
+function named(headings) {
+  const step = Number(new URLSearchParams(location.search).get("step"));
+  return headings[step - 1] ? step : 1;
 }

@@ -4,32 +4,27 @@ import { bus } from "./bus.js";
 import { fill } from "./sentences.js";
 
 export default function (component, signal) {
-  const button = component.parentElement.querySelector("button"), output = component.parentElement.querySelector("output");
-  let started = null, shown = 0, frame = 0;
+  const [button, output] = component.parentElement.querySelectorAll("button, output");
+  let started = null, taken = 0, timer = 0;
 
   const write = () => {
-    const { start, stop, seconds } = component.data;
-    button.textContent = started === null ? start : stop;
-    output.textContent = fill(seconds, { seconds: shown.toFixed(started === null ? 2 : 1) });
+    const { start, stop, seconds } = component.data, runs = started !== null;
+    button.textContent = runs ? stop : start;
+    output.textContent = fill(seconds, { seconds: runs ? ((performance.now() - started) / 1000).toFixed(1) : taken.toFixed(2) });
   };
-  const tick = () => {
-    shown = (performance.now() - started) / 1000;
-    write();
-    frame = requestAnimationFrame(tick);
-  };
-  button.addEventListener("click", (event) => {
+  button.addEventListener("click", ({ timeStamp }) => {
+    clearInterval(timer);
     if (started === null) {
-      started = event.timeStamp;
-      tick();
-      return;
+      started = timeStamp;
+      timer = setInterval(write, 50);
+      return write();
     }
-    cancelAnimationFrame(frame);
-    shown = (event.timeStamp - started) / 1000;
+    taken = (timeStamp - started) / 1000;
     started = null;
     write();
     bus.publish("say", { sentence: output.textContent, urgent: true });
-    component.setStateValue("seconds", shown);
+    component.setStateValue("seconds", taken);
   });
-  signal.addEventListener("abort", () => cancelAnimationFrame(frame));
+  signal.addEventListener("abort", () => clearInterval(timer));
   return write;
 }

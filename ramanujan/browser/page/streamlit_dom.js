@@ -4,15 +4,25 @@
 
 import { observe } from "./lasting.js";
 
+const left = new WeakMap(); // what the server told → the slider whose thumb a hand has dragged away from it
+
 export const dom = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
-  /** Whether a slider shows a value, rounded as its steps are; one that is not there shows none. */
-  shows: (slider, value) => Boolean(slider) && Math.abs(Number(slider.value) - value) <= 0.501 * Number(slider.step),
+  /**
+   * Whether a slider shows a value that the server has told, rounded as its steps are; one that is not there shows none. A thumb
+   * that a hand drags away from the value and back shows the step that it will send.
+   */
+  shows(slider, value, told) {
+    if (!slider) return false;
+    const off = Math.abs(Number(slider.value) - value), near = off <= 0.501 * Number(slider.step);
+    if (!near && slider.closest("[data-dragging]")) left.set(told, slider);
+    return near && (off < 1e-9 || left.get(told) !== slider);
+  },
 
   /** What a slider holds, as text: what the server says of it in full, unless its thumb has been moved since. */
-  held: (slider, { value, text }) => (slider && !dom.shows(slider, value) ? slider.value : text ?? ""),
+  held: (slider, told) => (slider && !dom.shows(slider, told.value, told) ? slider.value : told.text ?? ""),
 
   /**
    * Move a slider's thumb on the page. React hears of it by the event, Streamlit draws the thumb, and sends nothing, since
@@ -72,21 +82,16 @@ export const dom = {
   /** Tell a listener, at every change, whether the page can reach its server. */
   watchConnection(listener, signal) {
     const app = document.querySelector("[data-testid=stApp]"), tell = () => listener(app.dataset.testConnectionState === "CONNECTED");
-    observe(app, { attributeFilter: ["data-test-connection-state"] }, tell, signal);
+    if (app) observe(app, { attributeFilter: ["data-test-connection-state"] }, tell, signal);
   },
 
   /** A colour of the theme, as Streamlit gives it to a component. */
   color: (parentElement, name) => getComputedStyle(parentElement.host ?? parentElement).getPropertyValue(`--st-${name}-color`).trim(),
 
-  /** Whether a component's theme is light or dark, by the lightness of the colour that Streamlit gives it for the page. */
-  theme(parentElement) {
-    const canvas = document.createElement("canvas").getContext("2d");
-    canvas.fillStyle = dom.color(parentElement, "background");
-    const channels = canvas.fillStyle.match(/^#(..)(..)(..)$/)?.slice(1).map((channel) => parseInt(channel, 16));
-    return channels && (channels[0] + channels[1] + channels[2] > 384 ? "light" : "dark");
-  },
+  /** Whether a component's theme is light or dark. */
+  theme: (parentElement) => getComputedStyle(parentElement.host ?? parentElement).colorScheme.match(/^(light|dark)$/)?.[0],
 
-  /** Plotly's graphs on the page; each carries its own `data` and `layout`. */
+  /** Plotly's graphs on the page; each carries its own `layout`. */
   graphs: () => [...document.querySelectorAll(".js-plotly-plot")],
 
   /**
@@ -124,6 +129,9 @@ export const dom = {
       button.dataset.title = button.ariaLabel += ` (${format})`;
     }
   },
+
+  /** The curves of a graph, with their numbers in arrays, however these were sent. */
+  curves: (graph) => graph._fullData,
 
   /** The graph that contains a node. */
   graphOf: (node) => node.closest?.(".js-plotly-plot"),
@@ -183,9 +191,8 @@ export const dom = {
   showPresentPage: () =>
     document.querySelector("[data-testid=stSidebarNavLink][aria-current=page]")?.scrollIntoView({ block: "nearest", inline: "center" }),
 
-  /** Whether a node belongs to the part of a Streamlit slider that answers to the pointer, and whether to its thumb. */
+  /** Whether a node belongs to the part of a Streamlit slider that answers to the pointer. */
   isSliderTrack: (node) => Boolean(node.closest?.("[data-testid=stSlider] [role=group]")),
-  onThumb: (node) => Boolean(node.closest?.(".react-aria-SliderThumb, [data-testid=stSlider] [style*='left']")),
 };
 
 const one = (selector) => Boolean(document.querySelector(selector));
@@ -200,12 +207,12 @@ export const ASSUMPTIONS = {
     "the stage follows a thumb, a box shows what its slider holds",
     () => ["min", "max", "step", "value"].every((name) => Number(dom.slider("m")?.[name]) > 0),
   ],
-  "a slider's track is a group, and its thumb has its place by the style left": [
+  "a slider's track is a group": [
     "a finger on a slider scrolls the page, unless it moves sideways",
-    () => each(".stSlider", (slider) => slider.querySelector("[role=group] [style*='left']")),
+    () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
   ],
   "stApp tells the state of the connection": ["the notice that the page reconnects", () => one("[data-testid=stApp][data-test-connection-state]")],
-  "a component knows the page's background colour": [
+  "a component has the colour scheme of the page": [
     "figures follow a switch of the theme",
     () => each("[data-testid=stBidiComponentIsolated]", (node) => dom.theme(node.shadowRoot)),
   ],
@@ -223,9 +230,9 @@ export const ASSUMPTIONS = {
     "wide formulas scroll by themselves",
     () => each(".stMarkdown .katex-display", (formula) => formula.querySelector(":scope > .katex .base")),
   ],
-  "a graph is of the class js-plotly-plot, with data, layout and events": [
+  "a graph is of the class js-plotly-plot, with curves, layout and events": [
     "ring and time cursor over the figures",
-    () => each(".js-plotly-plot", (graph) => graph.data && graph.layout && graph.on && graph.removeListener),
+    () => each(".js-plotly-plot", (graph) => dom.curves(graph) && graph.layout && graph.on && graph.removeListener),
   ],
   "the first button over a graph saves it, in the format of its options": [
     "a figure as SVG and as PNG",

@@ -9,6 +9,7 @@ const running = new Set(); // stages on the page
 const clocks = new Map(); // name → { playing, speed, slowing, seenFrom, stages }
 let frame = 0;
 let lastTick = 0;
+let asked = false; // whether the loop was woken since the last frame began
 
 /** Put a stage on the clock of that name until the signal aborts, and return the clock. */
 export function joinClock(name, stage, playing, signal) {
@@ -27,6 +28,7 @@ export function joinClock(name, stage, playing, signal) {
 
 /** Let the loop run again: something may have moved. */
 export function wake() {
+  asked = true;
   if (frame) return;
   lastTick = performance.now();
   frame = requestAnimationFrame(tick);
@@ -36,8 +38,9 @@ function tick(now) {
   frame = requestAnimationFrame(tick); // first of all: one bad frame must not be the last
   const elapsed = clamp((now - lastTick) / 1000, 0, 0.1); // a hidden tab does not catch up
   lastTick = now;
+  asked = false;
   for (const clock of clocks.values()) clock.slowing = Math.min(1, ...[...clock.stages].map((stage) => stage.period() / EYE));
-  if ([...running].map((stage) => stage.advance(elapsed)).some(Boolean)) return;
+  if ([...running].map((stage) => stage.advance(elapsed)).some(Boolean) || asked) return;
   cancelAnimationFrame(frame);
   frame = 0;
 }

@@ -4,7 +4,7 @@
 import { CM, ROLLERS, arc, headOf, moved, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN } from "./motion.js";
-import { element, set } from "./svg.js";
+import { element, put } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
@@ -16,8 +16,7 @@ function coordinateMarks(known, g, shift) {
   return {
     ...blockMarks(over.block, -shift * CM, g),
     ...Object.assign({}, ...ROLLERS.map((name) => angleMarks(name, FORMULAS.angle[name](known), over[name], g))),
-    ...springMarks(over.block, known.compression * CM, g),
-    ...slabMarks(over.block, over.slab, g),
+    ...slabMarks(over.block, over.slab, known.compression * CM, g),
     ...radiusMarks(over.top, g),
     ...sharedMarks(over.hoop, g),
   };
@@ -52,24 +51,18 @@ function angleMarks(name, angle, moved, g) {
   };
 }
 
-/** x₀: from where the slab's end is with the spring at its own length to where it is released. */
-function springMarks(block, compression, g) {
-  const rest = g.slab.right + block, y = g.slab.bottom + g.thick + 2.6, low = g.slab.bottom + g.thick / 2;
+/** From where the slab's end is with the spring at its own length: x₀ to where it is released, 2Rφ to where it is now. */
+function slabMarks(block, slab, compression, g) {
+  const [right, left, end] = [g.slab.right + block, g.slab.left + block, g.slab.left + slab], above = g.slab.bottom + g.thick;
+  const y0 = above + 2.6, y = above + 5.8 * Math.max(1, g.R / 10), low = g.slab.bottom + g.thick / 2;
+  const guide = (from, to, y) => ({ d: `M${from} ${-low}V${-y - 1.2}M${to} ${-low}V${-y - 1.2}` });
   return {
-    x0_guide: { d: `M${rest} ${-low}V${-y - 1.2}M${rest + compression} ${-low}V${-y - 1.2}` },
-    x0_value: { d: `M${rest} ${-y}h${compression}` },
-    x0_label: { x: rest - 1, y: -y },
-  };
-}
-
-/** 2Rφ: from where the slab's end is with the spring at its own length to where it is now. */
-function slabMarks(block, slab, g) {
-  const [rest, end] = [block, slab].map((moved) => g.slab.left + moved), low = g.slab.bottom + g.thick / 2;
-  const y = g.slab.bottom + g.thick + 5.8 * Math.max(1, g.R / 10);
-  return {
-    slab_guide: { d: `M${rest} ${-low}V${-y - 1.2}M${end} ${-low}V${-y - 1.2}` },
-    slab_value: { d: velocityArrow(rest, y, end - rest, headOf(g.R)) },
-    slab_label: { x: Math.max(rest, end) + 1, y: -y },
+    x0_guide: guide(right, right + compression, y0),
+    x0_value: { d: `M${right} ${-y0}h${compression}` },
+    x0_label: { x: right - 1, y: -y0 },
+    slab_guide: guide(left, end, y),
+    slab_value: { d: velocityArrow(left, y, end - left, headOf(g.R)) },
+    slab_label: { x: Math.max(left, end) + 1, y: -y },
   };
 }
 
@@ -94,21 +87,12 @@ function sharedMarks(moved, g) {
 
 const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", slab_label: WORDS.deformation, shared_label: WORDS.each };
 
-/** Put the marks under a node; `frame` moves them. */
-export function makeCoordinates(root) {
-  const nodes = {};
-  const node = (name) => (nodes[name] ??= nodeOf(name, root));
-  return {
-    frame(known, place, shift) {
-      for (const [name, attributes] of Object.entries(coordinateMarks(known, place, shift))) set(node(name), attributes);
-    },
-  };
-}
+/** Draw the marks under a node, which keeps them. */
+export const drawCoordinates = (root, known, place, shift) =>
+  put((name) => root.querySelector(`[data-mark=${name}]`) ?? makeMark(name, root), coordinateMarks(known, place, shift));
 
-function nodeOf(name, root) {
-  const [body, kind] = name.split("_");
-  if (kind !== "label") return element("path", { class: kind, "data-mark": name, "data-of": body }, root);
-  const label = element("text", { "data-mark": name, "data-of": body }, root);
-  label.textContent = LABELS[name];
-  return label;
+function makeMark(name, root) {
+  const [body, kind] = name.split("_"), data = { "data-mark": name, "data-of": body };
+  if (kind !== "label") return element("path", { class: kind, ...data }, root);
+  return Object.assign(element("text", data, root), { textContent: LABELS[name] });
 }

@@ -11,6 +11,8 @@ export const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
 export const ROLLERS = ["hoop", "cylinder", "top"];
 const RING = 0.78; // inner radius of a hoop over its outer one
 const ASPECT = 2; // width of every picture over its height; stage.css keeps the same room for it
+export const STRETCH = 50; // between two labels of the ruler
+const BEYOND = 3 * STRETCH; // the floor's end beyond the view
 
 /** Where things stand at φ = 0, to scale, with room for the largest travel, in a view of one shape for every radius. */
 export function layout({ radius }, [, largest]) {
@@ -31,7 +33,8 @@ export function layout({ radius }, [, largest]) {
   const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
   const block = [low * riser + high * (riser + right), low * deck + high * upper].map((sum) => sum / (low + high) / 2);
   const home = { block, slab: [(slab.left + slab.right) / 2, slab.bottom + thick / 2], ...centre }; // centres of mass
-  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, home, shelf };
+  const floor = [-BEYOND, Math.ceil((view.right + BEYOND) / STRETCH) * STRETCH];
+  return { R, travel, deck, thick, slab, riser, upper, right, view, centre, home, shelf, floor };
 }
 
 /** The view widened to both sides, or upwards, until it has the shape of every picture. */
@@ -47,8 +50,8 @@ export const moved = (known, shift) => mapValues(FORMULAS.displacement, (displac
 export function anchors(g) {
   return {
     block: [(g.riser + g.right) / 2, g.upper * 0.35],
-    slab: [0.7 * g.slab.left + 0.3 * g.slab.right, g.slab.bottom + g.thick + 2.5], // its head stays clear of x₀
     ...g.centre,
+    slab: [0.7 * g.slab.left + 0.3 * g.slab.right, g.slab.bottom + g.thick + 2.5], // its head stays clear of x₀
   };
 }
 
@@ -153,45 +156,65 @@ export function rollerPaths(shape, R) {
   }[shape];
 }
 
+/** What the rollers are: words for their shapes. */
+export const rollerWords = (parameters) => ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
+
 /** What the bodies are called, the two lower rollers by their places where their shapes do not tell them apart. */
-export function bodyNames({ beta_hoop, beta_cylinder, beta_top }) {
-  const words = WORDS.bodies;
-  const [left, right, top] = [beta_hoop, beta_cylinder, beta_top].map((beta) => words[shapeOf(beta)]);
-  const at = (side, body) => {
-    const place = left === right ? side : body === top && "lower";
-    return place ? fill(words[place], { body }) : body;
-  };
+export function bodyNames(parameters) {
+  const words = WORDS.bodies, [left, right, top] = rollerWords(parameters);
+  const at = (side, body) => fill(left === right ? words[side] : body === top ? words.lower : "{body}", { body });
+  return { ...words, hoop: at("left", left), cylinder: at("right", right), top: fill(words.top, { body: top }) };
+}
+
+/** The floor, far beyond the view, so that it ends at the edge of the screen and not before, and what holds the plain mass. */
+export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
+  const wide = 10, high = 6.5, end = slab.right;
   return {
-    block: words.block,
-    hoop: at("left", left),
-    cylinder: at("right", right),
-    slab: words.slab,
-    top: fill(words.top, { body: top }),
+    ".earth": { d: `M${from} 0H${to}V2.2H${from}z` },
+    ".ground": { d: `M${from} 0H${to}` },
+    ".shelf": { d: `M${end - travel - wide - 2} ${-shelf}H${riser}` },
+    ".wall": { d: `M${riser} ${-shelf + 1.5}V${-shelf - high - 3}` },
+    ".plain .form": { x: end - wide, y: -shelf - high, width: wide, height: high },
+    ".plain .body text": { x: end - wide / 2, y: -shelf - high / 2 },
+    ".plain .caption": { x: riser - 1, y: -shelf - high - 4 },
   };
 }
 
-/** Where the coordinates put every body and the spring: the attribute `transform` of each, `d` of the spring. */
+/** The outlines of the bodies, and where their letters stand on them. */
+export function outlines(g, parameters) {
+  const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
+  const held = slab.x + 0.77 * slab.width; // clear of the letter, of the velocity's arrow and of x₀
+  const rollers = ROLLERS.map((name) => {
+    const { form, mark } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
+    // The letter is below the centre, where no arrow begins.
+    return { [`.${name} .form`]: { d: form }, [`.${name} .mark`]: { d: mark }, [`.${name} text`]: { y: 0.44 * g.R } };
+  });
+  return Object.assign({
+    ".block .form": { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` },
+    ".block text": { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 },
+    ".slab .form": slab,
+    ".slab .grip": { ...slab, y: slab.y - 3, height: slab.height + 6 }, // a finger needs more than the slab's own height
+    ".slab text": { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 },
+    ".handle path": { d: [-1.2, 0, 1.2].map((x) => `M${held + x} ${slab.y + 1}v${slab.height - 2}`).join("") },
+    ".handle text": { x: held, y: -(g.slab.bottom + g.thick + g.shelf) / 2 },
+    ".stiffness": { y: -g.slab.bottom - g.thick / 2 + 4.5 },
+  }, ...rollers);
+}
+
+/** Where the coordinates put the bodies and the spring. */
 export function placed(known, g, shift = 0) {
-  const x = moved(known, shift);
-  const home = { block: [0, 0], slab: [0, 0], ...g.centre };
-  return {
-    bodies: mapValues(home, ([x0, y0], name) => `translate(${x0 + x[name]} ${-y0})`),
-    spins: Object.fromEntries(ROLLERS.map((name) => [name, `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})`])),
-    spring: coil(g.slab.right + x.slab, g.riser + x.block, g.slab.bottom + g.thick / 2, 2),
-    stiffness: (g.slab.right + x.slab + g.riser + x.block) / 2,
-  };
+  const x = moved(known, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
+  const table = { ".spring": { d: coil(from, to, g.slab.bottom + g.thick / 2, 2) }, ".stiffness": { x: (from + to) / 2 } };
+  for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...g.centre }))
+    table[`.${name}`] = { transform: `translate(${x0 + x[name]} ${-y0})` };
+  for (const name of ROLLERS) table[`.${name} .spin`] = { transform: `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})` };
+  return table;
 }
 
 /** Where the centre of mass of the whole machine lies in a view that has moved by `shift` [m]. */
 export function centreOfMass(known, g, shift) {
   const over = moved(known, shift);
-  let moment = 0, total = 0;
-  for (const [name, [x]] of Object.entries(g.home)) {
-    const mass = FORMULAS.mass[name](known);
-    total += mass;
-    moment += mass * (x + over[name]);
-  }
-  return moment / total;
+  return FORMULAS.centre({ ...known, ...mapValues(g.home, ([x], name) => x + over[name]) });
 }
 
 /** What stands still where one looks from: the block, or the ground; of a formula for every body, its value there. */

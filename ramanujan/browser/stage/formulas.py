@@ -42,6 +42,7 @@ def formulas() -> dict[str, Any]:
     others = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
     # φ has no drift, so that φ̈ = −Ω²φ at every moment.
     own = {phi.diff(t, 2): -(Omega**2) * phi}
+    total = sum(body.mass for body in bodies.bodies)
     forces = {name: force.subs(own) for name, force in contact_forces(bodies).items()}
     return {
         "natural_frequency": sp.sqrt(frequency_squared),
@@ -60,9 +61,7 @@ def formulas() -> dict[str, Any]:
         "displacement": {body.name: body.displacement for body in bodies.bodies},
         "angle": {body.name: body.angle for body in bodies.bodies},
         "velocity": {body.name: body.velocity for body in bodies.bodies},
-        "centre_velocity": sp.cancel(
-            sum(body.mass * body.velocity for body in bodies.bodies) / sum(body.mass for body in bodies.bodies)
-        ),
+        "centre": sum(body.mass * sp.Symbol(body.name) for body in bodies.bodies) / total,
         "kinetic_energy": {body.name: body.kinetic_energy for body in bodies.bodies},
         "potential_energy": bodies.potential_energy,
         "rolling": _rolling(bodies),

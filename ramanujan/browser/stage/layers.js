@@ -2,9 +2,9 @@
 // coordinates.
 
 import { fill, fixed, number, withUnit } from "../page/sentences.js";
-import { makeCoordinates } from "./coordinates.js";
+import { drawCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, rimTrace, roundBelow, standing, velocityArrow,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, moved, rimTrace, roundBelow, standing, velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -20,20 +20,13 @@ export function makeLayers(root) {
   let shown = new Set(), place = null, peak, per, data = {}, seenFrom = "ground", measure = null, layered = false;
 
   const [bars, names, shares] = [".bar i", ".legend span", ".legend b"].map((each) => [...root.querySelectorAll(each)]);
-  const line = (layer, name, data) => makeLine(name, data, find(`.${layer}`));
-  const arrows = Object.fromEntries(BODIES.map((name) => [name, line("arrows", name, { body: name })]));
-  const forces = {}, weights = {}; // name → its line
-  const rolling = mapValues(FORMULAS.rolling, (_, point) => {
-    const label = element("text", {}, find(".rolling"));
-    label.textContent = WORDS.rolling[point];
-    return { line: line("rolling", "hoop", { point }), label };
-  });
-  const traces = Object.fromEntries(ROLLERS.map((name) => [name, line("traces", name, { body: name })]));
-  const coordinates = makeCoordinates(find(".coordinates"));
+  const lines = {}; // layer and name → its line
+  const draw = (layer, name, body, d) => (lines[`${layer} ${name}`] ??= makeLine(name, body, find(`.${layer}`)))(d);
+  const points = mapValues(WORDS.rolling, (text) => Object.assign(element("text", {}, find(".rolling")), { textContent: text }));
 
   function geometry(newPlace, parameters) {
     place = newPlace;
-    const words = { ...bodyNames(parameters), spring: WORDS.bodies.spring };
+    const words = bodyNames(parameters);
     [...BODIES, "spring"].forEach((name, i) => (names[i].textContent = words[name]));
     find(".shared").textContent = fill(WORDS.shared, words);
   }
@@ -46,7 +39,7 @@ export function makeLayers(root) {
       findScales(onePeriod(parameters, solution, PERIOD_POINTS));
       drawScales();
       const states = onePeriod(parameters, solution, TRACE_POINTS);
-      for (const name of ROLLERS) traces[name](rimTrace(name, states, place, from));
+      for (const name of ROLLERS) draw("traces", name, name, rimTrace(name, states, place, from));
       measure = null;
     };
   }
@@ -92,46 +85,42 @@ export function makeLayers(root) {
     if (shown.has("arrows")) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
     if (shown.has("forces")) drawForces(known, shift);
-    if (shown.has("weights")) drawAll(weights, forcesOn(known, place, shift).weights, per.weight, true);
-    if (shown.has("coordinates")) coordinates.frame(known, place, shift);
+    if (shown.has("weights")) drawAll("weights", forcesOn(known, place, shift).weights, per.weight, true);
+    if (shown.has("coordinates")) drawCoordinates(find(".coordinates"), known, place, shift);
     if (shown.has("energy")) drawEnergy(known, write);
   }
 
   function drawArrows(known, shift) {
-    const from = anchors(place);
-    for (const name of BODIES) {
-      const start = from[name][0] + (FORMULAS.displacement[name](known) - shift) * CM;
-      arrows[name](velocityArrow(start, from[name][1], velocity(name, known) * per.speed, headOf(place.R)));
-    }
+    const over = moved(known, shift);
+    for (const [name, [x, y]] of Object.entries(anchors(place)))
+      draw("arrows", name, name, velocityArrow(x + over[name], y, velocity(name, known) * per.speed, headOf(place.R)));
   }
 
   /** Rolling: on a lower roller the velocities of its contact, its centre and its top relative to the block. */
   function drawRolling(known, shift) {
-    const [home, middle] = place.centre.hoop, x = home + (FORMULAS.displacement.hoop(known) - shift) * CM;
+    const [home, middle] = place.centre.hoop, x = home + moved(known, shift).hoop;
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
       const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
-      rolling[point].line(velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0`);
+      draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0`);
       // A word that ends at an arrow to the left begins within the view.
-      set(rolling[point].label, { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
+      set(points[point], { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
       // Where an arrow turns round, its letters would jump.
       const visibility = formula !== FORMULAS.rolling.contact && Math.abs(length) < 1.5 ? "hidden" : "";
-      Object.assign(rolling[point].label.style, { textAnchor: side < 0 ? "end" : "start", visibility });
+      Object.assign(points[point].style, { textAnchor: side < 0 ? "end" : "start", visibility });
     }
   }
 
   function drawForces(known, shift) {
     const all = forcesOn(known, place, shift).forces;
-    drawAll(forces, all, per.force, false);
+    drawAll("forces", all, per.force);
     const slips = CONTACTS[data.slipping], [, x] = all[`${data.slipping} ${slips?.[0]}`] ?? [];
     if (slips) set(find(".slipping"), { transform: `translate(${x} ${-(place.centre[slips[0]][1] + slips[1] * place.R)})` });
     find(".slipping").style.display = slips ? "" : "none";
   }
 
-  function drawAll(lines, all, scale, upright) {
-    for (const [name, [body, x, y, force]] of Object.entries(all)) {
-      lines[name] ??= makeLine(body, { force: name }, find(upright ? ".weights" : ".forces"));
-      lines[name](forceArrow(x, y, force * scale, Math.min(headOf(place.R), 1.8), upright));
-    }
+  function drawAll(layer, all, scale, upright) {
+    for (const [name, [body, x, y, force]] of Object.entries(all))
+      draw(layer, name, body, forceArrow(x, y, force * scale, Math.min(headOf(place.R), 1.8), upright));
   }
 
   function drawEnergy(known, write) {
@@ -159,10 +148,8 @@ export function makeLayers(root) {
 }
 
 /** A line in a body's ink on a rim of paper, so that it can be seen upon that body; what comes back draws it. */
-function makeLine(name, data, parent) {
-  const group = element("g", {}, parent);
-  Object.assign(group.dataset, data);
-  group.style.setProperty("--arrow", `var(--${name}-ink)`);
+function makeLine(name, body, parent) {
+  const group = element("g", { "data-line": name, style: `--arrow: var(--${body}-ink)` }, parent);
   const paths = ["rim", "line"].map((kind) => element("path", { class: kind }, group));
   return (d) => paths.forEach((path) => set(path, { d }));
 }

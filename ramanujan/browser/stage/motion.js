@@ -15,13 +15,13 @@ export function solve(parameters, initial) {
   const known = { ...parameters, ...start, Omega };
   const motion = mapValues(FORMULAS.motion, (parts) => mapValues(parts, (part) => part(known)));
   // Nothing outside pushes the centre of mass, so only the drifts b count.
-  const drifts = Object.fromEntries(COORDINATES.map((name) => [`${name}_dot`, motion[name].b]));
+  const drifts = { ...parameters, ...Object.fromEntries(COORDINATES.map((name) => [`${name}_dot`, motion[name].b])) };
   return {
     Omega,
     plain: FORMULAS.plain_frequency(parameters),
     normalized: FORMULAS.normalized_frequency_squared(parameters),
     motion,
-    drift: FORMULAS.centre_velocity({ ...parameters, ...drifts }),
+    drift: FORMULAS.centre({ ...parameters, ...mapValues(FORMULAS.velocity, (velocity) => velocity(drifts)) }),
   };
 }
 

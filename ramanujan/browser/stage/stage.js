@@ -34,7 +34,7 @@ class Stage {
     this.parts = makeParts(root);
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
-    this.hand = new Hand(watch, (name) => this.data.parameters[name]);
+    this.hand = new Hand(watch, () => this.data.parameters);
     listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
     this.calm.addEventListener("change", () => this.calmed(), { signal });
@@ -84,22 +84,18 @@ class Stage {
   change(make) {
     const before = this.solution && this.playback.drawn();
     make();
-    const { initial, samples } = this.data;
-    const set = this.hand.values();
-    this.parameters = { ...this.data.parameters, ...set };
-    this.solution = solve(this.parameters, initial);
-    const shapes = SHAPES.map((name) => this.parameters[name]).join();
-    if (shapes !== this.shapes) this.picture.geometry(this.parameters);
-    this.shapes = shapes;
-    const leaves = (state) => leftPlace({ ...this.parameters, ...state }, this.picture.place);
-    const { seenFrom } = this.clock;
-    this.playback.take({ parameters: this.parameters, solution: this.solution, samples, leaves, seenFrom });
+    const { initial, samples } = this.data, set = this.hand.values(), parameters = { ...this.data.parameters, ...set };
+    const solution = solve(parameters, initial), shapes = SHAPES.map((name) => parameters[name]).join();
+    if (shapes !== this.shapes) this.picture.geometry(parameters);
+    Object.assign(this, { parameters, solution, shapes });
+    const leaves = (state) => leftPlace({ ...parameters, ...state }, this.picture.place);
+    this.playback.take({ parameters, solution, samples, leaves, seenFrom: this.clock.seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
-    const { parameters } = this, normalized = this.parts.hides("numbers") ? undefined : this.solution.normalized;
+    const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
     bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
-    this.slab.show(this.parameters.compression);
-    if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(this.solution));
+    this.slab.show();
+    if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(solution));
     this.showSlowing();
     this.redraw();
   }
@@ -198,19 +194,19 @@ class Stage {
 
   draw(elapsed) {
     const { playback, dirty } = this;
+    this.dirty = false; // whoever hears of this frame may ask for another
     this.sinceText = (this.sinceText ?? 0) + elapsed;
     const write = this.sinceText >= TEXT_INTERVAL || dirty;
     if (write) this.sinceText = 0;
     const { shift, ...state } = playback.drawn();
     const known = { ...this.parameters, ...state, Omega: this.solution.Omega };
     const { phase, plainPhase, time } = playback;
-    this.picture.frame({ known, phase, plainPhase, shift, write, dirty });
+    this.picture.frame({ known, phase, plainPhase, shift, write });
     if (dirty && this.still && !this.parts.hides("motion")) this.picture.ghosts(exposures(this.parameters, this.solution));
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
     bus.publish(`time/${this.name}`, { time, phase, playing: this.clock.playing });
     if (dirty && !this.clock.playing) this.keeper.update();
-    this.dirty = false;
   }
 
   /** Follow the wish for less motion: stand still then, and go on as before when it ends. */
@@ -223,7 +219,7 @@ class Stage {
 
   showClock() {
     if (this.clock.playing) this.still = false;
-    if (!this.still) this.picture.ghosts(null);
+    if (!this.still) this.picture.ghosts([]);
     showControls(this.root, this.clock, this.layers);
     this.showSlowing();
     this.redraw();

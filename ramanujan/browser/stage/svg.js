@@ -1,8 +1,9 @@
 // Nodes of SVG: making one, and giving one its attributes.
 
-export const set = (node, attributes) => {
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
-};
+/** Give a node its attributes, if there is one. */
+export const set = (node, attributes) => Object.entries(attributes).forEach((each) => node?.setAttribute(...each));
+/** The same by a table, selector → attributes. */
+export const put = (find, table) => Object.entries(table).forEach(([selector, attributes]) => set(find(selector), attributes));
 export const element = (name, attributes = {}, parent) => {
   const node = document.createElementNS("http://www.w3.org/2000/svg", name);
   set(node, attributes);

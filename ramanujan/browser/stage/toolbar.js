@@ -37,22 +37,20 @@ export function listenToControls(root, stage, signal) {
     actions[action]();
   });
 
-  rove(all(".transport button"), on);
+  rove(root.querySelector(".transport"), on);
 }
 
 /** One stop for Tab in a group of buttons, arrows within it. */
-function rove(items, on) {
-  items.forEach((item, i) => {
-    item.tabIndex = i ? -1 : 0;
-    on(item, "focus", () => items.forEach((each) => (each.tabIndex = each === item ? 0 : -1)));
-    on(item, "keydown", (event) => {
-      const to = {
-        ArrowRight: i + 1, ArrowDown: i + 1, ArrowLeft: i - 1, ArrowUp: i - 1, Home: 0, End: items.length - 1,
-      }[event.key];
-      if (to === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
-      event.preventDefault();
-      items[(to + items.length) % items.length].focus();
-    });
+function rove(group, on) {
+  const items = [...group.children], stopAt = (item) => items.forEach((each) => (each.tabIndex = each === item ? 0 : -1));
+  stopAt(items[0]);
+  on(group, "focusin", (event) => stopAt(event.target));
+  on(group, "keydown", (event) => {
+    const i = items.indexOf(event.target);
+    const to = { ArrowRight: i + 1, ArrowDown: i + 1, ArrowLeft: i - 1, ArrowUp: i - 1, Home: 0, End: -1 }[event.key];
+    if (to === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    items.at(to % items.length).focus();
   });
 }
 

@@ -3,7 +3,6 @@
 import { bus } from "../page/bus.js";
 import { atRest } from "../page/lasting.js";
 import { fill, fixed, number, withUnit } from "../page/sentences.js";
-import { ROLLERS, shapeOf } from "./drawing.js";
 import { TURN } from "./motion.js";
 import { WORDS } from "./texts.js";
 
@@ -11,12 +10,6 @@ const NOTE_TIME = 3000; // ms that a note stays
 
 /** A length to a tenth of a millimetre at most, without zeros at its end. */
 export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/\.?0+$/, ""), "cm");
-
-/** The picture in one sentence, with the bodies that are there. */
-export function pictured(parameters) {
-  const [left, right, top] = ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
-  return fill(WORDS.picture, { left, right, top });
-}
 
 /** The two periods, and how fast the clocks part. */
 export function description({ Omega, plain }) {

@@ -52,8 +52,6 @@ SENTENCES = {
     "each": _("mass m′ each"),
     "relative": _("{speed}, relative to the block"),
     "vertical": _("{force}, vertical"),
-    "stiffness": "k",
-    "drag": _("↔ drag"),
     "from_ground": _("Seen from the ground."),
     "from_block": _(
         "Seen from the block: the block stands still, and the ground moves. Velocities and traces are relative to the "
@@ -97,6 +95,8 @@ TEXTS = {
     "right_roller": _("Right roller, mass m′"),
     "top_roller": _("Top roller, mass m"),
     "slab": _("Slab, mass m. Drag it and let go."),
+    "stiffness": "k",
+    "drag": _("↔ drag"),
     "centre": _("Centre of mass of the whole machine"),
     "centre_caption": _("centre of mass"),
     "energy_bar": _("Energy by body. The parts of the bar change; its length, the total energy, stays the same."),
