@@ -11,6 +11,7 @@ Filling evaluates the functions exactly and joins text; nothing is simplified or
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache, lru_cache, partial
 from math import lcm
 
@@ -29,6 +30,9 @@ Values = Mapping[sp.Symbol, sp.Expr]
 
 Highlight = tuple[tuple[sp.Basic, str], ...]
 """Symbols, or functions of time, and their colours."""
+
+Coefficients = tuple[tuple[int, int], ...]
+"""Of a polynomial, by falling powers: c and d of each coefficient c + d√n."""
 
 # Private characters, which no formula contains, surround what belongs there in the printed text: the sign of a number,
 # its absolute value, its numerator or its denominator.
@@ -72,19 +76,14 @@ class Template:
         mass, roller_mass, stiffness = (sp.sympify(values[symbol]) for symbol in GIVEN)
         if not (mass.is_Rational and stiffness.is_Rational):
             raise ValueError(_("values must give m and k as fractions"))
-        made = _functions(self.numbers)
-        n, plain, of_root = _parts(roller_mass, made.root)
-        q = lcm(mass.q, plain.q, of_root.q)
-        of_mass, plain, of_root = (int(part * q) for part in (mass, plain, of_root))
-        base = made.base(of_mass, plain, of_root, stiffness.p)
-        results = iter(made.function(of_mass, plain + of_root * base, stiffness.p, base))
+        p, r, q, n = _ratio(mass, roller_mass, _root_in(*self.numbers))
+        of_mass, of_spring = Fraction(mass.p, mass.q), Fraction(stiffness.p, stiffness.q)
         found = []
-        for (mass_degree, stiffness_degree), above, below in zip(made.degrees, results, results, strict=True):
-            (p, r), (s, t) = _in_root(above, base, n), _in_root(below, base, n)
-            (a, b), (c, d) = _power((1, q), mass_degree), _power((1, stiffness.q), stiffness_degree)
-            found.append(
-                Number.of((p * s - n * r * t) * a * c, (r * s - p * t) * a * c, (s * s - n * t * t) * b * d, n)
-            )
+        for (of_m, of_k), above, below in map(_quotient, self.numbers):
+            (a, b), (c, d) = _at(above, p, r, q, n), _at(below, p, r, q, n)
+            scale = of_mass**of_m * of_spring**of_k * Fraction(q) ** (len(below) - len(above))
+            times, over = scale.as_integer_ratio()
+            found.append(Number.of((a * c - n * b * d) * times, (b * c - a * d) * times, (c * c - n * d * d) * over, n))
         return found
 
 
@@ -195,64 +194,47 @@ class _TemplatePrinter(LatexPrinter):
 # Numbers
 
 
-def _power(quotient: tuple[int, int], exponent: int) -> tuple[int, int]:
-    above, below = quotient if exponent >= 0 else quotient[::-1]
-    return above ** abs(exponent), below ** abs(exponent)
+@cache
+def _quotient(number: sp.Expr) -> tuple[tuple[int, int], Coefficients, Coefficients]:
+    """Return a number as mⁱkʲ times a quotient of polynomials in m′/m: i and j, and both polynomials.
 
-
-class _Functions:
-    """Numerators and denominators of numbers as one function of m, m′, k and √n, with integer coefficients.
-
-    A number has a unit, so it is homogeneous in m and m′, and in k: `degrees` says of which degrees.
+    A number has a unit, so it is homogeneous in m and m′, and in k.
     """
-
-    def __init__(self, numbers: tuple[sp.Expr, ...]) -> None:
-        self.root, symbol = _root_in(*numbers), sp.Symbol("root")
-        parts, self.degrees, self._degree, self._bits = [], [], 0, 0
-        for number in numbers:
-            plain = number.subs(self.root, symbol) if self.root else number
-            above, below = (sp.Poly(part, *GIVEN, symbol) for part in sp.fraction(sp.together(plain)))
-            # With a fraction among its coefficients, a generated function would compute in floats.
-            common, above = above.clear_denoms(convert=True)
-            below *= common
-            (i, j, of_k, _r), (a, b, below_k, _r) = above.monoms()[0], below.monoms()[0]
-            self.degrees.append((i + j - a - b, of_k - below_k))
-            for part in (above, below):
-                parts.append(part.as_expr())
-                self._degree = max(self._degree, part.total_degree())
-                self._bits = max(self._bits, int(sum(map(abs, part.coeffs()))).bit_length())
-        self.function = sp.lambdify((*GIVEN, symbol), parts, modules=[], cse=True)
-
-    def base(self, *values: int) -> int:
-        """Return a power of two beyond twice the size of every coefficient of √n in the results for these values."""
-        return 1 << self._bits + self._degree * max(2 * abs(value) for value in values).bit_length() + 2
+    root, symbol = _root_in(number), sp.Symbol("root")
+    plain = number.subs(root, symbol) if root else number
+    above, below = (sp.Poly(part, *GIVEN, symbol) for part in sp.fraction(sp.together(plain)))
+    common, above = above.clear_denoms(convert=True)
+    degrees, polynomials = [], []
+    for part in (above, below * common):
+        i, of_prime, j, _of_root = part.monoms()[0]
+        degrees.append((i + of_prime, j))
+        found = [[0, 0] for _power in range(part.degree(m_prime) + 1)]
+        for (_i, of_prime, _j, of_root), c in part.terms():
+            found[-1 - of_prime][of_root % 2] += int(c) * int(root.base if root else 1) ** (of_root // 2)
+        polynomials.append(tuple(map(tuple, found)))
+    (i, j), (below_i, below_j) = degrees
+    return (i - below_i, j - below_j), *polynomials
 
 
-_functions = cache(_Functions)
-
-
-def _in_root(value: int, base: int, n: int) -> tuple[int, int]:
-    """Return p and r of a polynomial in √n, p + r√n, from its value at a base that exceeds its coefficients.
-
-    The digits of the value in that base are the coefficients (Kronecker’s substitution).
-    """
-    parts, place = [0, 0], 0
-    while value:
-        digit = (value + base // 2) % base - base // 2
-        parts[place % 2] += digit * n ** (place // 2)
-        value, place = (value - digit) // base, place + 1
-    return parts[0], parts[1]
+def _at(coefficients: Coefficients, p: int, r: int, q: int, n: int) -> tuple[int, int]:
+    """Return a polynomial at (p + r√n)/q, times q to the power of its degree, as a + b√n."""
+    a, b, scale = 0, 0, 1
+    for c, d in coefficients:
+        a, b, scale = a * p + b * r * n + c * scale, a * r + b * p + d * scale, scale * q
+    return a, b
 
 
 @lru_cache(maxsize=1024)
-def _parts(value: sp.Expr, other: sp.Expr | None) -> tuple[int, sp.Rational, sp.Rational]:
-    """Return n, p and r of a value p + r√n; n is that of another root if there is one."""
-    root = _root_in(value, *([other] if other else []))
-    expanded = value.expand()
-    of_root = expanded.coeff(root) if root else sp.S.Zero
-    return int(root.base) if root else 1, expanded - of_root * root if root else expanded, of_root
+def _ratio(mass: sp.Rational, roller_mass: sp.Expr, other: sp.Pow | None) -> tuple[int, int, int, int]:
+    """Return p, r, q and n of m′/m = (p + r√n)/q; n is that of another root if there is one."""
+    root, ratio = _root_in(roller_mass, *([other] if other else [])), sp.expand(roller_mass / mass)
+    of_root = ratio.coeff(root) if root else sp.S.Zero
+    plain = ratio - of_root * root if root else ratio
+    q = lcm(plain.q, of_root.q)
+    return int(plain * q), int(of_root * q), q, int(root.base) if root else 1
 
 
+@lru_cache(maxsize=4096)
 def _root_in(*values: sp.Expr) -> sp.Pow | None:
     """Return the one square root in some numbers, or None if all are fractions.
 
