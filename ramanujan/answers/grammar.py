@@ -39,7 +39,7 @@ def parse(text: str) -> sp.Expr:
     ------
     UnreadableError : the text is not such a formula, is ambiguous, or exceeds a limit; the message says which.
     """
-    return _formula(text).value
+    return _sides(text)[0].value
 
 
 def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
@@ -49,7 +49,7 @@ def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
     ------
     UnreadableError : a side is not a formula as `parse` reads it, or there is more than one equals sign.
     """
-    left, right = _equation(text)
+    left, right = _sides(text, is_equation=True)
     return left.value, right.value
 
 
@@ -60,30 +60,22 @@ def typeset(text: str, *, is_equation: bool = False) -> str:
     ------
     UnreadableError : as `parse` and `parse_equation` do.
     """
-    return "=".join(side.bare for side in (_equation(text) if is_equation else [_formula(text)]))
+    return "=".join(side.bare for side in _sides(text, is_equation))
 
 
-def _formula(text: str) -> _Part:
-    left, *others = _sides(text)
-    if others:
-        raise UnreadableError(_("Type only the right side of the equation, without the equals sign."))
-    return _side(left)
-
-
-def _equation(text: str) -> tuple[_Part, _Part]:
-    left, *others = _sides(text)
-    if len(others) > 1:
-        raise UnreadableError(_("Type one equation, with one equals sign."))
-    return _side(left), _side(others[0] if others else "0")
-
-
-def _sides(text: str) -> list[str]:
+def _sides(text: str, is_equation: bool = False) -> list[_Part]:
+    """Return a formula, or both sides of an equation."""
     if not isinstance(text, str):
         raise UnreadableError(_("Type your answer as text."))
     in_ascii = plain(text[: MOST_TYPED + 1])
     if len(text) > MOST_TYPED or len(in_ascii) > MAX_LENGTH:
         raise UnreadableError(_("The formula is too long. Use at most {most} characters.").format(most=MAX_LENGTH))
-    return in_ascii.replace("≈", "=").split("=")
+    sides = in_ascii.replace("≈", "=").split("=")
+    if is_equation and len(sides) > 2:
+        raise UnreadableError(_("Type one equation, with one equals sign."))
+    if not is_equation and len(sides) > 1:
+        raise UnreadableError(_("Type only the right side of the equation, without the equals sign."))
+    return [_side(each) for each in (*sides, "0")[: 1 + is_equation]]
 
 
 def _side(in_ascii: str) -> _Part:

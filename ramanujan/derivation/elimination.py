@@ -13,15 +13,6 @@ from ramanujan.translation import _
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 
 
-def euler_lagrange_operator(lagrangian: sp.Expr, q: sp.Expr) -> sp.Expr:
-    """Return d/dt ∂ℒ/∂q̇ − ∂ℒ/∂q, whose zero is the equation of motion of q.  Source: paper, eq. (3).
-
-    >>> euler_lagrange_operator(m * X.diff(t) ** 2 / 2 - k * X**2 / 2, X)
-    k*X(t) + m*Derivative(X(t), (t, 2))
-    """
-    return lagrangian.diff(q.diff(t)).diff(t) - lagrangian.diff(q)
-
-
 @dataclass(frozen=True)
 class Elimination:
     """The three equations of motion, and the one that is left when X and Φ are expressed by φ.
@@ -62,7 +53,10 @@ def eliminate(bodies: Machine) -> Elimination:
     104*k/(99*m)
     """
     lagrangian = bodies.lagrangian
-    operated = {q: gather(euler_lagrange_operator(lagrangian, q)) for q in COORDINATES}
+    momenta = {q: lagrangian.diff(q.diff(t)) for q in COORDINATES}
+    forces = {q: lagrangian.diff(q) for q in COORDINATES}
+    # Lagrange’s equations: paper, eq. (3).
+    operated = {q: gather(momenta[q].diff(t) - forces[q]) for q in COORDINATES}
     common = {q: _common_factor(expression) for q, expression in operated.items()}
     motion = {q: gather(sp.cancel(operated[q] / common[q])) for q in COORDINATES}
     (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
@@ -71,8 +65,8 @@ def eliminate(bodies: Machine) -> Elimination:
     remaining = gather(inserted.doit())
     return Elimination(
         lagrangian,
-        {q: lagrangian.diff(q.diff(t)) for q in COORDINATES},
-        {q: lagrangian.diff(q) for q in COORDINATES},
+        momenta,
+        forces,
         common,
         motion,
         _merged(motion),
