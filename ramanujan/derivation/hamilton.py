@@ -39,8 +39,11 @@ def legendre_transform(bodies: Machine) -> Legendre:
     solved = sp.hessian(lagrangian, VELOCITIES).inv() * sp.Matrix(MOMENTA)
     velocities = {v: _one_fraction(value) for v, value in zip(VELOCITIES, solved, strict=True)}
     # T is quadratic in the velocities, so Σ p q̇ = 2T and Σ p q̇ − ℒ = ½ Σ p q̇ + U: nothing has to be multiplied out.
-    kinetic = sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2
-    return Legendre(momenta, velocities, _by_powers_of_p_phi(kinetic) + bodies.potential_energy)
+    kinetic = gather(sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2, MOMENTA)
+    # One term each for p_φ², p_φ and the products of the others.
+    square, linear, rest = (kinetic.coeff(p_phi, power) for power in (2, 1, 0))
+    hamiltonian = square * p_phi**2 + sp.factor(linear) * p_phi + rest + bodies.potential_energy
+    return Legendre(momenta, velocities, hamiltonian)
 
 
 def rates_of_momenta(hamiltonian: sp.Expr) -> dict[sp.Expr, sp.Expr]:
@@ -186,13 +189,6 @@ def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
         equation(X_dot, _one_fraction(of_X, VELOCITIES)),
         equation(p_phi - sp.factor(shift_phi), gather(without_X - shift_phi)),
     )
-
-
-def _by_powers_of_p_phi(form: sp.Expr) -> sp.Expr:
-    """Return a form in the momenta with one term each for p_φ², p_φ and the products of the others."""
-    gathered = gather(form, MOMENTA)
-    square, linear, rest = (gathered.coeff(p_phi, power) for power in (2, 1, 0))
-    return square * p_phi**2 + sp.factor(linear) * p_phi + rest
 
 
 def _one_fraction(form: sp.Expr, others: tuple[sp.Expr, ...] = ()) -> sp.Expr:

@@ -5,7 +5,8 @@ An equation is always a SymPy object. Prose may name a symbol, but it never stat
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections import UserDict
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
@@ -103,24 +104,15 @@ class Route:
         return "\n\n".join([f"### {self.title}", *sections])
 
 
-class Routes(Mapping[str, Route]):
+class Routes(UserDict[str, Route]):
     """Routes by name, in the order in which they were added; each is derived when it is first asked for, then kept."""
-
-    def __init__(self) -> None:
-        self._builders: dict[str, Callable[[], Route]] = {}
 
     def add(self, name: str) -> Callable[[Callable[[], Route]], Callable[[], Route]]:
         """Return a decorator that enters a function without parameters, which derives a route, under a name."""
-        return lambda build: self._builders.setdefault(name, cache(build))
+        return lambda build: self.data.setdefault(name, cache(build))
 
     def __getitem__(self, name: str) -> Route:
-        return self._builders[name]()
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._builders)
-
-    def __len__(self) -> int:
-        return len(self._builders)
+        return self.data[name]()
 
 
 def _holds(relation: sp.Eq, values: Mapping[sp.Symbol, sp.Expr]) -> bool:

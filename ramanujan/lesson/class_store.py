@@ -160,7 +160,7 @@ class SqliteStore(Store):
         super().__init__()
         self.path = path
         self._connection: sqlite3.Connection | None = None
-        self._files: tuple[object, ...] = ()
+        self._files: dict[str, tuple[int, int]] = {}
         self._lost: list[sqlite3.Connection] = []
 
     def connect(self) -> sqlite3.Connection:
@@ -170,7 +170,7 @@ class SqliteStore(Store):
             return self._connection
         if self._connection is not None:
             connection, self._connection = self._connection, None
-            if self._files[0] == files[0]:
+            if self._files.get("") == files.get(""):
                 # Only the journal is gone: what it held is still open here, and goes into the database.
                 connection.execute("PRAGMA wal_checkpoint")
                 connection.close()
@@ -196,9 +196,14 @@ class SqliteStore(Store):
         """Tell whether another process holds the file."""
         return getattr(error, "sqlite_errorcode", 0) & 0xFF in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED)
 
-    def _inodes(self) -> tuple[object, ...]:
-        """Return which files the database and its journal are."""
-        return tuple(_inode(Path(f"{self.path}{suffix}")) for suffix in ("", "-wal"))
+    def _inodes(self) -> dict[str, tuple[int, int]]:
+        """Return which files the database and its journal are, as far as they are there."""
+        found = {}
+        for suffix in ("", "-wal"):
+            with suppress(FileNotFoundError):
+                at = os.stat(f"{self.path}{suffix}")
+                found[suffix] = at.st_dev, at.st_ino
+        return found
 
 
 class PostgresStore(Store):
@@ -235,11 +240,3 @@ class PostgresStore(Store):
     def execute(self, connection: Any, query: str, values: Sequence[Any]) -> Any:
         """Execute a statement whose values are marked by `?`."""
         return connection.execute(query.replace("?", "%s"), values)
-
-
-def _inode(path: Path) -> tuple[int, int] | None:
-    try:
-        found = path.stat()
-    except FileNotFoundError:
-        return None
-    return found.st_dev, found.st_ino
