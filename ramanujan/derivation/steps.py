@@ -109,7 +109,12 @@ class Routes(UserDict[str, Route]):
 
     def add(self, name: str) -> Callable[[Callable[[], Route]], Callable[[], Route]]:
         """Return a decorator that enters a function without parameters, which derives a route, under a name."""
-        return lambda build: self.data.setdefault(name, cache(build))
+
+        def enter(build: Callable[[], Route]) -> Callable[[], Route]:
+            self.data[name] = cache(build)
+            return build
+
+        return enter
 
     def __getitem__(self, name: str) -> Route:
         return self.data[name]()
