@@ -1,23 +1,30 @@
 """Who this session is in a class: a lecturer with a key, a student with a seat, the wall, or nobody.
 
+The wall also follows the sliders of the lecturer's desk.
+
 It is known from the session, and after a reload from the address (`class_keys`). A student is a browser: the server
 gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote.
 """
 
 import secrets
 from collections.abc import Callable
+from urllib.parse import parse_qsl, urlencode
 
 import streamlit as st
 
+from ramanujan import Oscillator
 from ramanujan.lesson.class_codes import parts_of, voter_of
 from ramanujan.lesson.classes import DAY, ClassError, Phase, Seat, shared
 from ramanujan.lesson.stop import Stop
-from ramanujan.shell import address
+from ramanujan.shell import address, messages, sidebar
 from ramanujan.shell.browser_cookie import NAME
 from ramanujan.shell.class_keys import CLASS, LECTURER, WALL
+from ramanujan.shell.parameters import MACHINE
 
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
 _SESSION = "class_session"
+_TOLD = "class_settings_told"
+"""Session state: the settings of the desk, as this screen last told or took them."""
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
 """Session state: why the last thing that somebody did here was refused."""
@@ -112,6 +119,35 @@ def forget_refusal(question: tuple[str, int]) -> None:
     """Forget a refusal that was shown with an earlier question than this one, stop and vote."""
     if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
         st.session_state.pop(_SAID)
+
+
+def tell_settings(key: str) -> None:
+    """Tell the wall what the sliders of the lecturer's desk hold, if that has changed."""
+    machine = sidebar.oscillator()
+    held = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
+    if (text := urlencode(held)) != st.session_state.get(_TOLD):
+        try:
+            shared().set_machine(key, text)
+        except ClassError:
+            return
+        st.session_state[_TOLD] = text
+
+
+def take_settings(told: str | None) -> None:
+    """Give the sliders of the wall what those of the desk hold."""
+    st.session_state[_TOLD] = told
+    if told:
+        held = {name: float(text) for name, text in parse_qsl(told)}
+        compression = held.pop("compression")
+        machine = Oscillator(**held)
+        if not sidebar.holds(machine, compression):
+            sidebar.take_machine(machine, compression)
+            messages.run_again()
+
+
+def settings_differ(told: str | None) -> bool:
+    """Tell whether the desk has moved its sliders since the wall was drawn."""
+    return told != st.session_state.get(_TOLD)
 
 
 def _sit_at_desk(key: str) -> None:

@@ -65,11 +65,7 @@ def begin(name: str) -> None:
 def pager() -> None:
     """Draw what turns the sheets; a turn reruns nothing else."""
     address.keep(SHEET)
-    page.pager(_turned)
-
-
-def _turned(name: str) -> None:
-    st.session_state[SHEET.name] = name
+    page.pager(lambda name: st.session_state.update({SHEET.name: name}))
 
 
 def hides(*parts: str) -> bool:

@@ -2,7 +2,6 @@
 
 import string
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import streamlit as st
@@ -96,17 +95,14 @@ def hints(name: str, sentences: Sequence[str], last: str = "") -> bool:
         st.markdown(f":material/lightbulb: {sentence}")
     labels = [*(_("Hint ({n} left)").format(n=n) for n in range(len(sentences), 0, -1)), *([last] if last else [])]
     if shown < len(labels):
-        st.button(labels[shown], key=f"hint_{name}", on_click=partial(_show_hint, name, shown + 1))
+        one_more = {f"hints_shown_{name}": shown + 1}
+        st.button(labels[shown], key=f"hint_{name}", on_click=st.session_state.update, args=(one_more,))
     return shown > len(sentences)
 
 
 def hints_shown(name: str) -> int:
     """Return how many hints have been asked for."""
     return st.session_state.get(f"hints_shown_{name}", 0)
-
-
-def _show_hint(name: str, count: int) -> None:
-    st.session_state[f"hints_shown_{name}"] = count
 
 
 def tabs(key: Choice) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from ramanujan.lesson.class_codes import parts_of, spaced
 from ramanujan.lesson.class_record import as_csv
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, shared
 from ramanujan.lesson.stop import Stop
-from ramanujan.pages.lesson import class_results, class_settings, progress
+from ramanujan.pages.lesson import class_results, progress
 from ramanujan.shell import address, class_session, widgets
 from ramanujan.shell.class_session import attempt, key_held, leave, seat_held
 from ramanujan.translation import _, ngettext
@@ -47,7 +47,7 @@ def guests(show: Callable[[Stop, bool], None]) -> None:
         st.session_state[_DRAWN] = _question(seat)
         _phone()
         if (question := st.session_state[_DRAWN]) and question.phase == Phase.SOLVED:
-            class_settings.take(shared().machine(seat.code))
+            class_session.take_settings(shared().machine(seat.code))
             show(lesson.stop(question.stop), True)
         st.stop()
 
@@ -112,7 +112,7 @@ def panel(stop: Stop, phase: Phase) -> None:
     Draw the options, or how the class has voted, and what can be done next.
     """
     st.session_state.setdefault(_SEEN, None)
-    class_settings.tell(key_held())
+    class_session.tell_settings(key_held())
     _desk(stop, phase)
 
 

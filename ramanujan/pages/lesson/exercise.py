@@ -32,7 +32,8 @@ def show(items: tuple[str, ...]) -> None:
     headings, with_key = [*map(title, items), END], sheet_keys.fits(KEY, address.held(SHEET))
     now = min(address.held(ITEM), len(headings))
     with st.container(key="lesson_head"):
-        page.turn(headings, now, turn, place=_("Part {now} of {count}: {heading}"))
+        place = _("Part {now} of {count}: {heading}")
+        page.turn(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
     if now > len(items):
         finish(items)
     elif (name := items[now - 1]) in QUESTIONS:
@@ -46,11 +47,6 @@ def show(items: tuple[str, ...]) -> None:
         judged = tasks.draw(lesson.task(name))
         if judged.done:
             tryout.keep(name, judged.sentence, is_right=True)
-
-
-def turn(to: int) -> None:
-    """Go to another item, in a callback."""
-    st.session_state[ITEM.name] = to
 
 
 def title(item: str) -> str:

@@ -10,9 +10,8 @@ from ramanujan import lesson
 from ramanujan.lesson.class_codes import spaced
 from ramanujan.lesson.classes import ClassError, Phase, Question, shared
 from ramanujan.lesson.stop import Stop
-from ramanujan.pages.lesson import class_results, class_settings, stops
-from ramanujan.shell import address
-from ramanujan.shell.class_session import leave, wall_held
+from ramanujan.pages.lesson import class_results, stops
+from ramanujan.shell import address, class_session
 from ramanujan.translation import _
 
 EVERY = 1.5
@@ -26,7 +25,7 @@ _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
 def guests() -> None:
     """Draw the wall and end the run, if this session is one; for others do nothing."""
-    if code := wall_held():
+    if code := class_session.wall_held():
         _draw(code)
         st.stop()
 
@@ -37,7 +36,7 @@ def _draw(code: str) -> None:
         question = shared().question(code)
     except ClassError as error:
         st.warning(str(error))
-        st.button(_("Leave this class"), key="class_leave", on_click=leave)
+        st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
         return
     with st.container(key="class_wall"):
         st.html(NOTHING_TO_TURN)
@@ -45,7 +44,7 @@ def _draw(code: str) -> None:
             with st.container(key="class_invitation"):
                 _how_to_join(code)
         else:
-            class_settings.take(shared().machine(code))
+            class_session.take_settings(shared().machine(code))
             _show(code, lesson.stop(question.stop), question)
         _watch(code, question)
 
@@ -82,7 +81,7 @@ def _watch(code: str, drawn: Question) -> None:
         st.warning(str(error))
         return
     gone_on = (now.stop, now.round, now.phase) != (drawn.stop, drawn.round, drawn.phase)
-    if gone_on or (now.stop and class_settings.differ(shared().machine(code))):
+    if gone_on or (now.stop and class_session.settings_differ(shared().machine(code))):
         st.rerun()
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
         if now.stop is None:

@@ -127,11 +127,6 @@ VIEWS = {
 """View → what draws its figures."""
 
 
-def contact_color(contact: str, colors: Mapping[str, str]) -> str:
-    """Return the colour of a contact: that of its roller."""
-    return colors[contact.partition("_")[0]]
-
-
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> Curve:
     body, _between, other = contact.partition("_")
     dash = "solid" if other == "slab" or body == "top" else "7px 5px"

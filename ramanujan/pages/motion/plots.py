@@ -152,7 +152,7 @@ def friction_needed(motion: Record, friction: Friction) -> None:
     mu, colors = friction.coefficient, theme.colors()
     bars = friction_bars(
         {cache.CONTACTS[name]: value for name, value in needed.items()},
-        [cache.contact_color(name, colors) for name in needed],
+        [colors[name.partition("_")[0]] for name in needed],
         friction_coefficient=mu,
         colors=colors,
     )

@@ -59,10 +59,6 @@ def _ask() -> None:
     st.session_state.pop(_COMPLETE, None)
 
 
-def _stop() -> None:
-    st.session_state[_ASKED] = False
-
-
 def measure(periods: int) -> None:
     """Take what is missing of the diagram, part by part, with a progress bar.
 
@@ -78,7 +74,7 @@ def measure(periods: int) -> None:
         if bar is None and time.monotonic() - start > _AT_ONCE:
             with place.container(horizontal=True, vertical_alignment="bottom"):
                 bar = st.empty()
-                st.button(_("Stop"), key="stop_measuring", on_click=_stop)
+                st.button(_("Stop"), key="stop_measuring", on_click=st.session_state.update, args=({_ASKED: False},))
         if bar is not None:
             bar.progress(done / len(parts), title.format(n=periods))
         part()

@@ -37,7 +37,9 @@ def other_bodies() -> None:
         choose()
         chosen = [address.held(key) for key in URL_PARAMETERS]
         story = cache.story(*chosen)
-        the_machine(story, chosen)
+        # On a projector the pickers need the height of the clocks.
+        stages.mount(None, key=STAGE, layers=(), dials=not display_mode.is_projector())
+        tell_machine(chosen)
     with sheet("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
         with words:
@@ -53,14 +55,6 @@ def choose() -> None:
     for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
         with column:
             widgets.chips(key, PLACE_WORDS[key.name])
-
-
-def the_machine(story: cache.Story, chosen: list[str]) -> None:
-    """Draw the machine with the chosen bodies in motion."""
-    # On a projector the pickers need the height of the clocks.
-    dials = not display_mode.is_projector()
-    stages.mount(None, key=STAGE, layers=(), dials=dials)
-    tell_machine(chosen)
 
 
 @st.fragment(key="bodies_machine")
@@ -89,7 +83,7 @@ def told(story: cache.Story) -> None:
         st.markdown(_about_field(machine))
     with st.container(horizontal=True):
         st.button(_("Set this mass ratio"), key="own_ratio", on_click=sidebar.take_ratio, args=(story.ratio,))
-        st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=take_paper)
+        st.button(_("Back to the paper’s bodies"), key="paper_bodies", on_click=st.session_state.update, args=(PAPER,))
 
 
 @st.fragment(key="bodies_numbers")
@@ -183,11 +177,6 @@ def take_clicked() -> None:
         st.session_state["clicked"] = points[0]["point_index"]
     if (clicked := st.session_state.get("clicked")) is not None:
         st.session_state.update(zip(PAPER, cache.machines()[clicked].bodies, strict=True))
-
-
-def take_paper() -> None:
-    """Put the paper's bodies back."""
-    st.session_state.update(PAPER)
 
 
 def name(machine: BodyChoice) -> str:
