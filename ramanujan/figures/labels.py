@@ -67,7 +67,7 @@ def note(name: str, color: str | None, x: float, y: float, axis: str = "y") -> d
 
 
 class _Places(NamedTuple):
-    """Where a name may stand: points in shares of the axes, side of each, the name’s middle on each screen, room."""
+    """Where a name may stand: points in shares of the axes, side of each; the name’s middle and room on each screen."""
 
     half: np.ndarray
     at: np.ndarray
@@ -100,7 +100,9 @@ def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
         for other in best.keys() - {i}:
             there = found[other][2]
             apart = np.abs(middles - there.middles[:, [best[other]]]) - half - there.half
-            room = np.minimum(room, apart.max(axis=2).min(axis=0))
+            room = np.minimum(room, apart.max(axis=2))
+        # A name that something touches on one screen anyway keeps clear on the other.
+        room = np.where(room.min(axis=0) < 0, np.minimum(room, 0).sum(axis=0), room.min(axis=0))
         # Where it is touched anyway, it must not hide what touches it.
         on = np.where(room < 0, 4, 1) * _ON * (side[:, 1] == 0)
         best[i] = int(np.argmax(room + 1e-3 * at[:, 0] - on))
@@ -124,15 +126,16 @@ def _places(
     at = np.concatenate([path[::_EVERY]] * len(sides))
     side = np.repeat(sides, len(path[::_EVERY]), axis=0)
     middles = np.stack([at * screen + side * np.add(half, (0, _GAP)) for screen in screens])
-    rooms = [np.full(len(at), _FAR)]
+    rooms = []
     for screen, middle in zip(screens, middles, strict=True):
         inside = (np.minimum(middle, screen - middle) - half).min(axis=1)
         # Its own curve may come nearer than the others, or be interrupted by it.
         own = np.where(side[:, 1] == 0, 0.0, _clear(middle, half, path * screen))
-        rooms += [np.where(np.minimum(inside, own) < 0, np.minimum(inside, own), _FAR)]
+        room = np.where(np.minimum(inside, own) < 0, np.minimum(inside, own), _FAR)
         if len(others):
-            rooms.append(_clear(middle, half * (middle_part, 1), np.concatenate(others) * screen))
-    return _Places(half, at, side, middles, np.min(rooms, axis=0))
+            room = np.minimum(room, _clear(middle, half * (middle_part, 1), np.concatenate(others) * screen))
+        rooms.append(room)
+    return _Places(half, at, side, middles, np.array(rooms))
 
 
 def _clear(middles: np.ndarray, half: np.ndarray, points: np.ndarray) -> np.ndarray:
