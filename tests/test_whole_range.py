@@ -1,7 +1,7 @@
 """Every numeric function from 1e-308 to 1e308, against mpmath: an ordinary double comes out right, the rest is refused.
 
-The truth is computed with 60 digits from the mass matrix of the paper and from Newton's thirteen equations; no formula
-of the core takes part. Set RAMANUJAN_DEEP=1 for a hundred times as many machines.
+The truth is the derivation's, printed to functions of mpmath and worked out with 60 digits or more; no formula of the
+core takes part. Set RAMANUJAN_DEEP=1 for a hundred times as many machines.
 """
 
 import itertools
@@ -21,17 +21,22 @@ from ramanujan import (
     energies,
     first_to_slip,
     ground_positions,
+    ground_velocities,
     largest_compression,
     momenta,
     motion,
     normal_forces,
+    relative_positions,
+    relative_velocities,
     required_friction,
     travel_amplitude,
     with_initial_velocities,
 )
 from ramanujan.derivation.symbols import machine as derived_machine
+from ramanujan.energy import body_momenta
 from tests.test_one_physics import derived, evaluated
 
+EXPRESSIONS = derived(derived_machine())
 MANY = 100 if os.environ.get("RAMANUJAN_DEEP") else 1
 mp = mpmath.mp.clone()
 mp.dps = 60
@@ -85,25 +90,16 @@ def check(call, truths, ulps, scales=None):
     return True
 
 
+def true(group, machine, *state):
+    """What the derivation says of a machine in a state, with all digits that are asked for."""
+    return [mp.mpf(evaluated(each, machine, *state, digits=mp.dps)) for each in EXPRESSIONS[group].values()]
+
+
 def truth_of(machine):
-    """m, m′, k, R, M, Ω², Ω and the mode shape (κR, 1, λ)."""
-    m, mp_, k, R = map(exact, (machine.m, machine.m_prime, machine.k, machine.radius))
-    # In metres, with Rφ and RΦ for the angles: R drops out, and the system is well scaled by m or m′.
-    big = max(m, mp_)
-    mass = mp.matrix(
-        [
-            [(3 * m + 2 * mp_) / big, -2 * (m + mp_) / big, -m / big],
-            [-2 * (m + mp_) / big, (4 * m + mp_ * 7 / 2) / big, 0],
-            [-m / big, 0, m * 3 / 2 / big],
-        ]
-    )
-    cofactor = mass[0, 0] * mass[2, 2] - mass[0, 2] * mass[2, 0]
-    determinant = mass[1, 1] * cofactor - mass[0, 1] * mass[1, 0] * mass[2, 2]
-    omega_squared = 4 * k / big * cofactor / determinant
-    # The first and third rows of (K − Ω²M)(X, Rφ, RΦ) = 0.
-    kappa = (-mass[0, 1] * mass[2, 2]) / cofactor
-    lambda_ = -mass[2, 0] * kappa / mass[2, 2]
-    return m, mp_, k, R, omega_squared, kappa, lambda_
+    """m, m′, k, R, Ω² and the mode shape (κR, 1, λ)."""
+    shape, squared = true("mode shape", machine), true("frequency squared", machine)
+    assert max(squared) - min(squared) <= mp.mpf(10) ** -50 * squared[0]
+    return *map(exact, (machine.m, machine.m_prime, machine.k, machine.radius)), squared[0], *shape
 
 
 def check_nearest(machine, name, truths):
@@ -124,7 +120,7 @@ def test_the_numbers_of_a_machine(seed):
     ordinary = 0
     mp.dps = 700  # M′ may be 1e-600 of the whole mass
     for machine, _ in machines(seed, 50 * MANY):
-        m, mp_, k, R, omega_squared, kappa, lambda_ = truth_of(machine)
+        m, mp_, k, R, omega_squared, *shape = truth_of(machine)
         ordinary += check_nearest(machine, "natural_frequency_squared", [omega_squared])
         check_nearest(machine, "natural_frequency", [mp.sqrt(omega_squared)])
         check_nearest(machine, "period", [2 * mp.pi / mp.sqrt(omega_squared)])
@@ -132,46 +128,13 @@ def test_the_numbers_of_a_machine(seed):
         check_nearest(machine, "mass_ratio", [mp_ / m])
         if check_nearest(machine, "normalized_frequency_squared", [omega_squared * m / k]):
             assert machine.normalized_frequency_squared <= 7 / 4
-        check_nearest(machine, "block_coupling", [kappa])
-        check_nearest(machine, "mode_shape", [kappa * R, 1, lambda_])
-        matrix = [3 * m + 2 * mp_, -2 * (m + mp_) * R, -m * R]
-        matrix += [-2 * (m + mp_) * R, (4 * m + mp_ * 7 / 2) * R**2, 0, -m * R, 0, m * R**2 * 3 / 2]
-        check_nearest(machine, "mass_matrix", matrix)
-        check_nearest(machine, "stiffness_matrix", [0] * 4 + [4 * k * R**2] + [0] * 4)
+        check_nearest(machine, "block_coupling", [shape[0] / R])
+        check_nearest(machine, "mode_shape", shape)
+        check_nearest(machine, "mass_matrix", true("mass matrix", machine))
+        check_nearest(machine, "stiffness_matrix", true("stiffness matrix", machine))
     mp.dps = 60
     # Negative control: many of these machines do have a frequency.
     assert ordinary > 25 * MANY
-
-
-def newton(m, mp_):
-    """The five contact forces for a unit force of the spring on block and slab, from Newton's thirteen equations.
-
-    Accelerations relative to the ground of block b, hoop h, cylinder c, slab s and top cylinder t; Rα of the three
-    rolling bodies; forces on the rollers. All count to the right, angles clockwise. A force to the right at the top of
-    a body turns it clockwise, at its foot the other way.
-    """
-    b, h, c, s, t, spin_h, spin_c, spin_t, hs, cs, hb, cb, tb = range(13)
-    rows = [
-        ({b: m, hb: 1, cb: 1, tb: 1}, 1),
-        ({h: mp_, hs: -1, hb: -1}, 0),
-        ({c: mp_, cs: -1, cb: -1}, 0),
-        ({s: m, hs: 1, cs: 1}, -1),
-        ({t: m, tb: -1}, 0),
-        ({spin_h: mp_, hs: -1, hb: 1}, 0),
-        ({spin_c: mp_ / 2, cs: -1, cb: 1}, 0),
-        ({spin_t: m / 2, tb: 1}, 0),
-        ({h: 1, spin_h: -1, b: -1}, 0),
-        ({c: 1, spin_c: -1, b: -1}, 0),
-        ({h: 1, spin_h: 1, s: -1}, 0),
-        ({c: 1, spin_c: 1, s: -1}, 0),
-        ({t: 1, spin_t: -1, b: -1}, 0),
-    ]
-    matrix, right = mp.matrix(13, 13), mp.matrix(13, 1)
-    for row, (terms, value) in enumerate(rows):
-        right[row] = value
-        for column, entry in terms.items():
-            matrix[row, column] = entry
-    return dict(zip(CONTACTS, list(mp.lu_solve(matrix, right))[8:], strict=True))
 
 
 @pytest.mark.parametrize("seed", range(2))
@@ -181,10 +144,10 @@ def test_the_contacts(seed):
     for machine, rng in itertools.islice(machines(100 + seed, 15 * MANY), 15 * MANY + 40):
         m, mp_, k, R = map(exact, (machine.m, machine.m_prime, machine.k, machine.radius))
         phi, g, mu = sizes(rng, 3)
-        unit = newton(m / max(m, mp_), mp_ / max(m, mp_))
         q = [rng.normal(), phi, rng.normal()]
-        pull = 2 * k * R * exact(phi)
-        ordinary += check((contact_forces, machine, q), [pull * unit[name] for name in CONTACTS] + [-pull], 3)
+        forces, pull = true("forces", machine, q), 2 * k * R * exact(phi)
+        unit = dict(zip(CONTACTS, (force / pull for force in forces), strict=False))
+        ordinary += check((contact_forces, machine, q), forces, 3)
         distance, weight = max(4 * R * exact(phi), 2 * R) * mp.mpf("1.01"), m * exact(g)
         if SMALLEST < distance < LARGEST / 2:
             distance = exact(float(distance))
@@ -232,7 +195,7 @@ def test_the_motion(seed):
     ordinary = 0
     mp.dps = 700
     for machine, rng in machines(200 + seed, 40 * MANY):
-        _, _, _, R, omega_squared, kappa, lambda_ = truth_of(machine)
+        _, _, _, R, omega_squared, *shape = truth_of(machine)
         omega = mp.sqrt(omega_squared)
         if not SMALLEST < omega < LARGEST:
             continue
@@ -252,12 +215,12 @@ def test_the_motion(seed):
         reach = abs(start[1]) * unsure**2 + abs(rate[1]) / omega * unsure
         speed = abs(start[1]) * omega * unsure + abs(rate[1]) * unsure**2
         q, q_dot, scales, rates = [], [], [], []
-        for i, shape in enumerate((kappa * R, mp.mpf(1), lambda_)):
-            drift = (rate[i] - shape * rate[1]) * exact(t)
-            q.append(start[i] + drift + shape * (swing + push))
-            scales.append(abs(start[i]) + abs(drift) + shape * reach)
-            q_dot.append(rate[i] + shape * (rate[1] * (cosine - 1) - start[1] * omega * sine))
-            rates.append(abs(rate[i]) + shape * speed)
+        for i, share in enumerate(shape):
+            drift = (rate[i] - share * rate[1]) * exact(t)
+            q.append(start[i] + drift + share * (swing + push))
+            scales.append(abs(start[i]) + abs(drift) + share * reach)
+            q_dot.append(rate[i] + share * (rate[1] * (cosine - 1) - start[1] * omega * sine))
+            rates.append(abs(rate[i]) + share * speed)
         ordinary += check((motion, machine, initial, t), q + q_dot, ulps, scales + rates)
         amplitude = R * mp.hypot(start[1], rate[1] / omega)
         check((travel_amplitude, machine, initial), [amplitude], 0.51)
@@ -268,34 +231,37 @@ def test_the_motion(seed):
 def test_a_short_time_after_release_the_block_keeps_its_digits():
     machine = Oscillator(1.3, 0.7, 25.0, 0.12)
     for t in 10.0 ** np.arange(-150.0, 0.0, 7.0):
-        _, _, _, R, omega_squared, kappa, lambda_ = truth_of(machine)
+        *_, omega_squared, block, _, top = truth_of(machine)
         initial = with_initial_velocities(machine, 0.08)
         mp.dps = 400
         fallen = exact(initial.phi) * (mp.cos(mp.sqrt(omega_squared) * exact(t)) - 1)
         mp.dps = 60
         X, _, Phi = motion(machine, initial, t)[0]
-        assert abs(exact(X) / (kappa * R * fallen) - 1) < 2e-15
-        assert abs(exact(Phi) / (lambda_ * fallen) - 1) < 2e-15
+        assert abs(exact(X) / (block * fallen) - 1) < 2e-15
+        assert abs(exact(Phi) / (top * fallen) - 1) < 2e-15
 
 
 @pytest.mark.parametrize("seed", range(2))
 def test_energies_momenta_and_positions(seed):
-    """Against the derivation, printed to mpmath; with X against all others no term takes digits from another."""
-    expressions, ordinary = derived(derived_machine()), 0
+    """With X against all others no term takes digits from another: that is the scale."""
+    ordinary = 0
     for machine, rng in machines(300 + seed, 60 * MANY):
         decades = rng.choice([2.0, 50.0, 150.0])
         state = [rng.choice([-1, 1], 3) * 10.0 ** rng.uniform(-decades, decades, 3) for _ in range(2)]
         (q, q_dot), apart = state, [abs(each) * [-1, 1, 1] for each in state]
 
-        def truths(group, state, machine=machine):
-            return [evaluated(expression, machine, *state) for expression in expressions[group].values()]
+        def hold(function, group, ulps, *given, machine=machine, state=state, apart=apart):
+            truths, scales = (true(group, machine, *each) for each in (state, apart))
+            return check((function, machine, *given), truths, ulps, scales)
 
-        def hold(call, group, ulps, truths=truths, state=state, apart=apart):
-            return check(call, truths(group, state), ulps, truths(group, apart))
-
-        hold((ground_positions, machine, q), "places", 2)
+        hold(ground_positions, "places", 2, q)
+        hold(relative_positions, "places on the block", 2, q)
         turning = [exact(machine.radius) * exact(each) for each in (2 * q[1], *q_dot[1:])]
-        if in_range([*turning, *truths("velocities", apart), *truths("momenta of bodies", apart)]):
-            ordinary += hold((energies, machine, q, q_dot), "energies", 8)
-            hold((momenta, machine, q_dot), "momenta", 8)
+        sizes_ = [*turning, *true("velocities", machine, *apart), *true("momenta of bodies", machine, *apart)]
+        if in_range(sizes_):
+            hold(ground_velocities, "velocities", 2, q_dot)
+            hold(relative_velocities, "velocities on the block", 2, q_dot)
+            hold(body_momenta, "momenta of bodies", 4, q_dot)
+            hold(momenta, "momenta", 8, q_dot)
+            ordinary += hold(energies, "energies", 8, q, q_dot)
     assert ordinary > 15 * MANY
