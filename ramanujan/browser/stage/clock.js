@@ -5,21 +5,18 @@ import { clamp } from "./motion.js";
 
 export const EYE = 0.7; // s, the shortest period that an eye can follow; what is faster is slowed
 
-const running = new Set(); // stages on the page
 const clocks = new Map(); // name → { playing, speed, slowing, seenFrom, stages }
 let frame = 0;
 let lastTick = 0;
-let asked = false; // whether the loop was woken since the last frame began
+let asked = false; // whether another frame is wanted
 
 /** Put a stage on the clock of that name until the signal aborts, and return the clock. */
 export function joinClock(name, stage, playing, signal) {
   if (!clocks.has(name)) clocks.set(name, { playing, speed: 1, slowing: 1, seenFrom: "ground", stages: new Set() });
   const clock = clocks.get(name);
   clock.stages.add(stage);
-  running.add(stage);
   wake();
   signal.addEventListener("abort", () => {
-    running.delete(stage);
     clock.stages.delete(stage);
     if (!clock.stages.size) clocks.delete(name);
   });
@@ -39,8 +36,11 @@ function tick(now) {
   const elapsed = clamp((now - lastTick) / 1000, 0, 0.1); // a hidden tab does not catch up
   lastTick = now;
   asked = false;
-  for (const clock of clocks.values()) clock.slowing = Math.min(1, ...[...clock.stages].map((stage) => stage.period() / EYE));
-  if ([...running].map((stage) => stage.advance(elapsed)).some(Boolean) || asked) return;
+  for (const clock of clocks.values()) {
+    clock.slowing = Math.min(1, ...[...clock.stages].map((stage) => stage.period() / EYE));
+    for (const stage of clock.stages) asked = stage.advance(elapsed) || asked;
+  }
+  if (asked) return;
   cancelAnimationFrame(frame);
   frame = 0;
 }

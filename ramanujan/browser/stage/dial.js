@@ -5,7 +5,7 @@ import { fill, fixed, number, withUnit } from "../page/sentences.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN } from "./motion.js";
 import { finder } from "./parts.js";
-import { element, set } from "./svg.js";
+import { element, put, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const LEAST = 0.01; // of a turn: the smallest angle between the hands that an eye can tell
@@ -36,14 +36,6 @@ function parting({ Omega, plain }) {
   return fill(words[nearness({ Omega, plain })], { turns, least: LEAST });
 }
 
-/** The sector between the hands, from the plain mass's to the machine's. */
-function sector(phase, plainPhase, r) {
-  const lead = (phase - plainPhase) % TURN;
-  if (Math.abs(lead) < 1e-3) return "";
-  const point = (angle) => `${r * Math.sin(angle)} ${-r * Math.cos(angle)}`;
-  return `M0 0L${point(plainPhase)}A${r} ${r} 0 ${Math.abs(lead) > Math.PI ? 1 : 0} ${lead > 0 ? 1 : 0} ${point(phase)}z`;
-}
-
 export function makeDial(root) {
   const find = finder(root);
   const reads = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
@@ -66,10 +58,12 @@ export function makeDial(root) {
   }
 
   function frame(phase, plainPhase, running) {
-    const degrees = (angle) => ((angle % TURN) * 360) / TURN;
-    set(find(".hand.machine"), { transform: `rotate(${degrees(phase)})` });
-    set(find(".hand.plain"), { transform: `rotate(${degrees(plainPhase)})` });
-    set(find(".lead"), { d: sector(phase, plainPhase, 36) });
+    const degrees = (angle) => ((angle % TURN) * 360) / TURN, between = ((phase - plainPhase) / TURN) % 1;
+    put(find, {
+      ".hand.machine": { transform: `rotate(${degrees(phase)})` },
+      ".hand.plain": { transform: `rotate(${degrees(plainPhase)})` },
+      ".lead": { transform: `rotate(${degrees(between > 0 ? plainPhase : phase) - 90})`, "stroke-dasharray": `${Math.abs(between)} 1` },
+    });
     if (running) write(find(".verdict"), lead(phase, plainPhase));
   }
 

@@ -222,10 +222,10 @@ export const standing = (formulas, known, seenFrom) => (seenFrom === "block" ? f
 
 /** How a roller's rim travels through these states over the floor or the block: the path of the mark on it. */
 export function rimTrace(name, states, g, seenFrom) {
-  const [x, y] = g.centre[name], { displacement } = FORMULAS;
+  const [x, y] = g.centre[name];
   const points = states.map((known) => {
-    const angle = FORMULAS.angle[name](known);
-    return `${x + (displacement[name](known) - standing(displacement, known, seenFrom)) * CM + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
+    const angle = FORMULAS.angle[name](known), over = moved(known, standing(FORMULAS.displacement, known, seenFrom))[name];
+    return `${x + over + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
   });
   return `M${points.join("L")}`;
 }

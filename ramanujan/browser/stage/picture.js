@@ -3,7 +3,7 @@
 
 import { fill, fixed, withUnit } from "../page/sentences.js";
 import { makeDial } from "./dial.js";
-import { BODIES, CM, STRETCH, centreOfMass, coil, layout, outlines, placed, rollerWords, scenery, weight } from "./drawing.js";
+import { BODIES, CM, STRETCH, centreOfMass, coil, layout, leftPlace, outlines, placed, rollerWords, scenery, weight } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
 import { finder } from "./parts.js";
@@ -19,7 +19,7 @@ import { WORDS } from "./texts.js";
  *                                                   write: the running numbers, too
  * show(layers)                                      the set of layers that are seen
  * ghosts(states)                                    the still of the present machine, or none
- * place                                             the layout's lengths
+ * leaves(known)                                     what has left its place in this state, if anything has
  * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
  */
 export function makePicture(root, { compact, dials, narrow, limits, label }, signal) {
@@ -109,9 +109,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     frame,
     show: layers.show,
     ghosts: drawGhosts,
-    get place() {
-      return place;
-    },
+    leaves: (known) => leftPlace(known, place),
     toMetres: (clientX) => new DOMPoint(clientX, 0).matrixTransform(svg.getScreenCTM().inverse()).x / CM,
   };
 }

@@ -4,7 +4,6 @@
 import { bus } from "../page/bus.js";
 import { observe } from "../page/lasting.js";
 import { EYE, joinClock, wake } from "./clock.js";
-import { leftPlace } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";
 import { makeKeeper } from "./keeper.js";
@@ -88,7 +87,7 @@ class Stage {
     const solution = solve(parameters, initial), shapes = SHAPES.map((name) => parameters[name]).join();
     if (shapes !== this.shapes) this.picture.geometry(parameters);
     Object.assign(this, { parameters, solution, shapes });
-    const leaves = (state) => leftPlace({ ...parameters, ...state }, this.picture.place);
+    const leaves = (state) => this.picture.leaves({ ...parameters, ...state });
     this.playback.take({ parameters, solution, samples, leaves, seenFrom: this.clock.seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);

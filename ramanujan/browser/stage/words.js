@@ -33,22 +33,18 @@ export const moment = (phase, time, { hides }) =>
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
   let message = null, slowing = "", described = "", told = "";
-  const show = () => (node.textContent = message ?? slowing);
+  const show = (sentence) => (node.textContent = (message = sentence) ?? slowing);
   const say = (sentence, urgent) => compact || bus.publish("say", { sentence, urgent });
-  const write = (sentence) => {
-    message = sentence;
-    show();
-  };
-  const fade = atRest(NOTE_TIME, () => write(null), signal);
+  const fade = atRest(NOTE_TIME, () => show(null), signal);
   return {
     note(sentence) {
-      write(sentence);
+      show(sentence);
       fade();
     },
     slowed(factor, speed) {
       const sentence = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
       slowing = factor < 1 ? fill(sentence, { factor: number(factor * speed, 2) }) : "";
-      show();
+      show(message);
     },
     /** The description compares the machine with the plain mass, in numbers. */
     describe(sentence) {
