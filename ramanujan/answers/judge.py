@@ -86,7 +86,7 @@ def _verdict(it: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
     if needless:
         sentence = _("Right! The formula can be written without {names}.")
         return Verdict("unsimplified", sentence.format(names=terms.listed(needless)))
-    if not it.any_form and length(typed) > it.longest_form:
+    if not (it.any_form or it.kind == EQUATION) and length(typed) > it.longest_form:
         return Verdict("unsimplified", _("Right! The formula can be written shorter."))
     return Verdict("right", _("Right!"))
 

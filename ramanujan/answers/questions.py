@@ -48,7 +48,7 @@ class Question:
     of_terms : product of names, as shown → the next question about its coefficient
     letters : letters of the textbook → what each stands for here, and the question about it
     variables : the names in whose products the answer is written term by term
-    any_form : whether a right answer need not be simplified
+    any_form : whether a right answer need not be simplified; that of an equation never does
     symbol : what the prompt calls the answer, where no step of the route names it
     """
 
@@ -287,7 +287,6 @@ _ALL = (
         ("rates", "motion"),
         _("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
         variables=MOTION,
-        any_form=True,
     ),
     Question(
         "phi_equation",
@@ -327,7 +326,6 @@ _ALL = (
         ("ratio", "unit"),
         _("What is Ω² in units of k/m, written with ε?"),
         variables=("eps",),
-        any_form=True,
     ),
     Question(
         "unit_mass_ratio",

@@ -36,11 +36,6 @@ class Modes:
     mode_shape: sp.ImmutableMatrix
 
     @property
-    def pencil(self) -> sp.ImmutableMatrix:
-        """K − ω²M."""
-        return self.stiffness_matrix - omega**2 * self.mass_matrix
-
-    @property
     def natural_frequency_squared(self) -> sp.Expr:
         """Ω² = K_φφ (M⁻¹)_φφ, the shortcut that rank one allows."""
         return sp.factor(self.stiffness_matrix[_PHI, _PHI] * self.inverse_mass_matrix[_PHI, _PHI])
@@ -120,7 +115,7 @@ def build() -> Route:
                 "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\omega t$. This gives "
                 "$(K-\\omega^2M)v=0$, which has a solution other than $v=0$ only if the determinant vanishes."
             ),
-            equation(sp.Determinant(result.pencil), sp.S.Zero),
+            equation(sp.Determinant(result.stiffness_matrix - omega**2 * result.mass_matrix), sp.S.Zero),
             equation(result.determinant, sp.S.Zero),
         ),
         step(

@@ -30,11 +30,6 @@ class LeastInertia:
     least: sp.Expr
     clamped: sp.Expr
 
-    @property
-    def curvature(self) -> sp.ImmutableMatrix:
-        """The second derivatives with respect to ξ and η; positive definite, so that the value is a minimum."""
-        return sp.ImmutableMatrix(sp.hessian(self.inertia, (xi, eta)))
-
 
 def least_inertia(bodies: Machine) -> LeastInertia:
     """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0.
@@ -71,6 +66,7 @@ def build() -> Route:
     result = least_inertia(bodies)
     stiffness = sp.cancel(2 * bodies.potential_energy / (R * phi) ** 2)
     frequency = sp.factor(stiffness / result.least)
+    curvature = sp.ImmutableMatrix(sp.hessian(result.inertia, (xi, eta)))
     path, speed = R * phi, R * phi.diff(t)
     steps = (
         step(
@@ -106,7 +102,7 @@ def build() -> Route:
             ),
             *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
             *(equation(share, result.shares[share]) for share in (xi, eta)),
-            equation(sp.Determinant(result.curvature), sp.factor(result.curvature.det())),
+            equation(sp.Determinant(curvature), sp.factor(curvature.det())),
         ),
         step(
             "frequency",
