@@ -11,7 +11,7 @@ from tests.reference import equal
 
 @pytest.mark.parametrize("remark", remarks(), ids=lambda remark: remark.where)
 def test_each_remark_holds_and_says_where_and_why(remark):
-    assert remark.holds() is True
+    assert remark.holds is True
     for text in (remark.where, remark.printed, remark.correct, remark.note):
         assert text
         assert text.count("$") % 2 == 0

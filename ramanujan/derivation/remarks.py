@@ -4,8 +4,7 @@ Each remark carries a check that SymPy computes from the bodies: it is true when
 corrected one holds. `conserved_momenta` returns the momenta that belong to the two zero modes.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 from itertools import combinations_with_replacement
 
@@ -28,18 +27,14 @@ class Remark:
     where : the place in the paper
     printed, correct : the line as printed and as it should be, Markdown with $…$
     note : the reason, in one or two sentences
-    check : computes whether the printed line is wrong and the corrected one holds
+    holds : whether SymPy finds that the printed line is wrong and the corrected one holds
     """
 
     where: str
     printed: str
     correct: str
     note: str
-    check: Callable[[], bool] = field(repr=False, compare=False)
-
-    def holds(self) -> bool:
-        """Tell whether the remark is right."""
-        return bool(self.check())
+    holds: bool
 
 
 def conserved_momenta(bodies: Machine | None = None) -> dict[sp.Expr, sp.Expr]:
@@ -75,7 +70,7 @@ def _taxicab() -> Remark:
         _("“the smallest number representable in two ways as a sum of two cubes”"),
         _("the smallest number that is a sum of two *positive* cubes in two ways"),
         _("If negative cubes are allowed, there is a smaller one: {number}.").format(number=f"${shown}$"),
-        lambda: taxicab[0] == 1729 and n < taxicab[0] and all(sum(a**3 for a in way) == n for way in ways),
+        taxicab[0] == 1729 and n < taxicab[0] and all(sum(a**3 for a in way) == n for way in ways),
     )
 
 
@@ -88,7 +83,7 @@ def _rounding(equal_masses: Elimination) -> Remark:
         f"${latex(ratio)}\\approx{float(printed):.{digits}f}$",
         f"${latex(ratio)}\\approx{float(rounded):.{digits}f}$",
         _("The last printed digit is one too high. No other result depends on it."),
-        lambda: abs(ratio - rounded) < abs(ratio - printed),
+        bool(abs(ratio - rounded) < abs(ratio - printed)),
     )
 
 
@@ -103,7 +98,7 @@ def _coefficients(result: Elimination) -> Remark:
             constant=f"${latex(equation('c_2', c_2))}$", ratio=f"${latex(equation(left, printed))}$"
         ),
         _("With $\\ddot X=c_2\\ddot\\Phi$, the constant $c_2$ follows from the top cylinder’s equation of motion."),
-        lambda: sp.simplify(printed - c_1 / c_2) == 0 and sp.simplify(printed - c_2) != 0,
+        sp.simplify(printed - c_1 / c_2) == 0 and sp.simplify(printed - c_2) != 0,
     )
 
 
@@ -121,7 +116,7 @@ def _proportionality(result: Elimination, spectrum: Modes) -> Remark:
             "The accelerations are proportional. The coordinates may differ in addition by a constant and a steady "
             "drift. After a release from rest there is no drift, but $X$ oscillates about a shifted centre."
         ),
-        lambda: _solves(spectrum, drifting) and sp.expand(drifting[0] - c_1 * drifting[1]) != 0,
+        _solves(spectrum, drifting) and sp.expand(drifting[0] - c_1 * drifting[1]) != 0,
     )
 
 
@@ -134,10 +129,8 @@ def _sign(spectrum: Modes) -> Remark:
         likewise.format(equation=f"${latex(equation(X_ddot, Omega_squared * X))}$"),
         likewise.format(equation=f"${latex(equation(X_ddot, -Omega_squared * X))}$"),
         _("Each of them lacks a minus sign. Without it the motion would grow exponentially instead of oscillating."),
-        lambda: (
-            _solves(spectrum, mode)
-            and all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 != sp.expand(q.diff(t, 2) - Omega2 * q) for q in mode)
-        ),
+        _solves(spectrum, mode)
+        and all(sp.expand(q.diff(t, 2) + Omega2 * q) == 0 != sp.expand(q.diff(t, 2) - Omega2 * q) for q in mode),
     )
 
 
@@ -153,7 +146,7 @@ def _one_mode(result: Elimination, spectrum: Modes) -> Remark:
             "three modes are {values}"
         ).format(values=f"${latex(equation(names, shown))}$"),
         _("The other two modes have frequency zero: the whole machine glides, or the top cylinder rolls freely."),
-        lambda: spectrum.eigenvalues == {sp.S.Zero: 2, result.natural_frequency_squared: 1},
+        spectrum.eigenvalues == {sp.S.Zero: 2, result.natural_frequency_squared: 1},
     )
 
 

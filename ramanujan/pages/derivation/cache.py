@@ -16,7 +16,7 @@ from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_not
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.numbers import exact_values
 from ramanujan.derivation.printers import InOrder, colored, latex
-from ramanujan.derivation.remarks import Remark, conserved_momenta, remarks
+from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms, widest
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
@@ -94,12 +94,6 @@ def spectrum(masses: Masses) -> tuple[list[str], str]:
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
     shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
     return shapes, _aligned(momenta)
-
-
-@st.cache_resource(show_spinner=False)
-def notes() -> list[tuple[Remark, bool]]:
-    """Return the remarks on the paper, and whether SymPy confirms each."""
-    return [(remark, remark.holds()) for remark in remarks()]
 
 
 @st.cache_data(show_spinner=False)

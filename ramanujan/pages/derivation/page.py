@@ -9,6 +9,7 @@ from ramanujan.browser import page, stage
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
+from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
@@ -237,8 +238,8 @@ def margin() -> None:
         return
     with notes, st.spinner(_("Checking each line …")):
         st.markdown(_("The paper’s main result is right. SymPy has checked each of these notes on its details."))
-        for note, holds in cache.notes():
-            mark = _(":green[:material/check: checked]") if holds else _(":red[:material/close: not confirmed]")
+        for note in remarks():
+            mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")
             st.markdown(
                 _("**{where}** {mark}\\\nThe paper has: {printed}\\\nBetter: {correct}\\\n{note}").format(
                     where=note.where, mark=mark, printed=note.printed, correct=note.correct, note=note.note
