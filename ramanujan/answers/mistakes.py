@@ -5,12 +5,11 @@ Machines and procedures go through one elimination, in exact numbers and the mas
 machines last: the first mistake that gives a result is the one that is named.
 """
 
-from functools import cache
-
 import sympy as sp
 
 from ramanujan.answers import machines
-from ramanujan.derivation.elimination import Elimination, UnitCondition, eliminate, phi_ddot, unit_condition
+from ramanujan.derivation.elimination import Elimination, eliminate, phi_ddot
+from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime, phi, t
 from ramanujan.translation import _
 
@@ -18,16 +17,9 @@ Results = dict[str, sp.Expr | tuple[sp.Expr, ...] | None]
 """Hint → the result of the mistake, or several; None where there is no solution."""
 
 
-@cache
 def elimination() -> Elimination:
     """Return the elimination for the machine as it is."""
     return eliminate(machines.right())
-
-
-@cache
-def unit() -> UnitCondition:
-    """Return the condition Ω² = k/m for the machine as it is."""
-    return unit_condition(elimination().natural_frequency_squared)
 
 
 # Energies
@@ -212,14 +204,15 @@ def frequency(right: sp.Expr) -> Results:
 
 def ratio() -> Results:
     """Return the mistakes in the unit mass ratio: slips in the quadratic formula, then those of the elimination."""
-    a, b, c = unit().quadratic.all_coeffs()
-    discriminant, root = unit().discriminant, sp.sqrt(unit().discriminant)
+    condition = unit_frequency_condition()
+    (a, b, c), discriminant = condition.quadratic.all_coeffs(), condition.discriminant
+    root = sp.sqrt(discriminant)
     return {
         _("This is the other root of the quadratic. Can a ratio of masses be negative?"): (-b - root) / (2 * a),
         _("You get this result if b has the wrong sign. Which sign does b have in (−b ± √(b² − 4ac))/(2a)?"): (
             (b + root) / (2 * a)
         ),
-        _("This is the ratio m/m′. Which ratio does the question ask for?"): 1 / unit().root,
+        _("This is the ratio m/m′. Which ratio does the question ask for?"): 1 / condition.root,
         _(
             "You get this result if you leave out the square root. What does the quadratic formula do with the "
             "discriminant?"
@@ -247,7 +240,7 @@ def ratio() -> Results:
 
 def quadratic(right: sp.Expr) -> Results:
     """Return the mistakes in the quadratic equation for the unit mass ratio: those of the elimination."""
-    sides, conditions = sp.fraction(unit().normalized_frequency_squared), machines.conditions()
+    sides, conditions = sp.fraction(unit_frequency_condition().normalized_frequency_squared), machines.conditions()
     return {
         _("You get this result if you add the two sides of Ω²m/k = 1. What is left when you subtract them?"): (
             sp.Add(*sides)

@@ -21,6 +21,7 @@ from ramanujan.answers.terms import NAMES, exact
 from ramanujan.answers.values import Values, agree, at_points, up_to_a_factor
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
+from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import MOMENTA, R, X, epsilon, m, m_prime, machine, phi, t
@@ -316,7 +317,7 @@ _ALL = (
     Question(
         "unit_quadratic",
         _("the quadratic equation"),
-        lambda: mistakes.unit().quadratic.as_expr(),
+        lambda: unit_frequency_condition().quadratic.as_expr(),
         lambda: _("Which quadratic equation for {ratio} follows from $\\Omega^2=k/m$?").format(
             ratio=f"${latex(epsilon)}=m'/m$"
         ),
@@ -330,7 +331,7 @@ _ALL = (
     Question(
         "unit_mass_ratio",
         _("the mass ratio"),
-        lambda: mistakes.unit().root,
+        lambda: unit_frequency_condition().root,
         lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(ratio=f"${latex(epsilon)}=m'/m$"),
         lambda _right: mistakes.ratio(),
         "(sqrt(5) - 1)/2",
