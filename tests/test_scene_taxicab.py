@@ -227,12 +227,11 @@ def area(outline: str) -> float:
 
 def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
     every = machines()
-    rows = [every[n : n + 4] for n in range(0, 40, 4)]
     figure = figures.machine_grid(
         [str(n) for n in range(10)],
         list(BODIES),
-        [[machine.discriminant for machine in row] for row in rows],
-        [[len(machine.cubes) for machine in row] for row in rows],
+        [machine.discriminant for machine in every],
+        [len(machine.cubes) for machine in every],
         (2, 2),
         COLORS,
     ).checked()

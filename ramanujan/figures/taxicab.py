@@ -60,8 +60,8 @@ def level_crossing(
 def machine_grid(
     rows: Sequence[str],
     columns: Sequence[str],
-    numbers: Sequence[Sequence[int]],
-    ways: Sequence[Sequence[int]],
+    numbers: Sequence[int],
+    ways: Sequence[int],
     chosen: tuple[int, int],
     colors: Mapping[str, str],
 ) -> Drawn:
@@ -70,18 +70,17 @@ def machine_grid(
     Parameters
     ----------
     rows, columns : the pairs of lower rollers, the top bodies
-    numbers : the discriminants, one row for each pair
+    numbers : the discriminants, row by row
     ways : in how many ways each is a sum of two positive cubes
     chosen : row and column of the machine that is marked
     colors : ink, faint, paper, primary, hoop, on_hoop
     """
     cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
-    flat_numbers = [number for row in numbers for number in row]
-    flat_ways = [min(way, 2) for row in ways for way in row]
+    ways = np.minimum(ways, 2).tolist()
     steps = [colors["faint"], colors["hoop"], colors["primary"]]
     table = {
         "type": "heatmap",
-        "z": [flat_ways[n : n + len(columns)] for n in range(0, len(flat_ways), len(columns))],
+        "z": [ways[n : n + len(columns)] for n in range(0, len(ways), len(columns))],
         "colorscale": [[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
         **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
     }
@@ -94,8 +93,8 @@ def machine_grid(
         "x": [x for x, _y in cells],
         "y": [y for _x, y in cells],
         "mode": "markers+text",
-        "text": [f"<b>{n}</b>" if way else str(n) for n, way in zip(flat_numbers, flat_ways, strict=True)],
-        "textfont": {"size": 13, "color": [inks[way] for way in flat_ways]},
+        "text": [f"<b>{n}</b>" if way else str(n) for n, way in zip(numbers, ways, strict=True)],
+        "textfont": {"size": 13, "color": [inks[way] for way in ways]},
         "marker": {"symbol": "square", "size": 36, "opacity": 0},
         "selected": unseen,
         "unselected": unseen,

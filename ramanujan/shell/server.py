@@ -55,13 +55,7 @@ def routes() -> list[Route]:
 
 @asynccontextmanager
 async def warmed_up(_: st.App) -> AsyncIterator[None]:
-    """Warm up when the server starts."""
-    warm_up()
-    yield
-
-
-def warm_up() -> None:
-    """Import what any page needs, then take it out of the garbage collector's rounds.
+    """Import what any page needs when the server starts, then take it out of the garbage collector's rounds.
 
     A page imports what it shows when it is opened, which takes seconds; a class opens all of them at once. What has
     been imported never changes, and the collector need not walk through it again and again.
@@ -72,6 +66,7 @@ def warm_up() -> None:
     modules.place()
     gc.collect()
     gc.freeze()
+    yield
 
 
 async def _module(request: Request) -> Response:

@@ -38,9 +38,7 @@ class Predictions(address.URLParameter):
         made = {}
         for entry in text.split("~"):
             name, option, *phase = entry.split(".")
-            if phase not in ([], [PREDICTED], [MISSED]):
-                raise ValueError(self.name)
-            if option not in lesson.stop(name).options:
+            if phase not in ([], [PREDICTED], [MISSED]) or option not in lesson.stop(name).options:
                 raise ValueError(self.name)
             made[name] = option, *(phase or [ANSWERED])
         return made

@@ -39,6 +39,9 @@ PERIODS = (1, 3, 10, 30, 100, 300)
 _PARTS = (1, 3, *range(10, PERIODS[-1] + 1, 10))
 """Periods after which the runs of a diagram are kept, so that each part takes some tenths of a second."""
 
+_CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
+"""The curves of a work-precision diagram."""
+
 _SLICE, _PAUSE = 0.03, 0.015
 """Seconds of work, and the seconds that are left to other visitors after them."""
 
@@ -55,15 +58,13 @@ def run(method: str, steps: int, periods: int, dtype: str) -> Run:
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:
     """Return what a work-precision diagram is made of, in calls whose results are kept: errors first, then seconds."""
     lengths = [part for part in _PARTS if part <= periods]
-    curves = [(method, dtype) for dtype in DTYPES for method in METHODS]
-    parts = [partial(errors, *curve, length) for curve in curves for length in lengths]
-    return [*parts, partial(closed, periods), *(partial(_step_seconds, *curve) for curve in curves)]
+    parts = [partial(errors, *curve, length) for curve in _CURVES for length in lengths]
+    return [*parts, partial(closed, periods), *(partial(_step_seconds, *curve) for curve in _CURVES)]
 
 
 def diagram(periods: int) -> list[WorkPrecision]:
     """Return the curves of the work-precision diagram, with the seconds that were measured here last."""
-    curves = [(method, dtype) for dtype in DTYPES for method in METHODS]
-    return [replace(errors(*curve, periods), step=_step_seconds(*curve)) for curve in curves]
+    return [replace(errors(*curve, periods), step=_step_seconds(*curve)) for curve in _CURVES]
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS) * len(_PARTS))

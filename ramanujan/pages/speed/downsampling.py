@@ -33,7 +33,7 @@ class Run:
     q : φ over its amplitude at the samples, the start included, shape (periods·per_period + 1,)
     reach : where each error curve has its points [periods], shape (points,)
     phase, energy : the largest |phase error| [rad] and |energy error| so far, shape (points,)
-    phase_at_end, energy_at_end : the errors at the end, with their signs
+    phase_at_end : the phase error at the end, with its sign [rad]
     evaluations : evaluations of the force in the run
     """
 
@@ -47,7 +47,6 @@ class Run:
     phase: np.ndarray
     energy: np.ndarray
     phase_at_end: float
-    energy_at_end: float
     evaluations: int
 
 
@@ -99,6 +98,5 @@ def downsampled(history: History, steps: int, periods: int) -> Run:
         phase=np.fmax.accumulate(np.abs(history.phase_error))[ends],
         energy=np.fmax.accumulate(np.abs(history.energy_error))[ends],
         phase_at_end=float(history.phase_error[-1]),
-        energy_at_end=float(history.energy_error[-1]),
         evaluations=history.evaluations,
     )

@@ -54,7 +54,7 @@ def errors_of(run: Run) -> str:
         "In {n} periods the force was evaluated {evaluations} times.",
         run.periods,
     ).format(n=run.periods, evaluations=number(run.evaluations, 3))
-    if not math.isfinite(run.energy_at_end) or worst > 1e6:
+    if worst > 1e6:
         return " ".join((evaluated, _("The energy has grown beyond all bounds.")))
     phase = (
         _("At the end the computed machine is **{turns} of a full turn ahead** ({phase} rad).")

@@ -137,8 +137,7 @@ def _about_field(machine: BodyChoice) -> str:
 def forty_machines(chosen: BodyChoice) -> None:
     """Draw all machines in one figure."""
     machines, columns = cache.machines(), list(BODIES)
-    rows = [machines[n : n + len(columns)] for n in range(0, len(machines), len(columns))]
-    pairs = [row[0].bodies[:2] for row in rows]
+    pairs = [machine.bodies[:2] for machine in machines[:: len(columns)]]
     place = pairs.index(tuple(sorted(chosen.bodies[:2], key=columns.index))), columns.index(chosen.top)
     best = max(machines, key=lambda machine: len(machine.cubes))
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
@@ -147,8 +146,8 @@ def forty_machines(chosen: BodyChoice) -> None:
         cache.machine_grid(
             [pair(*names) for names in pairs],
             [WORDS[body] for body in columns],
-            [[machine.discriminant for machine in row] for row in rows],
-            [[len(machine.cubes) for machine in row] for row in rows],
+            [machine.discriminant for machine in machines],
+            [len(machine.cubes) for machine in machines],
             place,
             theme.colors() | {"on_hoop": "#1D2430"},
         ),
