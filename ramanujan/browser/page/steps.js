@@ -3,13 +3,15 @@
 
 import { atRest } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
-import { Turner, turnOf } from "./turning.js";
+import { Turner } from "./turning.js";
 
 const TELL = 300; // ms without a press after which the server is told
 
 export default function (component, signal) {
   const sheet = document.head.appendChild(document.createElement("style"));
-  const turner = new Turner(component, signal, { moves: "input", keyed, turned });
+  // Keys that also scroll the page turn a step only while the lecture is what one looks at.
+  const turns = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
+  const turner = new Turner(component, signal, { moves: "input", turns, turned });
   const tell = atRest(TELL, () => component.setStateValue("at", { route, step: turner.now }), signal);
   let route;
   signal.addEventListener("abort", () => sheet.remove());
@@ -34,14 +36,6 @@ export default function (component, signal) {
     turner.show(turner.now);
     reveal();
   };
-}
-
-function keyed(event) {
-  const by = turnOf(event, { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 });
-  if (!by || event.composedPath()[0].matches?.(event.key === " " ? dom.TAKES_SPACE : dom.TAKES_KEYS)) return 0;
-  // These keys also scroll the page: they turn a step only while the lecture is what one looks at.
-  if (!event.key.startsWith("Arrow") && !dom.inView(dom.lecture())) return 0;
-  return event.shiftKey && event.key === " " ? -by : by;
 }
 
 /** The step that the address names, if there is such a step, else the first. */

@@ -2,26 +2,30 @@
 
 import { bus } from "./bus.js";
 import { fill } from "./sentences.js";
+import { dom } from "./streamlit_dom.js";
 
 /** How far a key turns by this table, 0 if it is not meant for turning. */
 export const turnOf = (event, table) =>
   event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey ? 0 : table[event.key] ?? 0;
 
+const KEYS = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
+
 /** The buttons and the slider of steps.html: what they turn is numbered from 1 on, and has headings. */
 export class Turner {
   now = 0;
 
-  /** `moves`: the event of the slider that turns; `keyed(event)`: how far a key turns; `turned(to)` hears of every turn. */
-  constructor(component, signal, { moves, keyed, turned }) {
+  /** `moves`: the event of the slider that turns; `turns(event, by)`: whether a key may turn so far; `turned(to)` hears of it. */
+  constructor(component, signal, { moves, turns, turned }) {
     const root = component.parentElement;
     Object.assign(this, { component, turned, slider: root.querySelector("input"), output: root.querySelector("output") });
     this.buttons = [...root.querySelectorAll("button")];
     for (const button of this.buttons) button.addEventListener("click", () => this.go(this.now + Number(button.dataset.by)));
     this.slider.addEventListener(moves, () => this.go(Number(this.slider.value)));
     const press = (event) => {
-      const by = keyed(event);
+      const space = event.key === " ", by = turnOf(event, KEYS) * (space && event.shiftKey ? -1 : 1);
+      if (!by || event.composedPath()[0].matches?.(space ? dom.TAKES_SPACE : dom.TAKES_KEYS) || !turns(event, by)) return;
       // The space bar scrolls the page no further at the end, either.
-      if (by && (this.go(this.now + by) || event.key === " ")) event.preventDefault();
+      if (this.go(this.now + by) || space) event.preventDefault();
     };
     document.addEventListener("keydown", press, { signal });
   }
