@@ -102,11 +102,19 @@ def curve_sampling() -> list[CurveSampling]:
     >>> {sampling.curve for sampling in curve_sampling()} == {"cosine", "frequency"}
     True
     """
-    curves: list[tuple[str, Callable, float]] = [
+    found = []
+    for name, curve, end in (
         ("cosine", np.cos, 2 * np.pi),
         ("frequency", normalized_frequency_squared, LARGEST_MASS_RATIO),
-    ]
-    return [_sampled(*curve, n) for curve in curves for n in POINTS]
+    ):
+        # The height of the curve, not of its samples: two samples may have equal values.
+        extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
+        for n in POINTS:
+            x = np.linspace(0, end, n)
+            between, chords = (each[:-1] + _BETWEEN * np.diff(each) for each in (x, curve(x)))
+            pixels = float(np.abs(curve(between) - chords).max() / extent * HEIGHT)
+            found.append(CurveSampling(name, n, pixels, measure(partial(curve, x))))
+    return found
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
@@ -203,16 +211,6 @@ def caching(oscillator: Oscillator) -> list[Comparison]:
         "states": (lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)),
     }
     return [Comparison(name, measure(slow), measure(fast)) for name, (slow, fast) in ways.items()]
-
-
-def _sampled(name: str, curve: Callable, end: float, points: int) -> CurveSampling:
-    x = np.linspace(0, end, points)
-    y = curve(x)
-    between = x[:-1] + _BETWEEN * np.diff(x)
-    distance = np.abs(curve(between) - (y[:-1] + _BETWEEN * np.diff(y))).max()
-    # The height of the curve, not of these samples: two samples may have equal values.
-    extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
-    return CurveSampling(name, points, float(distance / extent * HEIGHT), measure(lambda: curve(x)))
 
 
 def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:

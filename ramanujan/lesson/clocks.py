@@ -16,6 +16,8 @@ LARGE = Oscillator(m=1.0, m_prime=1.0, k=10.0, radius=0.2)
 _PERIODS = 10
 """Periods of the plain mass after which the hands are compared."""
 _RADIUS = "R = {radius:2 cm}"
+_TOTAL = 3 * EQUAL.m + 2 * EQUAL.m_prime
+"""Mass of the five bodies [kg]."""
 
 
 def lead(machine: Oscillator) -> float:
@@ -28,10 +30,6 @@ def spin_share(machine: Oscillator) -> float:
     stored = energies(machine, *after(1 / 4, machine))
     kinetic = sum(float(value) for name, value in stored.items() if name != "spring")
     return float(stored["hoop_rotation"] + stored["cylinder_rotation"]) / kinetic
-
-
-def _total(machine: Oscillator) -> float:
-    return 3 * machine.m + 2 * machine.m_prime
 
 
 def _first_lead() -> str:
@@ -79,8 +77,8 @@ STOPS = (
             "together have a mass of {total:1 kg}, but the spring feels only {shown.effective_mass:3 kg}. Block and "
             "slab move in opposite directions. The centres of the lower rollers hardly move at all."
         ),
-        given={"total": _total(EQUAL), "ratio": _total(EQUAL) / EQUAL.m},
-        numbers=lambda: {"turns": lead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _total(EQUAL)))},
+        given={"total": _TOTAL, "ratio": _TOTAL / EQUAL.m},
+        numbers=lambda: {"turns": lead(EQUAL), "slow": _PERIODS * (1 - math.sqrt(EQUAL.m / _TOTAL))},
         hints=(
             _(
                 "Suppose the spring had to move all five bodies as one. The period would then be √{ratio:1} times as "

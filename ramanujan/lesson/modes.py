@@ -13,20 +13,13 @@ from ramanujan.translation import _
 
 _SPEED = COMPRESSION / 2 / EQUAL.period
 """Of gliding and rolling [m/s], slow enough to watch."""
+_SPACING = drawn_spacing(EQUAL.radius)
 
 
 def zero_modes(machine: Oscillator) -> int:
     """Return the number of independent motions that do not deform the spring."""
     stiffness = machine.stiffness_matrix
     return stiffness.shape[0] - int(np.linalg.matrix_rank(stiffness))
-
-
-def _spacing() -> float:
-    return drawn_spacing(EQUAL.radius)
-
-
-def _first(ratio: float) -> str:
-    return first_to_slip(replace(EQUAL, m_prime=ratio * EQUAL.m), COMPRESSION, _spacing())
 
 
 def _called(contact: str) -> str:
@@ -36,16 +29,20 @@ def _called(contact: str) -> str:
 
 def _friction() -> dict[str, object]:
     """Return μ at each contact, which two need most, the slab's weight on the hoop, ε below which the top slips."""
-    needed = required_friction(EQUAL, COMPRESSION, spacing=_spacing())
+    needed = required_friction(EQUAL, COMPRESSION, spacing=_SPACING)
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
-    loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_spacing())
+    loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_SPACING)
     return needed | {
         "first": _called(first),
         "second": _called(second),
         "most": needed[first],
         "next": needed[second],
         "load": float(loads["hoop_slab"] / (loads["hoop_slab"] + loads["cylinder_slab"])),
-        "light": next(ratio for ratio in np.arange(0.01, 5.0, 0.01) if _first(ratio) != "top_block"),
+        "light": next(
+            machine.mass_ratio
+            for machine in (replace(EQUAL, m_prime=ratio * EQUAL.m) for ratio in np.arange(0.01, 5.0, 0.01))
+            if first_to_slip(machine, COMPRESSION, _SPACING) != "top_block"
+        ),
     }
 
 
@@ -110,7 +107,7 @@ STOPS = (
                 "harder to spin up?"
             ),
         },
-        answer=lambda: first_to_slip(EQUAL, COMPRESSION, _spacing()),
+        answer=lambda: first_to_slip(EQUAL, COMPRESSION, _SPACING),
         why=_(
             "To roll without slipping, {first} needs μ = {most:3}. The next is {second} with μ = {next:3}. The hoop "
             "has the largest moment of inertia, so it needs the largest force to spin it up. At the release only "
