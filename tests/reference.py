@@ -4,7 +4,6 @@ It shares with them the symbols only; velocities are put together here from fram
 """
 
 import random
-from collections.abc import Callable, Sequence
 from functools import cache
 
 import sympy as sp
@@ -86,12 +85,6 @@ def number(expression: sp.Expr, seed: int = 0) -> sp.Expr:
 def equal(left: sp.Expr, right: sp.Expr) -> bool:
     """Tell whether two rational expressions agree: at three random points each, exactly."""
     return all(sp.radsimp(number(left, seed) - number(right, seed)) == 0 for seed in range(3))
-
-
-def numpy_function(arguments: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[..., object]:
-    """Return a NumPy function of the arguments, which may be coordinates and their rates."""
-    plain = {argument: sp.Dummy() for argument in arguments}
-    return sp.lambdify(list(plain.values()), expression.xreplace(plain), modules="numpy")
 
 
 def fraction(unknown: sp.Basic, seed: int = 0) -> sp.Rational:

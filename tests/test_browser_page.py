@@ -148,21 +148,6 @@ def test_beyond_the_edge_the_picture_stops_and_says_so(visit):
     assert slab_over_block(page) == pytest.approx(8, abs=0.02)
 
 
-def test_the_view_does_not_jump_when_a_push_begins(visit):
-    page = visit("motion")
-    page.get_by_role("button", name="Step forward").click()
-    next_frame(page)
-    place = "root.querySelector('.centre').transform.baseVal[0].matrix.e"
-    before = inside(page, place)
-    ruler = inside(page, "root.querySelector('.ruler').transform.baseVal[0].matrix.e")
-    page.locator(".st-key-glide input[type=range]").focus()
-    page.keyboard.press("ArrowRight")
-    settle(page)
-    # Half a centimetre a second, a twelfth of a second after release.
-    assert inside(page, place) == pytest.approx(before, abs=0.2)
-    assert inside(page, "root.querySelector('.ruler').transform.baseVal[0].matrix.e") == pytest.approx(ruler, abs=0.2)
-
-
 # ---- the screen reader's tree
 
 

@@ -32,6 +32,7 @@ from ramanujan.derivation.symbols import (
     m,
     m_prime,
     normalized_frequency_squared,
+    t,
 )
 from ramanujan.pages.derivation import cache as page
 from ramanujan.pages.oscillator import cache as first_page
@@ -68,11 +69,9 @@ def digits(number: sp.Expr) -> mpmath.mpf:
 @cache
 def meaning(side: sp.Basic) -> tuple[list[sp.Basic], Callable]:
     """All that is unknown in one side of an equation, and the side as a function of it."""
-    unknown = side.atoms(sp.Derivative, AppliedUndef)
-    plain = {each: sp.Dummy() for each in unknown}
-    plain |= {symbol: symbol for symbol in side.xreplace(plain).free_symbols - set(plain.values())}
+    unknown = [*side.atoms(sp.Derivative), *side.atoms(AppliedUndef), *side.free_symbols - {t}]
     worked_out = side.as_explicit() if isinstance(side, sp.MatrixExpr) else side
-    return list(plain), sp.lambdify(list(plain.values()), worked_out.xreplace(plain).doit(), "mpmath")
+    return unknown, sp.lambdify(unknown, worked_out.doit(), "mpmath")
 
 
 def says(line: str, equation: sp.Eq, values: dict[sp.Symbol, mpmath.mpf]) -> bool:
