@@ -2,6 +2,7 @@
 
 import json
 from collections import defaultdict
+from unittest import mock
 
 import numpy as np
 import pytest
@@ -32,10 +33,12 @@ def charts(app):
     return {chart.proto.alt: json.loads(chart.proto.spec) for chart in app.get("plotly_chart")}
 
 
-def figures(view, *setting):
+def figures(view, *setting, finer=1):
+    """The figures of a view as the browser gets them, from so many times as many points."""
+    with mock.patch.object(cache, "POINTS", finer * (cache.POINTS - 1) + 1):
+        motion = cache.record.__wrapped__(*setting)
     colors = defaultdict(lambda: "#808080")
-    motion = cache.record.__wrapped__(*setting)
-    return motion, [json.loads(draw(motion, colors).to_json()) for draw in cache.VIEWS[view]]
+    return [json.loads(draw(motion, colors).to_json()) for draw in cache.VIEWS[view]]
 
 
 @pytest.mark.parametrize(("mu", "compression"), [(0.03, 8.0), (1.5, 12.0), (0.01, 0.5)])
@@ -89,8 +92,7 @@ CORNERS = [
 @pytest.mark.parametrize("setting", CORNERS)
 @pytest.mark.parametrize("view", VIEWS)
 def test_every_curve_over_time_is_drawn_to_half_a_pixel_on_a_full_screen(view, setting):
-    _, (figure, *_) = figures(view, *setting)
-    exact = fine_figure(view, setting)
+    (figure, *_), (exact, *_) = (figures(view, *setting, finer=times) for times in (1, 16))
     heights = {}
     for name in (name for name in figure["layout"] if name.startswith("yaxis")):
         axis = figure["layout"][name]
@@ -110,8 +112,7 @@ def test_every_curve_over_time_is_drawn_to_half_a_pixel_on_a_full_screen(view, s
 
 @pytest.mark.parametrize("setting", CORNERS)
 def test_every_orbit_is_drawn_to_half_a_pixel_on_a_full_screen(setting):
-    _, (_, figure) = figures("displacements", *setting)
-    exact = fine_figure("displacements", setting, 1)
+    (_, figure), (_, exact) = (figures("displacements", *setting, finer=times) for times in (1, 16))
     for drawn, fine in zip(figure["data"], exact["data"], strict=True):
         gaps = []
         for letter, pixels in (("x", 1920), ("y", 1080)):
@@ -122,25 +123,9 @@ def test_every_orbit_is_drawn_to_half_a_pixel_on_a_full_screen(setting):
         assert np.hypot(*gaps).max() < 0.501, drawn["name"]
 
 
-def fine_figure(view, setting, which=0):
-    """The same figure from sixteen times as many points."""
-    m, m_prime, k, radius, compression, glide, spin = setting
-    motion = record(
-        Oscillator(m, m_prime, k, radius),
-        compression,
-        glide=glide,
-        spin=spin,
-        spacing=cache.drawn_spacing(radius),
-        periods=cache.PERIODS,
-        points=16 * (cache.POINTS - 1) + 1,
-    )
-    colors = defaultdict(lambda: "#808080")
-    return json.loads(cache.VIEWS[view][which](motion, colors).to_json())
-
-
 @pytest.mark.parametrize("setting", CORNERS)
 def test_the_stack_of_energies_ends_at_the_flat_total(setting):
-    _, (figure,) = figures("energy", *setting)
+    (figure,) = figures("energy", *setting)
     *parts, total = (array(trace["y"]) for trace in figure["data"])
     # Single precision: nine terms of 6e-8 each.
     assert sum(parts) == pytest.approx(total, rel=1e-6)
@@ -149,7 +134,7 @@ def test_the_stack_of_energies_ends_at_the_flat_total(setting):
 
 def test_all_figures_over_time_share_one_axis_and_one_hover():
     for view in VIEWS:
-        _, (figure, *_) = figures(view, *CORNERS[3])
+        figure, *_ = figures(view, *CORNERS[3])
         layout = figure["layout"]
         assert [name for name in layout if name.startswith("xaxis")] == ["xaxis"]
         assert layout["hovermode"] == "x unified"
@@ -161,7 +146,7 @@ def test_all_figures_over_time_share_one_axis_and_one_hover():
 def test_without_a_push_the_orbits_close_and_with_one_only_the_slab_still_does():
     closed = {}
     for push in (0.0, 0.1):
-        _, (_, plane) = figures("displacements", 1.0, 1.0, 10.0, 0.1, 0.08, push, 10 * push)
+        _, plane = figures("displacements", 1.0, 1.0, 10.0, 0.1, 0.08, push, 10 * push)
         ends = {orbit["name"]: array(orbit["x"])[[0, -1]] for orbit in plane["data"]}
         closed[push] = {name for name, (first, last) in ends.items() if abs(first - last) < 1e-5}
     assert len(closed[0.0]) == 3
