@@ -93,17 +93,11 @@ def _for_lecturers() -> None:
     with st.container(key="class_screens"):
         for icon, sentence in screens:
             st.markdown(f"{icon} {sentence}")
-    kept = st.selectbox(
-        _("Keep the answers for"),
-        LIFETIMES,
-        format_func=lambda seconds: ngettext("{n} day", "{n} days", round(seconds / DAY)).format(
-            n=round(seconds / DAY)
-        ),
-        key="class_kept",
-    )
-    st.button(
-        _("Open a class"), key="class_open", type="primary", on_click=attempt, args=(class_session.open_class, kept)
-    )
+    days = {seconds: round(seconds / DAY) for seconds in LIFETIMES}
+    words = {seconds: ngettext("{n} day", "{n} days", n).format(n=n) for seconds, n in days.items()}
+    kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
+    opened = class_session.open_class, kept
+    st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=opened)
 
 
 def panel(stop: Stop, phase: Phase) -> None:
