@@ -11,16 +11,11 @@ from ramanujan.derivation.printers import latex
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import sheet_keys
 from tests.test_answers import RIGHT
-from tests.test_scene_lesson import sent
+from tests.test_scene_lesson import sent, sound
 from tests.test_worksheet import key_of
 
 PAGE = "ramanujan/pages/lesson/page.py"
 WORKSHEET = "ramanujan/pages/worksheet/page.py"
-
-
-def sound(app):
-    assert not app.exception
-    return app
 
 
 def opened(app, **address):

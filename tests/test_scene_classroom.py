@@ -13,6 +13,7 @@ from ramanujan.lesson import classes
 from ramanujan.lesson.class_record import as_csv
 from ramanujan.shell import class_session
 from tests.browser import ROOT
+from tests.test_scene_lesson import walked
 
 PAGE = "ramanujan/pages/lesson/page.py"
 STOP = lesson.STOPS[0]
@@ -184,16 +185,9 @@ def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):
 def everything(app: AppTest, with_address: bool = True) -> str:
     """Return every message that a page was sent, as text, and its address."""
     assert not app.exception
-    sent = [str(element.proto) for block in (app.main, app.sidebar) for element in nodes(block)]
+    elements = (element for block in (app.main, app.sidebar) for element in walked(block))
+    sent = [str(element.proto) for element in elements if getattr(element, "proto", None) is not None]
     return "\n".join([*sent, str(address(app)) if with_address else ""])
-
-
-def nodes(block):
-    for child in block.children.values():
-        if hasattr(child, "children"):
-            yield from nodes(child)
-        if getattr(child, "proto", None) is not None:
-            yield child
 
 
 @pytest.mark.parametrize("text", ["", "BCDFHJ", "<script>**bold**</script>"])
