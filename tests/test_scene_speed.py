@@ -3,6 +3,7 @@
 import json
 import math
 import re
+import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -205,10 +206,11 @@ def test_growing_run_is_shown_until_it_leaves():
 
 
 def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the_other(monkeypatch):
-    worked, under_way = [], []
+    worked, under_way, usual = [], [], sys.getswitchinterval()
 
     def work(*curve, after, between):
         worked.append(curve)
+        assert sys.getswitchinterval() < usual  # so that others are answered meanwhile
         time.sleep(0.05)
         return WorkPrecision(*curve, *[np.ones(1)] * 4)
 
@@ -222,6 +224,7 @@ def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the
     monkeypatch.setattr(cache, "seconds_per_step", measure)
     with ThreadPoolExecutor(5) as visitors:
         diagrams = list(visitors.map(lambda _visitor: cache.diagram(1), range(5)))
+    assert sys.getswitchinterval() == usual
     assert len(worked) == len(set(worked)) == 2 * len(METHODS)
     assert all(curve.step == Timing(1.0, 1.0, 1.0) for diagram in diagrams for curve in diagram)
 

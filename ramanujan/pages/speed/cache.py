@@ -4,9 +4,11 @@ Errors and evaluations of a method are the same for every machine (`accuracy.run
 What several visitors ask for at once, Streamlit computes once, while the others wait.
 """
 
+import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -44,12 +46,29 @@ _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 
 _SLICE, _PAUSE = 0.03, 0.015
 """Seconds of work, and the seconds that are left to other visitors after them."""
+_USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
+"""Seconds after which Python lets another thread run."""
 
 _ALONE = threading.Lock()
 """Held while seconds are measured: two measurements at once would disturb each other."""
 
 
+@contextmanager
+def _giving_way() -> Iterator[None]:
+    """Compute so that other visitors are answered meanwhile.
+
+    Python runs one thread at a time. An answer waits for its turn many times, each time as long as Python usually lets
+    a thread compute.
+    """
+    sys.setswitchinterval(_WHILE_COMPUTING)
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(_USUALLY)
+
+
 @st.cache_resource(show_spinner=False, max_entries=512)
+@_giving_way()
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
     """Return one integration, which is the same for every machine."""
     return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
@@ -74,13 +93,13 @@ def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
     before, rested = shorter and errors(method, dtype, shorter), time.monotonic()
 
     def rest() -> None:
-        # Python runs one thread at a time, and one that computes gives way too seldom to those that answer visitors.
         nonlocal rested
         if time.monotonic() - rested > _SLICE:
             time.sleep(_PAUSE)
             rested = time.monotonic()
 
-    return work_precision(method, dtype, periods, after=before, between=rest)
+    with _giving_way():
+        return work_precision(method, dtype, periods, after=before, between=rest)
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS))
@@ -103,6 +122,7 @@ def forget_seconds() -> None:
 
 
 @st.cache_resource(show_spinner=_("Computing all powers of ten …"), max_entries=1)
+@_giving_way()
 def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
     """Return the forms of Ω² and the eigen-solvers over the range of floating point."""
     return extremes(), eigen_solvers()
