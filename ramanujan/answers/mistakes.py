@@ -103,10 +103,8 @@ def lagrangian(right: sp.Expr) -> Results:
 
 def momentum(right: sp.Expr) -> Results:
     """Return the mistakes in p_X: the momentum of another coordinate, a square’s factor 2 lost, altered machines."""
-    sentence, rate = (
-        _("This is the momentum of {coordinate}. With respect to which velocity do you differentiate?"),
-        VELOCITIES[0],
-    )
+    sentence = _("This is the momentum of {coordinate}. With respect to which velocity do you differentiate?")
+    rate = VELOCITIES[0]
     return {
         **_of_others(sentence, elimination().momenta),
         _(

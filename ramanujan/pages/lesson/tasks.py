@@ -37,8 +37,8 @@ def draw(task: Task) -> Verdict:
         st.title(task.heading, anchor=False)
         st.markdown(task.text)
         beside = task.stage and not is_projector()
-        both = st.container(key="beside").columns([1, 1], gap="medium") if beside else (st.container(), st.container())
-        words, picture = both
+        around = st.container(key="beside" if beside else None)
+        words, picture = around.columns([1, 1], gap="medium") if beside else (around, around)
         with words:
             places = st.columns(len(task.fields) or 1) if is_projector() else [st.container()] * len(task.fields)
             typed = {}
