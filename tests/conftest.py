@@ -9,10 +9,12 @@ your own machine it gets none, so that a race is seen.
 
 import os
 from collections.abc import Callable, Iterator
+from functools import cache
 from weakref import WeakKeyDictionary
 
 import pytest
 from hypothesis import settings
+from streamlit.components.v2 import manifest_scanner
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from streamlit.runtime.scriptrunner import ScriptRunnerEvent
 from streamlit.testing.v1 import AppTest, app_test
@@ -207,3 +209,5 @@ class Page(LocalScriptRunner):
 
 _pages: WeakKeyDictionary[object, list[ForwardMsg]] = WeakKeyDictionary()
 app_test.LocalScriptRunner = Page
+# Each app test reads the descriptions of all packages, a tenth of a second; while tests run these stay as they are.
+manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)
