@@ -9,6 +9,7 @@ import math
 import os
 import sys
 from contextlib import suppress
+from functools import cache
 
 import mpmath
 import numpy as np
@@ -36,7 +37,6 @@ from ramanujan.derivation.symbols import machine as derived_machine
 from ramanujan.energy import body_momenta
 from tests.test_one_physics import derived, evaluated
 
-EXPRESSIONS = derived(derived_machine())
 MANY = 100 if os.environ.get("RAMANUJAN_DEEP") else 1
 mp = mpmath.mp.clone()
 mp.dps = 60
@@ -90,9 +90,14 @@ def check(call, truths, ulps, scales=None):
     return True
 
 
+@cache
+def expressions():
+    return derived(derived_machine())
+
+
 def true(group, machine, *state):
     """What the derivation says of a machine in a state, with all digits that are asked for."""
-    return [mp.mpf(evaluated(each, machine, *state, digits=mp.dps)) for each in EXPRESSIONS[group].values()]
+    return [mp.mpf(evaluated(each, machine, *state, digits=mp.dps)) for each in expressions()[group].values()]
 
 
 def truth_of(machine):
