@@ -5,12 +5,32 @@ imported in that page's file, so that the first page does not pay for the others
 """
 
 import gc
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import streamlit as st
 
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import exact_values, stated
+
+_USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
+"""Seconds after which Python lets another thread run."""
+
+
+@contextmanager
+def giving_way() -> Iterator[None]:
+    """Compute so that other visitors are answered meanwhile.
+
+    Python runs one thread at a time. An answer waits for its turn many times, each time as long as Python usually lets
+    a thread compute.
+    """
+    sys.setswitchinterval(_WHILE_COMPUTING)
+    try:
+        yield
+    finally:
+        sys.setswitchinterval(_USUALLY)
 
 
 @st.cache_resource(show_spinner=False)
@@ -32,6 +52,7 @@ def warm_up() -> bool:
 
 
 @st.cache_resource(show_spinner=False)
+@giving_way()
 def route(name: str) -> Route:
     """Return a route of the derivation."""
     return ROUTES[name]

@@ -3,12 +3,14 @@
     python -m tests.benchmarks.classroom [--sessions 100] [--page oscillator | … | spread | every] [--seconds 30]
     python -m tests.benchmarks.classroom --processes 2
     python -m tests.benchmarks.classroom --measuring 1 --sessions 50
+    python -m tests.benchmarks.classroom --looking 1 --sessions 50 --seconds 15
 
 Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
 random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
 something on a busy machine; the load comes from this machine as well. With --processes, the app runs behind the proxy
 of the recipe. With --measuring, so many more sessions have the speed page measure meanwhile, again and again, and it is
-printed how long each measurement took.
+printed how long each measurement took. With --looking, so many more sessions open all pages one after another, of which
+the server has worked out nothing yet.
 """
 
 import argparse
@@ -19,7 +21,7 @@ import resource
 import statistics
 import tempfile
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
@@ -64,6 +66,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1729)
     parser.add_argument("--processes", type=int, default=0, help="run 1 or 2 processes behind HAProxy, by the recipe")
     parser.add_argument("--measuring", type=int, default=0, help="so many more sessions have the server measure")
+    parser.add_argument("--looking", type=int, default=0, help="so many more sessions open every page once")
     given = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
@@ -74,26 +77,27 @@ def main() -> None:
         print(HEAD)
         lessons = {"bare page": lesson(bare, [""], given)}
         report("bare page", lessons["bare page"])
+        others = [_measure] * given.measuring + [_look] * given.looking
         for name in PAGES if given.page == "every" else [given.page]:
             pages = list(PAGES.values()) if name == "spread" else [PAGES[name]]
-            lessons[name] = lesson(ROOT / "app.py", pages, given, given.measuring)
+            lessons[name] = lesson(ROOT / "app.py", pages, given, others)
             report(name, lessons[name], lessons["bare page"])
 
 
-def lesson(script: Path, pages: list[str], given: argparse.Namespace, measuring: int = 0) -> Lesson:
-    """Let a class work on these pages while so many others measure, and return what it saw."""
+def lesson(script: Path, pages: list[str], given: argparse.Namespace, others: Sequence[Callable] = ()) -> Lesson:
+    """Let a class work on these pages while others do something else, and return what it saw."""
     if given.processes and script == ROOT / "app.py":
         with deployed(given.processes) as hall:
             return asyncio.run(
-                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, given, measuring)
+                _lesson(hall.address, [process.pid for process in hall.processes.values()], pages, given, others)
             )
     server = running(script)
     with server as address:
-        return asyncio.run(_lesson(address, [server.process.pid], pages, given, measuring))
+        return asyncio.run(_lesson(address, [server.process.pid], pages, given, others))
 
 
 async def _lesson(
-    address: str, processes: list[int], pages: list[str], given: argparse.Namespace, measuring: int
+    address: str, processes: list[int], pages: list[str], given: argparse.Namespace, others: Sequence[Callable]
 ) -> Lesson:
     seen = Lesson()
     # The first visitors pay for the warm-up, in each process.
@@ -111,7 +115,7 @@ async def _lesson(
     end = perf_counter() + given.seconds
     await asyncio.gather(
         *(_work(visitor, end, number, seen, given) for number, visitor in enumerate(visitors)),
-        *(_measure(address, end, seen) for _ in range(measuring)),
+        *(other(address, end, seen) for other in others),
     )
     seen.processor = processor_time(processes) - start
     seen.bytes = sum(visitor.received - bytes_ for visitor, (bytes_, _) in zip(visitors, received, strict=True))
@@ -149,6 +153,17 @@ async def _work(visitor: Visitor, end: float, number: int, seen: Lesson, given: 
         except (VisitError, OSError) as problem:
             seen.errors[str(problem)] += 1
             return
+
+
+async def _look(address: str, _end: float, seen: Lesson) -> None:
+    """Open every page once."""
+    for page in PAGES.values():
+        visitor = Visitor(address, page)
+        try:
+            await visitor.open()
+        except (VisitError, OSError) as problem:
+            seen.errors[f"looking: {problem}"] += 1
+        await visitor.close()
 
 
 async def _measure(address: str, end: float, seen: Lesson) -> None:

@@ -23,7 +23,7 @@ from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, ma
 from ramanujan.derivation.templates import Values
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
-from ramanujan.shell.cache import route
+from ramanujan.shell.cache import giving_way, route
 
 LINE_WIDTH, BESIDE_MACHINE = 54, 44
 """Characters of a formula that fit beside the sidebar in a window of 1280 points, and beside the machine on a
@@ -103,6 +103,7 @@ def step_to_answer(name: str) -> str:
 
 
 @st.cache_data(show_spinner=False, max_entries=512)
+@giving_way()
 def verdict(name: str, text: str) -> Verdict:
     """Return the verdict on an answer; the first one of a question also derives its answer and typical mistakes."""
     return judge(name, text)
@@ -138,6 +139,7 @@ def _values(masses: Masses) -> Values | None:
 
 
 @st.cache_resource(show_spinner=False)
+@giving_way()
 def _modes() -> Modes:
     return modes(machine())
 

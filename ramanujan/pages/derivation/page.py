@@ -14,7 +14,7 @@ from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
 from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
-from ramanujan.shell.cache import numbers_stated, symbols
+from ramanujan.shell.cache import giving_way, numbers_stated, symbols
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
@@ -236,7 +236,7 @@ def margin() -> None:
     notes = st.expander(_("Notes on the paper: a few lines to correct"), key="margin", on_change="rerun")
     if not notes.open:
         return
-    with notes, st.spinner(_("Checking each line …")):
+    with notes, st.spinner(_("Checking each line …")), giving_way():
         st.markdown(_("The paper’s main result is right. SymPy has checked each of these notes on its details."))
         for note in remarks():
             mark = _(":green[:material/check: checked]") if note.holds else _(":red[:material/close: not confirmed]")

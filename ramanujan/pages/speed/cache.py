@@ -4,11 +4,9 @@ Errors and evaluations of a method are the same for every machine (`accuracy.run
 What several visitors ask for at once, Streamlit computes once, while the others wait.
 """
 
-import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -28,6 +26,7 @@ from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.pages.speed import downsampling, verdicts
 from ramanujan.pages.speed.downsampling import Run
+from ramanujan.shell.cache import giving_way
 from ramanujan.translation import _
 
 ALONG = {
@@ -46,29 +45,12 @@ _CURVES = [(method, dtype) for dtype in DTYPES for method in METHODS]
 
 _SLICE, _PAUSE = 0.03, 0.015
 """Seconds of work, and the seconds that are left to other visitors after them."""
-_USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
-"""Seconds after which Python lets another thread run."""
-
 _ALONE = threading.Lock()
 """Held while seconds are measured: two measurements at once would disturb each other."""
 
 
-@contextmanager
-def _giving_way() -> Iterator[None]:
-    """Compute so that other visitors are answered meanwhile.
-
-    Python runs one thread at a time. An answer waits for its turn many times, each time as long as Python usually lets
-    a thread compute.
-    """
-    sys.setswitchinterval(_WHILE_COMPUTING)
-    try:
-        yield
-    finally:
-        sys.setswitchinterval(_USUALLY)
-
-
 @st.cache_resource(show_spinner=False, max_entries=512)
-@_giving_way()
+@giving_way()
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
     """Return one integration, which is the same for every machine."""
     return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
@@ -98,7 +80,7 @@ def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
             time.sleep(_PAUSE)
             rested = time.monotonic()
 
-    with _giving_way():
+    with giving_way():
         return work_precision(method, dtype, periods, after=before, between=rest)
 
 
@@ -122,7 +104,7 @@ def forget_seconds() -> None:
 
 
 @st.cache_resource(show_spinner=_("Computing all powers of ten …"), max_entries=1)
-@_giving_way()
+@giving_way()
 def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
     """Return the forms of Ω² and the eigen-solvers over the range of floating point."""
     return extremes(), eigen_solvers()

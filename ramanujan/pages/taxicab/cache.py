@@ -21,7 +21,7 @@ from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BodyChoice
-from ramanujan.shell.cache import route
+from ramanujan.shell.cache import giving_way, route
 
 LARGEST_PART = 1000
 """The largest p and q: every discriminant can then be factored."""
@@ -201,6 +201,7 @@ class Tally:
 
 
 @st.cache_resource(show_spinner=False)
+@giving_way()
 def tally(left: str, right: str) -> Tally:
     """Return the count for all targets p/q, p and q up to COUNTED_PART, that every top body can reach."""
     limit = min(number_theory.normalized_frequency_squared_exact(left, right, top, 0) for top in number_theory.BODIES)
