@@ -144,16 +144,17 @@ def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> 
     start, quarter = q + h / 2 * v, h * h / 4
     before, a_before = start, acceleration(start)
     middle, steepness, solved = start + quarter * a_before, 0.0, False
-    tolerance = _RESIDUAL_ULPS * float(np.finfo(np.asarray(middle).dtype).eps)
+    kind = np.finfo(np.asarray(middle).dtype)
+    tolerance, least = _RESIDUAL_ULPS * float(kind.eps), float(kind.smallest_normal)
     with np.errstate(all="ignore"):
         for _iteration in range(_MOST_ITERATIONS):
             a = acceleration(middle)
             residual, moved = (middle - start) - quarter * a, abs(middle - before)
             slope = np.divide(a - a_before, middle - before)
             # The residual that rounding of each term, and of the middle itself, can leave; for the latter only a slope
-            # taken close to the solution counts.
+            # taken close to the solution counts. A few of the smallest floats may always be left.
             steepness = np.where((moved > 0) & (moved < _CLOSE * abs(middle)), abs(quarter * slope), steepness)[()]
-            scale = abs(start) + abs(middle) + abs(quarter * a) + steepness * abs(middle)
+            scale = abs(start) + abs(middle) + abs(quarter * a) + steepness * abs(middle) + least
             solved = solved | (np.isfinite(scale) & (abs(residual) <= tolerance * scale))
             if np.all(solved):
                 return 2 * middle - q, v + h * a

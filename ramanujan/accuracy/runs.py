@@ -79,9 +79,9 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
     n, chosen = steps_within(steps_per_period, periods), method_named("method", method)
     kind = float_type("dtype", dtype)
     start, h = (np.ones(1, kind), np.zeros(1, kind)), np.array([2 * np.pi / n], kind)
-    found = [q - 1j * v for _number, q, v in blocks(chosen, start, h, np.array([n * periods]))]
-    s = np.concatenate([[1.0], *(block[:, 0] for block in found)])
     with np.errstate(over="ignore", invalid="ignore"):
+        found = [q - 1j * v for _number, q, v in blocks(chosen, start, h, np.array([n * periods]))]
+        s = np.concatenate([[1.0], *(block[:, 0] for block in found)])
         # The error is unwrapped, not the phase: it moves by less than half a turn a step and keeps its last digits.
         # Whole turns are taken off as integers.
         phase = np.unwrap(np.angle(s * np.exp(-2j * np.pi * (np.arange(s.size) % n) / n)))
