@@ -280,8 +280,8 @@ def test_quick_changes_over_a_slow_network_never_end_the_app(late):
     page.wait_for_selector("[data-testid=stMainBlockContainer] h1", timeout=60_000)
     settle(page)
     assert page.get_by_role("dialog").count() == 0, page.get_by_role("dialog").first.inner_text()
-    page.locator(".st-key-m input[type=range]").first.press("ArrowRight")
-    page.wait_for_url("**m=1.01**")
+    page.locator(M_PRIME).press("ArrowRight")
+    page.wait_for_url("**m_prime=1.01**")
 
 
 def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_them(profile, server):
