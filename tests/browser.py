@@ -132,9 +132,9 @@ def count_anew(page: Page) -> None:
 
 
 MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
-    component.shadowRoot?.querySelector("style, section") ||
+    component.shadowRoot?.querySelector("style, section") && !component.shadowRoot.querySelector(".stage:not(.told)") ||
     component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""
-"""Whether every component that shows something is there."""
+"""Whether every component that shows something is there, and every stage knows its machine."""
 
 _WAIT = """async (ms) => {
   await new Promise((done) => setTimeout(done, ms));
