@@ -6,6 +6,7 @@ imported in that page's file, so that the first page does not pay for the others
 
 import gc
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -17,6 +18,8 @@ from ramanujan.derivation.numbers import exact_values, stated
 
 _USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
 """Seconds after which Python lets another thread run."""
+_computing: list[None] = []
+_counting = threading.Lock()
 
 
 @contextmanager
@@ -26,11 +29,16 @@ def giving_way() -> Iterator[None]:
     Python runs one thread at a time. An answer waits for its turn many times, each time as long as Python usually lets
     a thread compute.
     """
-    sys.setswitchinterval(_WHILE_COMPUTING)
+    with _counting:
+        _computing.append(None)
+        sys.setswitchinterval(_WHILE_COMPUTING)
     try:
         yield
     finally:
-        sys.setswitchinterval(_USUALLY)
+        with _counting:
+            _computing.pop()
+            if not _computing:
+                sys.setswitchinterval(_USUALLY)
 
 
 @st.cache_resource(show_spinner=False)
