@@ -4,6 +4,7 @@ All of it stands in the address of every page, as `view=projector`, `sheet=curve
 that it can be passed on. A page declares its sheets where it draws them: `with sheet("curve", _("The curve")):`.
 """
 
+from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from html import escape
 
@@ -49,9 +50,17 @@ def sheet(name: str, title: str) -> AbstractContextManager:
     return drawn
 
 
-def folded(name: str, title: str) -> AbstractContextManager:
-    """Return a sheet of the projector as `sheet` does; on another screen it is folded behind its title."""
-    return sheet(name, title) if is_projector() else st.expander(title)
+@st.fragment
+def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = False) -> None:
+    """Draw something on a sheet of the projector; on another screen in a fold, once that is opened."""
+    if is_projector():
+        with sheet(name, title):
+            draw()
+        return
+    fold = st.expander(title, expanded, key=f"fold_{name}", on_change="rerun")
+    if fold.open:
+        with fold:
+            draw()
 
 
 def begin(name: str) -> None:

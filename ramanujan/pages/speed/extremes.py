@@ -1,12 +1,12 @@
 """The sections of page 5 on the extremes: large and small numbers, long times, a general solver, what the app uses."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.choices import HEIGHT, STATES, Arithmetic, ClosedForm, Comparison, CurveSampling
+from ramanujan.accuracy.choices import HEIGHT, STATES
 from ramanujan.accuracy.extremes import FORMS, RIGHT, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import duration, filled, number
@@ -124,20 +124,15 @@ def general_solver() -> None:
     widgets.table(verdicts.zero_mode_table(sweeps), "zero_modes")
 
 
-def what_the_app_uses(
-    states: list[ClosedForm],
-    curves: list[CurveSampling],
-    kinds: list[Arithmetic],
-    comparisons: list[Comparison],
-    sweeps: Iterable[Sweep],
-) -> str:
+def what_the_app_uses() -> None:
     """List what the app uses where, why, and the measurement behind it."""
-    drawn = {each.form: each for each in sweeps if (each.along, each.dtype) == ("machines", "float64")}
+    states, curves, kinds, comparisons = cache.choices()
+    drawn = {each.form: each for each in cache.sweeps()[0] if (each.along, each.dtype) == ("machines", "float64")}
     machine, curve = drawn["integers"], drawn["partial_fractions"]
     few, *_others, many = (each for each in kinds if each.kind == "mpmath")
     enough = {name: next(c for c in curves if c.curve == name and c.pixels < 0.5) for name in ("cosine", "frequency")}
     rounding = float(np.finfo(np.float32).eps) / 2
-    return filled(
+    said = filled(
         "\n".join(f"- {sentence}" for sentence in _CHOICES),
         first=states[0].periods,
         last=states[-1].periods,
@@ -163,3 +158,4 @@ def what_the_app_uses(
         **{f"kept_{each.name}": each.ratio for each in comparisons},
         n=STATES,
     )
+    st.markdown(said)

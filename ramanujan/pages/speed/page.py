@@ -47,10 +47,8 @@ def show() -> None:
             extremes.where_forms_fail(forms)
     with sheet("periods", _("Very many periods")):
         extremes.many_periods(sidebar.oscillator())
-    with folded("solver", _("A general eigen-solver, which does not know this machine")):
-        extremes.general_solver()
-    with folded("choices", _("What this app uses, and why")):
-        st.markdown(extremes.what_the_app_uses(*cache.choices(), cache.sweeps()[0]))
+    folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.general_solver)
+    folded("choices", _("What this app uses, and why"), extremes.what_the_app_uses)
     # What may take long comes when all else is drawn.
     costs_on_this_server()
 

@@ -24,8 +24,8 @@ def show() -> None:
     with sheet("in_step", _("In step")):
         the_number()
         exactly_in_step()
-    with folded("digits", _("The exact ratio to a thousand digits, and the fractions closest to it")):
-        digits_and_fractions()
+    title = _("The exact ratio to a thousand digits, and the fractions closest to it")
+    folded("digits", title, digits_and_fractions, expanded=address.held(DIGITS) != DIGITS.default)
     with sheet("cubes", _("Two stacks of cubes")):
         two_stacks()
     other_bodies.other_bodies()
@@ -63,7 +63,6 @@ def exactly_in_step() -> None:
     other_targets.another_target()
 
 
-@st.fragment
 def digits_and_fractions() -> None:
     """The exact ratio in any number of digits, and as fractions for the workshop."""
     decimals, fractions = st.columns([2, 3], gap="medium")
