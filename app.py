@@ -18,7 +18,6 @@ else:
         parameters,
         sidebar,
         stages,
-        theme,
     )
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
@@ -40,7 +39,8 @@ else:
     shown = 340 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
     cache.warm_up()
-    theme.apply_css()
+    if display_mode.is_projector():
+        display_mode.pager()
     sidebar.take_wishes()
     messages.begin(said)
     sidebar.draw(page.withheld(), page.lead(), page.aside())

@@ -160,6 +160,15 @@ LAID = """() => {
   };
 }"""
 """How the sheets are laid out: how many are seen, what is cut, how much of its height the sheet fills."""
+OUT = """() => [...document.querySelectorAll(".js-plotly-plot")]
+  .filter((figure) => figure.checkVisibility({ visibilityProperty: true })).flatMap((figure) => {
+    const frame = figure.getBoundingClientRect();
+    const out = ({ top, bottom, left, right, width }) => width
+      && Math.max(frame.top - top, bottom - frame.bottom, frame.left - left, right - frame.right) > 2;
+    const texts = [...figure.querySelectorAll("text")].filter((text) => out(text.getBoundingClientRect()));
+    return texts.map((text) => text.textContent);
+  })"""
+"""The words of figures that are cut."""
 BAR = """() => {
   const pager = document.querySelector('.st-key-pager').getBoundingClientRect();
   return [...document.querySelectorAll('header a, header button')].map((node) => node.getBoundingClientRect())
@@ -168,6 +177,18 @@ BAR = """() => {
 """How many names of pages the pager covers."""
 PLACE = ".st-key-pager select option:checked"
 HEIGHTS = "[...document.querySelectorAll('.js-plotly-plot')].map((figure) => figure.clientHeight / innerHeight)"
+SEEN = """(() => {
+  window.seen = new Set();
+  const look = () => {
+    const sheets = [...document.querySelectorAll("[class*='st-key-sheet-']")];
+    const seen = sheets.filter((sheet) => sheet.checkVisibility({ visibilityProperty: true }));
+    const size = parseFloat(getComputedStyle(document.documentElement).fontSize);
+    for (const { className } of seen) window.seen.add(`${/st-key-sheet-(\\w+)/.exec(className)[1]} ${size >= 24}`);
+    requestAnimationFrame(look);
+  };
+  requestAnimationFrame(look);
+})()"""
+"""Collects, frame by frame, which sheets have been seen, and whether the words were large then."""
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 SHEETS = {
@@ -204,7 +225,7 @@ def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrollin
             page.wait_for_function(f"({OVERLAPS})().length === 0", timeout=3000)
         laid = page.evaluate(LAID)
         held = laid["seen"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
-        wrong += [(title, each) for each in page.evaluate(SIZES, 23.9) + page.evaluate(OVERLAPS)]
+        wrong += [(title, each) for each in page.evaluate(SIZES, 23.9) + page.evaluate(OVERLAPS) + page.evaluate(OUT)]
         wrong += [] if held else [(title, laid)]
         if sheet < len(titles):
             page.locator(".st-key-pager .next").click()
@@ -214,7 +235,21 @@ def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrollin
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)
         assert page.evaluate(BAR) == 0
+        page.wait_for_function(f"({OUT})().length === 0", timeout=5000)
         assert page.evaluate(SIZES, 23.9) == []
+
+
+@pytest.mark.parametrize(("sheet", "path"), [("in_step", "1729"), ("costs", "speed?sheet=costs")])
+def test_while_a_projector_s_page_is_loaded_no_other_sheet_is_seen_and_none_in_small_words(
+    profile, server, sheet, path
+):
+    page = profile.new_page()
+    page.add_init_script(SEEN)
+    page.goto(f"{server}/{path}{'&' if '?' in path else '?'}view=projector")
+    page.wait_for_selector(PLACE, state="attached")
+    page.wait_for_function(DRAWN)
+    assert page.evaluate("[...window.seen]") == [f"{sheet} true"]
+    page.close()
 
 
 def test_the_sheet_is_in_the_address_and_figures_grow_with_the_screen(visit):
@@ -222,10 +257,10 @@ def test_the_sheet_is_in_the_address_and_figures_grow_with_the_screen(visit):
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
     # While Streamlit draws a page, another sheet may be there before the one that was asked for.
     page.evaluate("""async () => {
-      const mark = document.querySelector("[data-sheet=step_1]"), place = mark.parentElement;
-      mark.remove();
+      const sheet = document.querySelector(".st-key-sheet-step_1"), { parentElement } = sheet;
+      sheet.remove();
       await new Promise((resolve) => setTimeout(resolve, 100));
-      place.append(mark);
+      parentElement.append(sheet);
     }""")
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
     page.keyboard.press("PageUp")

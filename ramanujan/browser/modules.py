@@ -29,7 +29,7 @@ _MARKUP = {"turn": "steps"}
 @cache
 def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
-    patterns = ("**/*.js", "page/page.css", "page/type.css", "**/*.woff2")
+    patterns = ("**/*.js", *(f"page/{name}.css" for name in ("page", "projector", "type")), "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     markup = {"stage/stage": _markup("stage/stage", words.TEXTS, layer_boxes=_layer_boxes())}
     for name in (path.stem for path in offered if path.match("page/*.js")):

@@ -133,10 +133,12 @@ _LEAST = 400
 """Pixels: the height that a figure has at least; where a sheet has more room, it takes it."""
 _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
+_ABOVE = 44
+"""Pixels above the panels for a line of words, which is 38 px high on a screen of 1080."""
 
 
 def in_large_print(figure: BaseFigure) -> Drawn:
-    """Return the figure with room for large words, in any height: its axis titles apart.
+    """Return the figure with room for large words, in any height.
 
     >>> from ramanujan.figures import drawn
     >>> sent = drawn([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
@@ -148,6 +150,8 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
     for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
         layout[name] = _roomy_axis(layout[name], upright=name.startswith("yaxis"))
+    if any(note.get("yref") == "paper" and note["y"] == 1 for note in layout.get("annotations", ())):
+        layout["margin"] = {**layout.get("margin", {}), "t": _ABOVE}
     return Drawn({**sent, "layout": layout})
 
 

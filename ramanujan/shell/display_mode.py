@@ -46,7 +46,7 @@ def sheet(name: str, title: str) -> AbstractContextManager:
     if not is_projector():
         return nullcontext()
     drawn = st.container(key=f"sheet-{name}")
-    drawn.html(f'<i data-sheet="{escape(name)}" data-title="{escape(title)}"></i>')
+    drawn.html(f'<i data-sheet="{escape(title)}"></i>')
     return drawn
 
 

@@ -109,7 +109,9 @@ def _with_css(page: bytes) -> bytes:
     fonts = (f'<link rel="preload" as="font" crossorigin href="{place}/{name}">' for name in names if "fonts/" in name)
     scripts = (f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST)
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
-    rules = (f'<link rel="stylesheet" href="{place}/{name}">' for name in names if name.endswith(".css"))
+    sheets = (name for name in names if name.endswith(".css"))
+    media = {"page/projector.css": ' media="not all"'}  # until pager.js lets it hold
+    rules = (f'<link rel="stylesheet" href="{place}/{name}"{media.get(name, "")}>' for name in sheets)
     end = f"{''.join(rules)}{''.join(scripts)}</body>"
     return _FONT.sub("".join(fonts).encode(), page, count=1).replace(b"</body>", end.encode(), 1)
 

@@ -1,18 +1,14 @@
 """How pages look beyond the theme: its colours for figures (they are set in .streamlit/config.toml) and the margins."""
 
 from functools import cache
-from pathlib import Path
 
 import streamlit as st
 
-from ramanujan.browser import page
 from ramanujan.figures.cubes import lighter
-from ramanujan.shell import display_mode
 
 BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
 """Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
 
-_PROJECTOR = Path(page.__file__).with_name("projector.css")
 _OPTIONS = {
     "ink": "textColor",
     "paper": "backgroundColor",
@@ -50,11 +46,3 @@ def on_paper() -> dict[str, str]:
     """Return the colours of drawings for paper: primary, and for each body one that is light enough for letters."""
     light = _colors("light")
     return {"primary": light["primary"], **{body: lighter(light[body], 1.4) for body in BODY_COLORS}}
-
-
-def apply_css() -> None:
-    """Bring the projector’s CSS to its pages, with what turns their sheets."""
-    if display_mode.is_projector():
-        # Markdown with HTML in it loads a script first, and comes later than the headings.
-        st.html(f"<style>{_PROJECTOR.read_text(encoding='utf-8')}</style>")
-        display_mode.pager()

@@ -200,7 +200,7 @@ def turn(
 def pager(on_turned: Callable[[str], None]) -> Any:
     """Show one sheet of the page at a time, as a projector needs it, and put on the page what turns to the next.
 
-    A sheet is a container whose key begins with "sheet-"; its first node with `data-sheet` and `data-title` names it.
+    A sheet is a container with the key "sheet-NAME"; its first node with `data-sheet` says there what it shows.
 
     Parameters
     ----------

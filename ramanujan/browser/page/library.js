@@ -13,6 +13,7 @@ const fitPaper = () => document.documentElement.style.setProperty("--printed", M
 window.addEventListener("beforeprint", fitPaper);
 dom.keepOneEntry();
 dom.watchGraphs(dom.offerFormats, new AbortController().signal);
+if (new URLSearchParams(location.search).get("view") === "projector") import("./pager.js");
 setTimeout(reportBroken, 10_000); // by then a page is drawn
 
 export default function (component, signal) {

@@ -12,7 +12,20 @@ const TELL = 400; // ms from the last turn to the message that keeps the sheet i
 
 let page; // whose sheets were seen last, by this pager or the one before
 
+const project = (on) => (document.querySelector("link[href$='projector.css']").media = on ? "all" : "not all");
+const asked = () => new URLSearchParams(location.search).get("sheet");
+const indexOf = (name, sheets) => sheets.findIndex((sheet) => sheet.name === name);
+const see = (now, sheets) => sheets.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
+
+// Where the address asks for a projector, library.js loads this file first of all: until there is a pager, one sheet is seen, too.
+const soon = new AbortController();
+const seeAsked = (sheets = dom.sheets()) => see(asked() ? indexOf(asked(), sheets) : 0, sheets);
+project(true);
+seeAsked();
+observe(document.body, { childList: true, subtree: true }, () => seeAsked(), soon.signal);
+
 export default function (component, signal) {
+  soon.abort();
   const pager = new Pager(component, signal);
   return () => pager.look();
 }
@@ -21,7 +34,7 @@ class Pager {
   constructor(component, signal) {
     const root = component.parentElement;
     Object.assign(this, { component, sheets: [], now: 0, list: root.querySelector("select") });
-    this.wanted = new URLSearchParams(location.search).get("sheet");
+    this.wanted = asked();
     [this.back, this.next] = root.querySelectorAll("button");
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
@@ -31,33 +44,37 @@ class Pager {
     bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first sheet
     bus.publish("sheets", { has: (by) => Boolean(this.sheets[this.now + by]) });
     document.documentElement.dataset.pager = "";
+    project(true);
     observe(document.body, { childList: true, subtree: true }, () => this.look(), signal);
     signal.addEventListener("abort", () => {
       bus.forget("sheets");
       delete document.documentElement.dataset.pager;
+      project(false);
       for (const { node } of this.sheets) node.removeAttribute(AWAY);
     });
   }
 
   /** Take in the page's sheets where they have changed: while Streamlit draws the page, any of them may come first. The sheet
-   * that was asked for stays, and without one the first; a new page begins where its address says. */
+   * that was asked for stays, and without one the first; a new page begins where its address says. As long as a sheet has no
+   * title, more of them may come. */
   look() {
-    const sheets = dom.sheets();
-    if (sheets.length === this.sheets.length && sheets.every(({ node }, i) => node === this.sheets[i].node && node.hasAttribute(AWAY) === (i !== this.now))) return;
+    const sheets = dom.sheets(), known = ({ node, title }, i) => node === this.sheets[i].node && title === this.sheets[i].title;
+    if (sheets.length === this.sheets.length && sheets.every((sheet, i) => known(sheet, i) && sheet.node.hasAttribute(AWAY) === (i !== this.now))) return;
     const turned = page && page !== location.pathname;
     page = location.pathname;
     if (turned) this.wanted = null;
     this.sheets = sheets;
     const title = (sheet, i) => new Option(fill(this.component.data.place, { now: i + 1, count: sheets.length, title: sheet.title }));
     this.list.replaceChildren(...sheets.map(title));
-    this.show(Math.max(sheets.findIndex(({ name }) => name === this.wanted), 0), turned);
+    const found = indexOf(this.wanted, sheets), waits = this.wanted && sheets.some((sheet) => !sheet.title);
+    this.show(waits ? found : Math.max(found, 0), turned);
   }
 
   show(now, tell = true) {
     this.now = now;
-    this.sheets.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
+    see(now, this.sheets);
     this.list.selectedIndex = now;
-    this.back.disabled = now === 0;
+    this.back.disabled = now <= 0;
     this.next.disabled = now >= this.sheets.length - 1;
     if (tell) this.tell();
     else this.tell.cancel();

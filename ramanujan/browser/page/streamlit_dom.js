@@ -166,12 +166,13 @@ export const dom = {
   /** Where the sidebar is a sheet; page.css says the same. */
   NARROW: "(max-width: 768px)",
 
-  /** The sheets of a projector that the page declares, in their order. */
+  /** The sheets of a projector that the page declares, in their order; a title may come a moment later. */
   sheets: () =>
-    [...document.querySelectorAll("[class*='st-key-sheet-']")].flatMap((node) => {
-      const mark = node.querySelector("[data-sheet]");
-      return mark ? [{ node, name: mark.dataset.sheet, title: mark.dataset.title }] : [];
-    }),
+    [...document.querySelectorAll("[class*='st-key-sheet-']")].map((node) => ({
+      node,
+      name: /st-key-sheet-([a-z0-9_]+)/.exec(node.className)[1],
+      title: node.querySelector("[data-sheet]")?.dataset.sheet,
+    })),
 
   /** How wide the content of a page is at most. */
   contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
