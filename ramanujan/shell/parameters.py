@@ -80,6 +80,10 @@ class Parameter(URLParameter):
         """Return a value with its unit, for a sentence."""
         return f"{value:.7g}\u202f{self.unit}".rstrip()
 
+    def equation(self, value: float) -> str:
+        """Return that the parameter has this value, in one line, for a sentence."""
+        return f"{self.symbol}\u00a0=\u00a0{self.written(value)}"
+
     def clamp(self, value: float) -> float:
         """Return the value of the range that is nearest."""
         return min(max(value, self.least), self.most)

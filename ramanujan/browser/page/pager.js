@@ -38,7 +38,7 @@ class Pager {
     [this.back, this.next] = root.querySelectorAll("button");
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
-    this.tell = atRest(TELL, () => component.setStateValue("at", this.now ? this.sheets[this.now].name : ""), signal);
+    this.tell = atRest(TELL, () => component.setStateValue("at", this.now > 0 ? this.sheets[this.now].name : ""), signal);
     // Bubbling up to the window: what the page itself does with a key comes first.
     window.addEventListener("keydown", (event) => this.press(event), { signal });
     bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first sheet

@@ -243,4 +243,4 @@ def _caption(stop: Stop, running: bool) -> str:
 
 def _written(machine: Oscillator) -> str:
     values = {"m": machine.m, "m_prime": machine.m_prime, "k": machine.k}
-    return ", ".join(f"{PARAMETERS[key].symbol} = {PARAMETERS[key].written(x)}" for key, x in values.items())
+    return ", ".join(PARAMETERS[key].equation(value) for key, value in values.items())

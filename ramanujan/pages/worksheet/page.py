@@ -107,12 +107,12 @@ def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) ->
         name, date = _("Name"), _("Date")
         st.html(f"<p class='name'>{name} {_LINE} {date} {_LINE}</p>")
     picture, words = st.columns(2) if is_projector() else (st.container(), st.container())
-    values = ", ".join(f"{each.symbol} = {each.written(each.present)}" for each in PARAMETERS.values())
+    values = ", ".join(each.equation(each.present) for each in PARAMETERS.values())
     with picture, st.container(key="sheet_picture"):
         drawings.draw(
             machine_svg(machine, sidebar.compression(), theme.on_paper()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
-            style="width:560px;max-width:100%;background:#fff",
+            style=f"width:{'100%' if is_projector() else '560px'};max-width:100%;background:#fff",
         )
     said = [
         _(
