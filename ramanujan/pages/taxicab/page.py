@@ -67,7 +67,7 @@ def digits_and_fractions() -> None:
     """The exact ratio in any number of digits, and as fractions for the workshop."""
     decimals, fractions = st.columns([2, 3], gap="medium")
     with decimals:
-        count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=260)
+        count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
         st.code(number_theory.positive_root_digits(*PAPER.quadratic, count), language=None, wrap_lines=True)
         sentence = _(
             "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, because "
