@@ -329,6 +329,8 @@ def test_every_body_is_painted_in_its_own_colour_and_the_heavier_the_fuller(pict
     paper = rgb(THEME[theme]["backgroundColor"])
     fill = {name: rgb(THEME[theme][f"{color}Color"]) for name, color in BODY_COLORS.items()}
     fullness: dict[str, list[float]] = {}
+    # The light and what is inlaid lie over the body's own colour.
+    picture.page.evaluate(f"{STAGE}.querySelectorAll('.shade, .inlay').forEach((each) => each.remove())")
     for m, m_prime in ((0.5, 0.1), (4.0, 6.0)):
         picture.show(Oscillator(m, m_prime), 0.08)
         drawn = picture.at(0.25)

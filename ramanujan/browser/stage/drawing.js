@@ -10,6 +10,7 @@ export const CM = 100; // per metre
 export const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
 export const ROLLERS = ["hoop", "cylinder", "top"];
 const RING = 0.78; // inner radius of a hoop over its outer one
+const BEVEL = 0.9; // from the block's edges to the light on them
 const ASPECT = 2; // width of every picture over its height; stage.css keeps the same room for it
 export const STRETCH = 50; // between two labels of the ruler
 const BEYOND = 3 * STRETCH; // the floor's end beyond the view
@@ -120,12 +121,14 @@ export function forcesOn(known, g, shift) {
   return { forces, weights: upright };
 }
 
-/** A spring between two points at one height: a zigzag whose ends are straight. */
-export function coil(from, to, y, height) {
-  const turns = 10, lead = clamp((to - from) / 8, 0, 3);
-  const pitch = (to - from - 2 * lead) / turns;
-  const wave = `l${pitch / 4} ${-height}l${pitch / 2} ${2 * height}l${pitch / 4} ${-height}`;
-  return `M${from} ${-y}H${from + lead}${wave.repeat(turns)}H${to}`;
+/** A spring between two points at one height: the strands in front of its axis, with both ends, and those behind. */
+export function coil(selector, from, to, y, height) {
+  const turns = 10, lead = clamp((to - from) / 8, 0, 3), across = (to - from - 2 * lead) / turns / 2;
+  const strands = (rise) => `l${across} ${-rise}m${across} ${rise}`.repeat(turns);
+  return {
+    [`${selector} .front`]: { d: `M${from} ${-y}h${lead}v${height}${strands(2 * height)}v${-height}H${to}` },
+    [`${selector} .back`]: { d: `M${from + lead + across} ${-y - height}${strands(-2 * height)}` },
+  };
 }
 
 /** Heavier looks heavier: nearly empty for the lightest body that the sliders allow, nearly full for the heaviest. */
@@ -144,15 +147,18 @@ export function arc(x, y, across, upright, from, to) {
   return Array.from({ length: pieces }, (_, i) => `C${at(from + i * step, 1)} ${at(from + (i + 1) * step, -1)} ${at(from + (i + 1) * step, 0)}`).join("");
 }
 
-/** A roller's outline, and the marks that show how it turns. */
+/** A roller's outline, the line that shows how it has turned, and what is inlaid in it so that its turning is seen from afar. */
 export function rollerPaths(shape, R) {
   const circle = (r, sense = 1) => `M0 ${-r}${arc(0, 0, r, r, 0, sense * TURN)}z`;
+  const ring = (outer, inner) => circle(outer * R) + circle(inner * R, -1);
   const meridian = `M0 ${-R}${arc(0, 0, 0.4 * R, R, 0, TURN)}z`;
+  const sector = (from, to, r) => `M0 0L${r * Math.sin(from)} ${-r * Math.cos(from)}${arc(0, 0, r, r, from, to)}z`;
+  const sectors = [0, 1, 2].map((i) => sector((i / 3 - 1 / 12) * TURN, (i / 3 + 1 / 12) * TURN, 0.86 * R));
   return {
-    hoop: { form: circle(R) + circle(RING * R, -1), mark: `M0 ${-RING * R}V${-R}` },
-    shell: { form: circle(R), mark: circle(0.9 * R) + meridian },
-    cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}` },
-    sphere: { form: circle(R), mark: meridian },
+    hoop: { form: ring(1, RING), mark: `M0 ${-RING * R}V${-R}`, inlay: ring(0.92, 0.86) },
+    shell: { form: circle(R), mark: circle(0.9 * R) + meridian, inlay: "" },
+    cylinder: { form: circle(R), mark: `M0 ${-0.5 * R}V${-R}`, inlay: sectors.join("") },
+    sphere: { form: circle(R), mark: meridian, inlay: "" },
   }[shape];
 }
 
@@ -184,15 +190,22 @@ export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
 export function outlines(g, parameters) {
   const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
   const held = slab.x + 0.77 * slab.width; // clear of the letter, of the velocity's arrow and of x₀
+  const shadow = `M${0.55 * g.R} ${g.R}${arc(0, g.R, 0.55 * g.R, 0.1 * g.R, TURN / 4, (3 * TURN) / 4)}z`; // below the contact
   const rollers = ROLLERS.map((name) => {
-    const { form, mark } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
+    const { form, mark, inlay } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
+    const parts = { form, mark, inlay, shade: form, shadow };
+    const drawn = Object.entries(parts).map(([part, d]) => [`.${name} .${part}`, { d }]);
     // The letter is below the centre, where no arrow begins.
-    return { [`.${name} .form`]: { d: form }, [`.${name} .mark`]: { d: mark }, [`.${name} text`]: { y: 0.44 * g.R } };
+    return { ...Object.fromEntries(drawn), [`.${name} text`]: { y: 0.44 * g.R } };
   });
+  const block = { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` };
   return Object.assign({
-    ".block .form": { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` },
+    ".block .form": block,
+    ".block .shade": block,
+    ".block .bevel": { d: `M${BEVEL} ${-BEVEL}V${BEVEL - g.deck}H${g.riser + BEVEL}V${BEVEL - g.upper}H${g.right - BEVEL}` },
     ".block text": { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 },
     ".slab .form": slab,
+    ".slab .shade": slab,
     ".slab .grip": { ...slab, y: slab.y - 3, height: slab.height + 6 }, // a finger needs more than the slab's own height
     ".slab text": { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 },
     ".handle path": { d: [-1.2, 0, 1.2].map((x) => `M${held + x} ${slab.y + 1}v${slab.height - 2}`).join("") },
@@ -204,11 +217,18 @@ export function outlines(g, parameters) {
 /** Where the coordinates put the bodies and the spring. */
 export function placed(known, g, shift = 0) {
   const x = moved(known, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
-  const table = { ".spring": { d: coil(from, to, g.slab.bottom + g.thick / 2, 2) }, ".stiffness": { x: (from + to) / 2 } };
+  const table = { ...coil(".spring", from, to, g.slab.bottom + g.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
   for (const [name, [x0, y0]] of Object.entries({ block: [0, 0], slab: [0, 0], ...g.centre }))
     table[`.${name}`] = { transform: `translate(${x0 + x[name]} ${-y0})` };
   for (const name of ROLLERS) table[`.${name} .spin`] = { transform: `rotate(${(FORMULAS.angle[name](known) * 360) / TURN})` };
   return table;
+}
+
+/** The outlines of slab and top roller where they are: what a position leaves behind. */
+export function exposure(known, g, shift) {
+  const over = moved(known, shift), { slab, R } = g, [x, y] = g.centre.top;
+  const edge = `M${slab.left + over.slab} ${-slab.bottom}v${-g.thick}H${slab.right + over.slab}v${g.thick}z`;
+  return `${edge}M${x + over.top} ${-y - R}${arc(x + over.top, -y, R, R, 0, TURN)}z`;
 }
 
 /** Where the centre of mass of the whole machine lies in a view that has moved by `shift` [m]. */

@@ -3,12 +3,17 @@
 
 import { fill, fixed, withUnit } from "../page/sentences.js";
 import { makeDial } from "./dial.js";
-import { BODIES, CM, STRETCH, centreOfMass, coil, layout, leftPlace, outlines, placed, rollerWords, scenery, weight } from "./drawing.js";
+import {
+  BODIES, CM, STRETCH, centreOfMass, coil, exposure, layout, leftPlace, outlines, placed, rollerWords, scenery, weight,
+} from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
+import { TURN } from "./motion.js";
 import { finder } from "./parts.js";
 import { element, put, set } from "./svg.js";
 import { WORDS } from "./texts.js";
+
+const TRAIL = { positions: 8, apart: TURN / 60 }; // the last ones, so much of a period apart
 
 /**
  * The picture under a root.
@@ -28,7 +33,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
   signal.addEventListener("abort", () => sizes.disconnect());
-  let place = null, shifted = 0, ends = [0, 0];
+  let place = null, shifted = 0, ends = [0, 0], left = 0; // phase of the last position in the trail
 
   host.classList.toggle("compact", compact);
   host.classList.toggle("no-dials", !dials);
@@ -82,12 +87,24 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     put(inMoving, placed(known, place, shift));
     put(find, {
       ".plain .body": { transform: `translate(${plain})` },
-      ".plain .coil": { d: coil(place.slab.right + plain, place.riser, place.shelf + 3.2, 1.8) },
+      ...coil(".plain .coil", place.slab.right + plain, place.riser, place.shelf + 3.2, 1.8),
       ".centre": { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` },
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
+    leave(known, phase, shift);
     layers.frame(known, shift, write);
     dial.frame(phase, plainPhase, write);
+  }
+
+  /** Leave a faint outline of what has just moved; none after a leap in time. */
+  function leave(known, phase, shift) {
+    const trail = find(".trail"), passed = Math.abs(phase - left);
+    if (passed < TRAIL.apart) return;
+    left = phase;
+    if (passed > 4 * TRAIL.apart) return trail.replaceChildren();
+    const outline = trail.children.length < TRAIL.positions ? element("path") : trail.firstChild;
+    set(outline, { d: exposure(known, place, shift) });
+    trail.append(outline);
   }
 
   /** The still of someone who asked for less motion: the machine in several exposures, that nobody can take hold of. */

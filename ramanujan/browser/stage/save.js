@@ -15,7 +15,7 @@ const SHAPES = "path, rect, circle, line, text";
 
 /** Whether a node is seen, and not only there for a hand. */
 const isSeen = (node, style) =>
-  style.visibility !== "hidden" && node.getClientRects().length > 0 && !node.matches(".grip") && !node.closest(".handle, .ghosts");
+  style.visibility !== "hidden" && node.getClientRects().length > 0 && !node.closest(".grip, .handle, .ghosts, .trail");
 
 /** Do something while the stage has the colours of the light theme. Nothing is drawn before they are given back. */
 function inLight(host, make) {
