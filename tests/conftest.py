@@ -10,16 +10,11 @@ your own machine it gets none, so that a race is seen.
 import os
 from collections.abc import Callable, Iterator
 from functools import cache
-from weakref import WeakKeyDictionary
 
 import pytest
 from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner
-from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
-from streamlit.runtime.scriptrunner import ScriptRunnerEvent
-from streamlit.testing.v1 import AppTest, app_test
-from streamlit.testing.v1.element_tree import ElementTree, parse_tree_from_messages
-from streamlit.testing.v1.local_script_runner import LocalScriptRunner
+from streamlit.testing.v1 import AppTest
 
 from tests.browser import (
     CHROMIUM,
@@ -193,22 +188,5 @@ def visit(request: pytest.FixtureRequest, profile: object, tabs: list[object], s
     assert errors == []
 
 
-class Page(LocalScriptRunner):
-    """Runs the script for AppTest, and keeps of the page what a fragment's run leaves alone, as a browser does."""
-
-    def run(self, *arguments: object, **options: object) -> ElementTree:
-        super().run(*arguments, **options)
-        starts = zip(self.events, self.event_data, strict=True)
-        begun = [data for event, data in starts if event == ScriptRunnerEvent.SCRIPT_STARTED]
-        messages = list(self.forward_msgs())
-        if redrawn := set(begun[-1]["fragment_ids_this_run"] or ()):
-            before = _pages.get(self.session_state, [])
-            messages = [each for each in before if each.delta.fragment_id not in redrawn] + messages
-        _pages[self.session_state] = messages
-        return parse_tree_from_messages(messages)
-
-
-_pages: WeakKeyDictionary[object, list[ForwardMsg]] = WeakKeyDictionary()
-app_test.LocalScriptRunner = Page
 # Each app test reads the descriptions of all packages, a tenth of a second; while tests run these stay as they are.
 manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)

@@ -28,6 +28,11 @@ URL_PARAMETERS = (VIEW, HIDE, SHEET)
 _SWITCH = "projector"
 
 
+def in_browser() -> bool:
+    """Tell whether a browser shows the page; a test or another program that runs the app sends no HTTP headers."""
+    return bool(st.context.headers)
+
+
 def is_projector() -> bool:
     """Tell whether the app is shown on a projector: large words, one picture at a time, the sidebar folded."""
     return address.held(VIEW) == "projector"

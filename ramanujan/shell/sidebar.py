@@ -100,10 +100,13 @@ def followed() -> dict[str, object]:
 
 
 def _moved() -> None:
-    """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due."""
+    """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due.
+
+    Only a browser keeps the rest of the page: for a test without one, the whole page runs.
+    """
     pending_updates.hold()
     fragments = st.session_state.get(_FOLLOW)
-    if fragments and not (_wishes() or pending_updates.waits() or messages.are_shown()):
+    if fragments and display_mode.in_browser() and not (_wishes() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
 
 

@@ -40,8 +40,8 @@ _ALONE = "alone"
 def begin() -> None:
     """Begin a run: bring what every page has, and decide whether the machine is drawn alone."""
     first = _ALONE not in st.session_state and navigation.is_first_page()
-    # Without a browser, which names its time zone, nothing ever moves; a projector's sheets are there from the start.
-    waits = first and st.context.timezone is not None and st.query_params.get("view") != "projector"
+    # Without a browser nothing ever moves; a projector's sheets are there from the start.
+    waits = first and display_mode.in_browser() and st.query_params.get("view") != "projector"
     # A page whose machine moves says so to a server that was started anew, too, and keeps all that it has.
     moves = page.bring(theme.current(), waits, messages.stay)
     st.session_state[_ALONE] = waits and not moves
