@@ -1,72 +1,104 @@
 """What is said of a wrong answer that no typical mistake gives: which term differs, for which masses it is right."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import sympy as sp
+from sympy.polys.fields import FracElement
 
 from ramanujan.answers import terms
 from ramanujan.answers.formulas import leaves
-from ramanujan.answers.questions import EQUATION, NUMBER, POLYNOMIAL, Question, question
+from ramanujan.answers.questions import EQUATION, NUMBER, QUOTIENT, Question, question
 from ramanujan.answers.spelling import MOTION, SYMBOLS
 from ramanujan.answers.values import POINTS, Values, agree, decimals, depends_on, evaluate, point, rational_ratio
 from ramanujan.numerals import number as written
 from ramanujan.translation import _
 
 
-def differences(it: Question, typed: sp.Expr, given: Values) -> tuple[str | None, list[str]]:
-    """Return the term that differs, if there is only one, and sentences about the difference.
+@dataclass(frozen=True)
+class Difference:
+    """Sentences about how an answer differs from the right one.
+
+    Parameters
+    ----------
+    sentences : what was found
+    term : product of names, as shown, if it alone differs; empty for the constant term, None if there is no such term
+    is_slip : whether a slip of the pen is enough to explain it: a sign, a factor, a missing term or letter
+    """
+
+    sentences: list[str]
+    term: str | None = None
+    is_slip: bool = False
+
+
+def difference(it: Question, typed: sp.Expr, given: Values) -> Difference:
+    """Return how an answer differs from the right one.
 
     Raises
     ------
     terms.NotComparableError : the answer cannot be written out term by term.
     """
     if it.kind == NUMBER:
-        return None, [*_as_number(it, given), *_as_mass_ratio(typed, given[0])]
+        return Difference([*_as_number(it, given), *_as_mass_ratio(typed, given[0])])
     exact, right = it.terms(typed), it.right_terms
-    if it.kind == EQUATION:
-        differences = terms.as_equation(exact, right, it.variables)
-        if not differences:
-            return None, [_("No term of your equation is in the right ratio to another one.")]
-        return None, [_("Bring all terms to the left side and compare them."), *terms.in_short(differences)]
     ratio = exact / right
-    if it.kind == POLYNOMIAL:
-        differences = terms.term_by_term(exact, right, it.variables)
-        if differences is None:
+    if it.kind == QUOTIENT:
+        return _of_quotients(it, typed, exact, right)
+    if it.kind == EQUATION:
+        found = terms.as_equation(exact, right, it.variables)
+        if not found:
+            return Difference([_("No term of your equation is in the right ratio to another one.")])
+        lead = [_("Bring all terms to the left side and compare them.")]
+    else:
+        found, lead = terms.term_by_term(exact, right, it.variables), []
+        if found is None:
             if it.variables == MOTION:
-                return "", [_("In your answer a velocity or an angle is below a fraction line.")]
-            return "", [_("In your answer a mass or a length is below a fraction line.")]
-        if len(differences) > 1 and not terms.names_in(ratio).intersection(MOTION) and (of := terms.multiple(ratio)):
-            return None, of
-        return differences[0][0] if len(differences) == 1 else None, terms.in_short(differences)
-    return None, terms.multiple(ratio) or terms.as_fraction(exact, right) or _for_special_masses(it, typed)
+                return Difference([_("In your answer a velocity or an angle is below a fraction line.")], "")
+            return Difference([_("In your answer a mass or a length is below a fraction line.")], "")
+        if len(found) > 1 and not terms.names_in(ratio).intersection(MOTION) and (of := terms.multiple(ratio)):
+            return Difference(of, is_slip=not terms.names_in(ratio))
+    sentences = lead + terms.in_short(found)
+    if len(found) > 1:
+        return Difference(sentences)
+    return Difference(sentences, None if lead else found[0].term, found[0].is_slip)
+
+
+def _of_quotients(it: Question, typed: sp.Expr, exact: FracElement, right: FracElement) -> Difference:
+    """Return how two quotients differ: in a factor, in a name, in terms above or below the fraction line."""
+    ratio = exact / right
+    if multiple := terms.multiple(ratio):
+        return Difference(multiple, is_slip=not terms.names_in(ratio))
+    needed = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(it.right)]
+    if missing := [name for name in needed if not depends_on(typed, SYMBOLS[name])]:
+        sentence = _("Your answer does not depend on {names}, but {quantity} does.")
+        said = sentence.format(names=terms.listed(missing), quantity=it.quantity)
+        return Difference([said, *_for_special_masses(it, typed)[:1]], is_slip=True)
+    if found := terms.as_fraction(exact, right):
+        sentence, differing = found
+        return Difference([sentence, *terms.in_short(differing)], is_slip=len(differing) == 1 and differing[0].is_slip)
+    # A decimal number may be right to its digits there.
+    unequal = [] if decimals(typed) else [_("Your answer is wrong even for equal masses, m′ = m.")]
+    return Difference(_for_special_masses(it, typed) or unequal)
 
 
 def _for_special_masses(it: Question, typed: sp.Expr) -> list[str]:
-    """Return for which masses the answer is right, what it does not depend on, or that it is wrong even for m′ = m."""
-    right, m, m_prime = it.right, SYMBOLS["m"], SYMBOLS["m'"]
+    """Return for which masses the answer is right, and what that says about the error."""
+    m, m_prime = SYMBOLS["m"], SYMBOLS["m'"]
     cases = (
-        ({m_prime: POINTS[0][m]}, _("Your answer is right for equal masses, m′ = m, but not for other masses.")),
-        ({m_prime: 0}, _("Your answer is right for m′ = 0, so the error is in a term with m′.")),
-        ({m: 0}, _("Your answer is right for m = 0, so the error is in a term with m.")),
+        ({m_prime: POINTS[0][m]}, [_("Your answer is right for equal masses, m′ = m, but not for other masses.")]),
+        ({m_prime: 0}, [_("Your answer is right for m′ = 0."), _("So the error is in a term with m′.")]),
+        ({m: 0}, [_("Your answer is right for m = 0."), _("So the error is in a term with m.")]),
     )
-    found = []
-    for masses, sentence in cases:
+    for masses, sentences in cases:
         known = POINTS[0] | masses
         known[SYMBOLS["eps"]] = known[m_prime] / known[m] if known[m] else 0
         try:
-            yours, theirs = (evaluate(formula, known) for formula in (typed, right))
+            yours, theirs = (evaluate(formula, known) for formula in (typed, it.right))
         except ArithmeticError:
             continue
         if agree((yours,), (theirs,)):
-            return [sentence]
-        found.append(sentence)
-    needed = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(right)]
-    missing = [name for name in needed if not depends_on(typed, SYMBOLS[name])]
-    if missing:
-        sentence = _("Your answer does not depend on {names}, but {quantity} does.")
-        return [sentence.format(names=terms.listed(missing), quantity=it.quantity)]
-    # A decimal number may be right to its digits there.
-    return [] if decimals(typed) else [_("Your answer is wrong even for equal masses, m′ = m.")]
+            return sentences
+    return []
 
 
 def _as_number(it: Question, given: Values) -> list[str]:

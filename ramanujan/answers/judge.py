@@ -6,16 +6,19 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.answers import terms, values
-from ramanujan.answers.differences import differences
+from ramanujan.answers.differences import Difference, difference
 from ramanujan.answers.formulas import leaves, length, replaced
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import EQUATION, QUESTIONS, Question
 from ramanujan.answers.questions import question as asked
-from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK, UnreadableError, not_known
+from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnreadableError, not_known
 from ramanujan.translation import _, ngettext
 
-_TELLING_DIGITS, _HALF = 3, 0.5
-"""Significant digits with which a decimal may be a mistake's result; units of the last digit that rounding leaves."""
+_OF_SLIPS, _OF_BODIES = 3, 5
+"""Significant digits with which a decimal may be the result of a slip, or of one of the many bodies taken wrongly."""
+
+_HALF = 0.5
+"""Units of the last digit that rounding leaves."""
 
 
 @dataclass(frozen=True)
@@ -110,8 +113,17 @@ def _advice(it: Question, typed: sp.Expr, given: values.Values) -> Iterator[str]
         yield _("Both sides of your equation are equal.") if is_equation else _("Your answer is zero.")
         yield it.leads_on
         return
-    known = _known_mistake(it, given) or (None if is_equation else _rounded(it, typed))
+    known = _first_hint(it.slips, given) or (None if is_equation else _rounded(it, typed))
     if known:
+        yield known
+        return
+    try:
+        differs = difference(it, typed, given)
+    except terms.NotComparableError as error:
+        differs = Difference([str(error)])
+    # A term that is missing, or a sign, is a more natural mistake than a body taken wrongly; but of one body alone a
+    # sign is that of its velocity.
+    if (it.of_one_body or not differs.is_slip) and (known := _body_taken_wrongly(it, given)):
         yield known
         return
     wrong_unit = _wrong_unit(it, typed)
@@ -123,25 +135,22 @@ def _advice(it: Question, typed: sp.Expr, given: values.Values) -> Iterator[str]
     foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, of_ratio=of_ratio)]
     if foreign:
         yield _depends_on(it, foreign)
-    try:
-        term, sentences = differences(it, typed, given)
-    except terms.NotComparableError as error:
-        term, sentences = None, [str(error)]
     # If the unit is wrong as a whole, every term is wrong, and a list of them says nothing.
-    if term is not None or not (wrong_unit or foreign):
-        yield from sentences
-    yield it.of_terms.get(term or "", it.leads_on)
+    if differs.term is not None or not (wrong_unit or foreign):
+        yield from differs.sentences
+    yield it.of_terms.get(differs.term or "", it.leads_on)
 
 
-def _known_mistake(it: Question, given: values.Values) -> str | None:
-    for hint, wrong in it.wrong_values:
-        if values.agree(given, wrong):
-            return hint
-    if it.variables == MOTION and it.kind != EQUATION:
-        for hint, wrong in it.wrong_values:
-            if values.agree(given, tuple(2 * value for value in wrong)):
-                return _("{hint} A factor ½ is missing as well.").format(hint=hint)
-    return None
+def _first_hint(mistakes: values.Mistakes, given: values.Values) -> str | None:
+    return next((hint for hint, wrong in mistakes if values.agree(given, wrong)), None)
+
+
+def _body_taken_wrongly(it: Question, given: values.Values) -> str | None:
+    known = _first_hint(it.altered, given)
+    if known is None and it.of_one_body:
+        known = _first_hint(it.altered, tuple(value / 2 for value in given))
+        return known and _("{hint} A factor ½ is missing as well.").format(hint=known)
+    return known
 
 
 def _rounded(it: Question, typed: sp.Expr) -> str | None:
@@ -154,12 +163,12 @@ def _rounded(it: Question, typed: sp.Expr) -> str | None:
         if off <= _HALF:
             return _("An exact number agrees with your decimal number to the last digit. What is the exact number?")
         return _("The last digit of your decimal number is off by one unit. What is the exact number?")
-    # Fewer digits would fit too many cases.
-    if all(len(number.name.replace(".", "").lstrip("0")) >= _TELLING_DIGITS for number in numbers):
-        for hint, wrong in it.wrong_values:
-            off = values.units_off(typed, wrong)
-            if off is not None and off <= _HALF:
-                return _("Your decimal number agrees to the last digit with this case. {hint}").format(hint=hint)
+    digits = min(len(number.name.replace(".", "").lstrip("0")) for number in numbers)
+    telling = (*(it.slips if digits >= _OF_SLIPS else ()), *(it.altered if digits >= _OF_BODIES else ()))
+    offs = ((hint, values.units_off(typed, wrong)) for hint, wrong in telling)
+    fits = [hint for hint, off in offs if off is not None and off <= _HALF]
+    if len(fits) == 1:
+        return _("Your decimal number agrees to the last digit with this case. {hint}").format(hint=fits[0])
     return None
 
 

@@ -1,12 +1,11 @@
 """Altered machines, and what is left of their equations of motion when two coordinates are eliminated.
 
-One body, or a group of them, has another mass, inertia, velocity or angle than it has. Each machine comes with a hint,
-one sentence and the question that leads on; what students do often comes first. Machines and altered procedures go
-through one elimination, exactly, for any mass ratio.
+A mistake gives one body, or a group of them, another mass, inertia, velocity or angle than it has. Machines and altered
+procedures go through one elimination, exactly, for any mass ratio.
 """
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -42,12 +41,52 @@ _SHAPES = {
 right = cache(machine)
 """The machine as it is."""
 
-_Change = Callable[[Body], dict[str, Any]]
-"""Body → what is different of it."""
+
+@dataclass(frozen=True)
+class Mistake:
+    """A mistake about bodies.
+
+    Parameters
+    ----------
+    id : its name
+    hint : a sentence and the question that leads on, with slots for {body}, and for its {mass}, {angle} or {shape}
+    groups : names of bodies, or of several, that it may concern
+    change : body → what is different of it
+    """
+
+    id: str
+    hint: str
+    groups: tuple[str, ...]
+    change: Callable[[Body], dict[str, Any]]
+
+    @property
+    def is_of_inertia(self) -> bool:
+        """Whether it changes nothing but moments of inertia."""
+        return self.id == "no_rotation" or self.id.startswith("inertia")
 
 
-def _other_mass(body: Body) -> dict[str, Any]:
-    return {"mass": m if body.mass == m_prime else m_prime}
+@dataclass(frozen=True)
+class Altered:
+    """The machine as it would be if a mistake about a group of bodies were right."""
+
+    mistake: Mistake
+    group: str
+    machine: Machine
+
+    @property
+    def bodies(self) -> frozenset[str]:
+        """The names of the bodies that are different."""
+        return frozenset(self.group.split())
+
+    def hint(self, called: str = "") -> str:
+        """Return the hint at the mistake, with another name of the bodies if one is given."""
+        body = self.machine[self.group.split()[-1]]
+        return self.mistake.hint.format(
+            body=called or _GROUPS[self.group],
+            mass="m" if body.mass == m else "m′",
+            angle="φ" if body.displacement.has(phi) else "Φ",
+            shape=_SHAPES.get(body.shape_factor, ""),
+        )
 
 
 def _other_angle(body: Body) -> dict[str, Any]:
@@ -55,69 +94,104 @@ def _other_angle(body: Body) -> dict[str, Any]:
     return {"displacement": body.displacement.xreplace(swapped), "angle": body.angle.xreplace(swapped)}
 
 
-_MISTAKES: dict[str, tuple[tuple[str, ...], *tuple[_Change, ...]]] = {
-    _(
-        "You get this result if you leave out the rotation of {body}. Which energy does a body have because it rotates?"
-    ): ((*_ROLLERS.split(), _LOWER, _ROLLERS), lambda body: {"shape_factor": sp.S.Zero}),
-    _(
-        "You get this result if you divide the velocity of {body} relative to the ground by R to find the angular "
-        "velocity. On which surface does a roller roll?"
-    ): ((*_ROLLERS.split(), _LOWER, _ROLLERS), lambda body: {"angle": sp.expand(body.displacement / R)}),
-    _("You get this result if {body} has the mass {mass}. Which mass does it have?"): (tuple(CALLED), _other_mass),
-    _("You get this result if {body} have the mass {mass}. Which mass do they have?"): ((_LOWER,), _other_mass),
-    _(
-        "You get this result if you add X′ to the velocity of {body} instead of subtracting it. In which direction "
-        "does the block move when X grows?"
-    ): ((*_RIDERS.split(), _LOWER), lambda body: {"displacement": body.displacement.subs(X, -X)}),
-    _(
-        "You get this result if you take the velocity of {body} relative to the block. How does the block itself move?"
-    ): ((*_RIDERS.split(), _LOWER, _RIDERS), lambda body: {"displacement": body.displacement.subs(X, 0)}),
-    _(
-        "You get this result if {body} moves only as far as the centres of its rollers. How fast does the top of a "
-        "rolling body move?"
-    ): (("slab",), lambda _body: {"displacement": right()["hoop"].displacement}),
-    _(
-        "You get this result if you give {body} the displacement of the slab. How far does the centre of a roller move "
-        "when its top moves by 2Rφ?"
-    ): ((*_LOWER.split(), _LOWER), lambda _body: {"displacement": right()["slab"].displacement}),
-    _("You get this result if you use the angle {angle} for {body}. Which angle describes the motion of {body}?"): (
+MISTAKES = (
+    Mistake(
+        "no_rotation",
+        _("You get this result if you leave out the rotation of {body}. What is the energy of a rotation?"),
+        (*_ROLLERS.split(), _LOWER, _ROLLERS),
+        lambda _body: {"shape_factor": sp.S.Zero},
+    ),
+    Mistake(
+        "rolls_on_ground",
+        _(
+            "You get this result if you divide the velocity of {body} relative to the ground by R to find the angular "
+            "velocity. On which surface does a roller roll?"
+        ),
+        (*_ROLLERS.split(), _LOWER, _ROLLERS),
+        lambda body: {"angle": sp.expand(body.displacement / R)},
+    ),
+    Mistake(
+        "other_mass",
+        _("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
+        (*CALLED, _LOWER),
+        lambda body: {"mass": m if body.mass == m_prime else m_prime},
+    ),
+    Mistake(
+        "sign_of_X",
+        _("You get this result if you add X′ to the velocity of {body}. In which direction does the block move?"),
+        (*_RIDERS.split(), _LOWER),
+        lambda body: {"displacement": body.displacement.subs(X, -X)},
+    ),
+    Mistake(
+        "relative_to_block",
+        _("You get this result if you take the velocity of {body} relative to the block. How does the block move?"),
+        (*_RIDERS.split(), _LOWER, _RIDERS),
+        lambda body: {"displacement": body.displacement.subs(X, 0)},
+    ),
+    Mistake(
+        "slab_as_centres",
+        _("You get this result if {body} moves only as far as the centres of its rollers. How far do their tops move?"),
+        ("slab",),
+        lambda _body: {"displacement": right()["hoop"].displacement},
+    ),
+    Mistake(
+        "roller_as_slab",
+        _("You get this result if you let {body} move as far as the slab. How far does the centre of a roller move?"),
+        (*_LOWER.split(), _LOWER),
+        lambda _body: {"displacement": right()["slab"].displacement},
+    ),
+    Mistake(
+        "other_angle",
+        _("You get this result if you use the angle {angle} for {body}. Which bodies turn by this angle?"),
         tuple(_RIDERS.split()),
         _other_angle,
     ),
-    _("You get this result if {body} has the moment of inertia of {shape}. What is the moment of inertia of {body}?"): (
-        tuple(_ROLLERS.split()),
-        *(lambda _body, shape=shape: {"shape_factor": shape} for shape in _SHAPES),
+    *(
+        Mistake(
+            f"inertia_{shape}",
+            _("You get this result if {body} has the moment of inertia of {shape}. What is the right one?"),
+            tuple(_ROLLERS.split()),
+            lambda _body, shape=shape: {"shape_factor": shape},
+        )
+        for shape in _SHAPES
     ),
-    _("You get this result if you leave out {body}. Which bodies have kinetic energy?"): (
+    Mistake(
+        "left_out",
+        _("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
         tuple(CALLED),
         lambda _body: {"mass": sp.S.Zero},
     ),
-}
-"""Hint → the bodies, or groups of them, that a mistake alters, and how; the more common mistakes come first."""
+)
 
 
 @cache
-def altered() -> dict[str, Machine]:
-    """Return hint → the machine for which that mistake would be right."""
-    found = {}
-    for hint, (groups, *changes) in _MISTAKES.items():
-        for change in changes:
-            for group in groups:
-                names = group.split()
-                bodies = [replace(each, **change(each)) if each.name in names else each for each in right().bodies]
-                if (mistaken := Machine(tuple(bodies))) != right():
-                    said = hint.format(body=_GROUPS[group], **_words(mistaken[names[-1]]))
-                    found[said] = mistaken
-    return found
+def altered() -> tuple[Altered, ...]:
+    """Return the machine of each mistake about each group of bodies, unless it changes nothing."""
+    found = (
+        Altered(mistake, group, Machine(tuple(_changed(body, mistake, group.split()) for body in right().bodies)))
+        for mistake in MISTAKES
+        for group in mistake.groups
+    )
+    return tuple(each for each in found if each.machine != right())
 
 
-def _words(body: Body) -> dict[str, str]:
-    """Return what a hint may say of an altered body."""
-    return {
-        "mass": "m" if body.mass == m else "m′",
-        "angle": "φ" if body.displacement.has(phi) else "Φ",
-        "shape": _SHAPES.get(body.shape_factor, ""),
-    }
+def _changed(body: Body, mistake: Mistake, names: list[str]) -> Body:
+    return replace(body, **mistake.change(body)) if body.name in names else body
+
+
+def named(same: Sequence[Altered]) -> str | None:
+    """Return the hint at the one mistake that gives a result; None if several do, and nobody knows which it was.
+
+    Of groups that contain each other the smallest is named: the rest of the mistake has no effect on the result.
+    """
+    least, lower = min(same, key=lambda each: len(each.bodies)), {*_LOWER.split()}
+    if any(each.mistake is not least.mistake for each in same):
+        of_inertia = all(each.mistake.is_of_inertia and each.bodies <= lower for each in same)
+        hint = _("You get this result with other moments of inertia of the lower rollers. What are they?")
+        return hint if of_inertia else None
+    if all(least.bodies <= each.bodies for each in same):
+        return least.hint()
+    return least.hint(_("one of the lower rollers")) if {each.group for each in same} == lower else None
 
 
 # The elimination
@@ -126,6 +200,9 @@ def _words(body: Body) -> dict[str, str]:
 _RATIOS = field(epsilon, sp.ZZ)[0]
 _UNITS = {m: sp.S.One, k: sp.S.One, R: sp.S.One, m_prime: epsilon}
 """An answer has a unit, and in that unit it is a quotient of polynomials in the mass ratio."""
+
+_Equations = tuple[list[list[FracElement]], FracElement]
+"""The mass matrix and the stiffness ∂²U/∂φ², in units of m, k and R."""
 
 
 @cache
@@ -142,9 +219,8 @@ def _rates_of(path: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(sp.diff(path, q) for q in COORDINATES)
 
 
-def _equations(bodies: Machine) -> tuple[list[list[FracElement]], FracElement]:
-    """Return the mass matrix of a machine and its stiffness ∂²U/∂φ², in units of m, k and R."""
-
+@cache
+def _equations(bodies: Machine) -> _Equations:
     def worth(expression: sp.Expr) -> FracElement:
         return _RATIOS.from_expr(sp.sympify(expression).xreplace(_UNITS))
 
@@ -152,63 +228,73 @@ def _equations(bodies: Machine) -> tuple[list[list[FracElement]], FracElement]:
     return matrix, worth(k * _rates_of(bodies.deformation)[1] ** 2)
 
 
-def _solved(name: str, matrix: list[list[FracElement]], stiffness: FracElement) -> FracElement | None:
-    """Return the answer to a question from the three equations of motion, None if it divides by zero.
+def _solved(name: str, equations: _Equations) -> sp.Expr | None:
+    """Return the answer to a question from the three equations of motion, None if there is none.
 
     The X and Φ equations, rows 0 and 2, give Ẍ and Φ̈, which go into the φ equation. The question about the φ equation
     writes its last term as 4kRφ.
     """
-    (a, b, c), (d, e, f), (g, h, i) = matrix
+    ((a, b, c), (d, e, f), (g, h, i)), stiffness = equations
     # Without a top cylinder the Φ equation is empty: Φ̈ may be anything, also 0.
     i = i or i + 1
     determinant, block, top = a * i - c * g, c * h - b * i, b * g - a * h
-    above, below = {
-        "block_coupling": (block, determinant),
-        "top_coupling": (top, determinant),
-        "phi_equation": (4 * e, stiffness),
-        "natural_frequency_squared": (stiffness * determinant, e * determinant + d * block + f * top),
-    }[name]
-    return above / below if below else None
+    squared = stiffness * determinant, e * determinant + d * block + f * top
+    above, below, unit = {
+        "block_coupling": (block, determinant, R),
+        "top_coupling": (top, determinant, 1),
+        "phi_equation": (4 * e, stiffness, m * R),
+    }.get(name, (*squared, k / m))
+    if not below:
+        return None
+    if name in ("unit_quadratic", "unit_mass_ratio"):
+        return _condition(name, above / below)
+    return unit * (above / below).as_expr()
 
 
-PROCEDURES = {
-    _(
+def _condition(name: str, squared: FracElement) -> sp.Expr | None:
+    """Return the quadratic equation for Ω² = k/m, or its positive root."""
+    condition = (squared.denom - squared.numer).as_expr().as_poly(epsilon)
+    if condition.degree() != 2:
+        return None
+    if name == "unit_mass_ratio":
+        return positive_root(condition)
+    # An equation with one term says no more than that this term is zero.
+    return condition.as_expr() if len(condition.terms()) > 1 else None
+
+
+def positive_root(condition: sp.Poly) -> sp.Expr | None:
+    """Return the positive root of a quadratic, None if it has not exactly one."""
+    a, b, c = condition.all_coeffs()
+    return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2 if a * c < 0 else None
+
+
+def answer(name: str, bodies: Machine) -> sp.Expr | None:
+    """Return the answer to a question about the elimination that is right for a machine, None if there is none."""
+    return _solved(name, _equations(bodies))
+
+
+def procedures(name: str) -> Iterator[tuple[str, sp.Expr | None]]:
+    """Yield hint and result of each slip in the elimination."""
+    hint = _(
         "You get this result if you leave the acceleration of Φ out of the X equation. What does the Φ equation say "
         "about it?"
-    ): (0, 2, 0),
-    _(
+    )
+    yield hint, _with_a_slip(name, 0, 2, 0)
+    hint = _(
         "You get this result if you leave out the acceleration of X, as if the block stood still. What does the X "
         "equation say about it?"
-    ): (1, 0, 0),
-    _(
-        "You get this result if you insert the acceleration of Φ with the wrong sign. What does the Φ equation say "
-        "about its sign?"
-    ): (2, 0, -1),
-    _(
-        "You get this result if you insert the acceleration of X with the wrong sign. What does the X equation say "
-        "about its sign?"
-    ): (1, 0, -1),
-}
-"""Hints at slips in the elimination: which entry of the three equations is multiplied by 0 or −1."""
+    )
+    yield hint, _with_a_slip(name, 1, 0, 0)
+    hint = _(
+        "You get this result if you insert the acceleration of {q} with the wrong sign. What does its equation say?"
+    )
+    yield hint.format(q="Φ"), _with_a_slip(name, 2, 0, -1)
+    yield hint.format(q="X"), _with_a_slip(name, 1, 0, -1)
 
 
-@cache
-def eliminated(name: str) -> dict[str, FracElement | None]:
-    """Return hint → what altered procedures and then altered machines give, in units of m, k and R."""
+def _with_a_slip(name: str, row: int, column: int, factor: int) -> sp.Expr | None:
+    """Return the answer if one entry of the three equations is multiplied by a factor."""
     matrix, stiffness = _equations(right())
-    found = {}
-    for hint, (row, column, factor) in PROCEDURES.items():
-        slipped = [list(each) for each in matrix]
-        slipped[row][column] *= factor
-        found[hint] = _solved(name, slipped, stiffness)
-    return found | {hint: _solved(name, *_equations(bodies)) for hint, bodies in altered().items()}
-
-
-def conditions() -> dict[str, tuple[int, int, int]]:
-    """Return hint → a, b, c of the quadratic aε² + bε + c for Ω² = k/m of altered procedures and machines."""
-    found = {}
-    for hint, squared in eliminated("natural_frequency_squared").items():
-        if squared and squared.denom.degree() <= 2:
-            condition = (squared.denom - squared.numer).as_expr()
-            found[hint] = tuple(int(condition.coeff(epsilon, n)) for n in (2, 1, 0))
-    return found
+    slipped = [list(each) for each in matrix]
+    slipped[row][column] *= factor
+    return _solved(name, (slipped, stiffness))

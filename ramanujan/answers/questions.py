@@ -12,19 +12,32 @@ from functools import cached_property, partial
 import sympy as sp
 from sympy.polys.fields import FracElement
 
-from ramanujan.answers import mistakes
+from ramanujan.answers import machines, mistakes
 from ramanujan.answers.formulas import leaves, length
-from ramanujan.answers.machines import CALLED
-from ramanujan.answers.mistakes import Results, elimination
+from ramanujan.answers.machines import CALLED, Altered
+from ramanujan.answers.mistakes import Slips, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, exact
-from ramanujan.answers.values import Values, agree, at_points, up_to_a_factor
+from ramanujan.answers.values import Mistakes, Values, agree, at_points, up_to_a_factor
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
-from ramanujan.derivation.symbols import MOMENTA, R, X, epsilon, m, m_prime, machine, phi, t
+from ramanujan.derivation.symbols import (
+    ACCELERATIONS,
+    MOMENTA,
+    VELOCITIES,
+    Machine,
+    R,
+    X,
+    epsilon,
+    m,
+    m_prime,
+    machine,
+    phi,
+    t,
+)
 from ramanujan.translation import _
 
 POLYNOMIAL, QUOTIENT, NUMBER, EQUATION = "polynomial", "quotient", "number", "equation"
@@ -41,7 +54,8 @@ class Question:
     quantity : the quantity asked for, in a few words of plain text
     answer : derives the right answer
     prompt : returns one or two sentences, Markdown with $…$
-    mistakes : takes the answer, returns what typical mistakes give
+    mistakes : takes the answer, yields what natural mistakes give
+    of_machine : takes a machine, returns the answer that is right for it
     example : a formula that shows how to type; it is not the answer
     kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
     steps : keys of steps in the route of Euler and Lagrange that say how it is done; the last one has the answer
@@ -57,7 +71,8 @@ class Question:
     quantity: str
     answer: Callable[[], sp.Expr]
     prompt: Callable[[], str]
-    mistakes: Callable[[sp.Expr], Results]
+    mistakes: Callable[[sp.Expr], Slips]
+    of_machine: Callable[[Machine], sp.Expr | None]
     example: str
     kind: str
     steps: tuple[str, ...]
@@ -72,6 +87,11 @@ class Question:
     def right(self) -> sp.Expr:
         """The right answer."""
         return self.answer()
+
+    @property
+    def of_one_body(self) -> bool:
+        """Whether the question is about one body."""
+        return any(self.name == f"kinetic_energy_{body}" for body in CALLED)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -115,20 +135,34 @@ class Question:
         return self.terms(self.right)
 
     @cached_property
-    def wrong_values(self) -> tuple[tuple[str, Values], ...]:
-        """Hint and result of each typical mistake that changes the answer; the more common ones come first."""
-        results = dict(self.mistakes(self.right))
+    def slips(self) -> Mistakes:
+        """Hint and result of each natural mistake that changes the answer."""
+        found = list(self.mistakes(self.right))
         if R in leaves(self.right):
             hint = _("You get this result if you leave out R. Which length belongs to an angle?")
-            results[hint] = self.right.subs(R, 1)
-        found = []
-        for hint, wrong in results.items():
-            for result in wrong if isinstance(wrong, tuple) else (wrong,):
-                with suppress(ArithmeticError):
-                    values = result and self.values(result)
-                    if values and any(values) and not agree(values, self.right_values):
-                        found.append((hint, values))
-        return tuple(found)
+            found.insert(0, (hint, self.right.subs(R, 1)))
+        return tuple((hint, values) for hint, wrong in found if (values := self._values_of_mistake(wrong)))
+
+    @cached_property
+    def altered(self) -> Mistakes:
+        """Hint and result of each machine with bodies taken wrongly, if no other mistake about bodies gives it."""
+        found: list[tuple[Values, list[Altered]]] = []
+        for each in machines.altered():
+            if values := self._values_of_mistake(self.of_machine(each.machine)):
+                same = next((same for known, same in found if agree(known, values)), None)
+                if same is None:
+                    found.append((values, [each]))
+                else:
+                    same.append(each)
+        return tuple((hint, values) for values, same in found if (hint := machines.named(same)))
+
+    def _values_of_mistake(self, result: sp.Expr | None) -> Values | None:
+        """Return the values of what a mistake gives; None if that is nothing, zero or the right answer."""
+        with suppress(ArithmeticError):
+            values = result and self.values(result)
+            if values and any(values) and not agree(values, self.right_values):
+                return values
+        return None
 
     @cached_property
     def longest_form(self) -> int:
@@ -195,6 +229,7 @@ def _body_question(name: str) -> Question:
         lambda: body.kinetic_energy,
         lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=called),
         lambda _right: mistakes.energy(name),
+        lambda bodies: bodies[name].kinetic_energy,
         "3/5 m' (X' + 3 R phi')^2",
         POLYNOMIAL,
         ("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
@@ -218,6 +253,7 @@ def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation
             relation=f"${latex(acceleration)}=c\\,{latex(phi_ddot)}$"
         ),
         partial(mistakes.coupling, name),
+        partial(machines.answer, name),
         "R (2m + m')/(5m)" if acceleration == X_ddot else "(2m + m')/(5m)",
         QUOTIENT,
         ("motion", "elimination"),
@@ -233,6 +269,11 @@ def _equation_prompt() -> str:
     return prompt.format(coordinate=f"${latex(phi)}$", equation=f"${latex(written)}=0$")
 
 
+def _first_row(bodies: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:
+    """Return the first row of the mass matrix of a machine times velocities, or times accelerations."""
+    return sp.Add(*map(sp.Mul, machines.mass_matrix(bodies)[0], states))
+
+
 _ALL = (
     *map(_body_question, CALLED),
     Question(
@@ -243,6 +284,7 @@ _ALL = (
             angle=f"${latex(phi)}$"
         ),
         lambda _right: mistakes.spring(),
+        lambda _bodies: None,
         "k (R phi)^2 / 5",
         POLYNOMIAL,
         ("inertia", "energies"),
@@ -256,6 +298,7 @@ _ALL = (
         lambda: elimination().lagrangian,
         lambda: _("What is the Lagrangian of the whole machine?"),
         mistakes.lagrangian,
+        lambda bodies: bodies.kinetic_energy - bodies.potential_energy,
         "m' X'^2 - k (R phi)^2",
         POLYNOMIAL,
         ("energies", "sum", "lagrangian"),
@@ -271,6 +314,7 @@ _ALL = (
             momentum=f"${latex(MOMENTA[0])}=\\partial\\mathcal L/\\partial\\dot X$"
         ),
         mistakes.momentum,
+        lambda bodies: _first_row(bodies, VELOCITIES),
         "2 m X' - m' R phi'",
         POLYNOMIAL,
         ("momenta",),
@@ -283,6 +327,8 @@ _ALL = (
         lambda: elimination().motion[X],
         lambda: _("What is the equation of motion of {coordinate}?").format(coordinate=f"${latex(X)}$"),
         mistakes.block_equation,
+        # An equation with one term says no more than that this term is zero.
+        lambda bodies: row if (row := _first_row(bodies, ACCELERATIONS)).is_Add else None,
         "2 m X'' = m' R phi''",
         EQUATION,
         ("rates", "motion"),
@@ -295,6 +341,7 @@ _ALL = (
         lambda: elimination().motion[phi].coeff(phi_ddot),
         _equation_prompt,
         lambda _right: mistakes.equation(),
+        partial(machines.answer, "phi_equation"),
         "R (2m + m')/5",
         POLYNOMIAL,
         ("rates", "motion"),
@@ -309,6 +356,7 @@ _ALL = (
         lambda: elimination().natural_frequency_squared,
         lambda: _("What is $\\Omega^2$, the square of the natural frequency?"),
         mistakes.frequency,
+        partial(machines.answer, "natural_frequency_squared"),
         "2k/(3m + m')",
         QUOTIENT,
         ("elimination", "insertion", "frequency"),
@@ -322,6 +370,7 @@ _ALL = (
             ratio=f"${latex(epsilon)}=m'/m$"
         ),
         mistakes.quadratic,
+        partial(machines.answer, "unit_quadratic"),
         "5 eps^2 + eps = 3",
         EQUATION,
         ("ratio", "unit"),
@@ -334,6 +383,7 @@ _ALL = (
         lambda: unit_frequency_condition().root,
         lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(ratio=f"${latex(epsilon)}=m'/m$"),
         lambda _right: mistakes.ratio(),
+        partial(machines.answer, "unit_mass_ratio"),
         "(sqrt(5) - 1)/2",
         NUMBER,
         ("unit", "root"),

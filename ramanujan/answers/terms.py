@@ -7,6 +7,7 @@ Degrees and digits are bounded before anything is computed. Every sentence state
 from collections import Counter
 from fractions import Fraction
 from math import inf, prod
+from typing import NamedTuple
 
 import sympy as sp
 from sympy.polys.fields import FracElement, field
@@ -29,9 +30,19 @@ _GENERATORS = dict(zip(NAMES, FIELD.gens, strict=True))
 _MAX_WEIGHT, _MAX_BITS, _MAX_TERMS = 60, 60_000, 120
 """Limits on the names and numbers of a quotient, on the integers of a search for common factors, on the terms of a
 polynomial."""
+_FEWEST_BITS = 6
+"""Of the integers with which that search begins."""
 
-Differences = list[tuple[str, str]]
-"""Products of names, and a sentence about the coefficient of each."""
+
+class Difference(NamedTuple):
+    """A product of names, a sentence about its coefficient, and whether a slip of the pen explains the difference."""
+
+    term: str
+    sentence: str
+    is_slip: bool
+
+
+Differences = list[Difference]
 
 
 class NotComparableError(ValueError):
@@ -42,17 +53,31 @@ _TOO_LARGE = _("Your answer differs from the right one. It cannot be compared te
 
 
 def _check_size(expression: sp.Expr) -> None:
-    """Refuse what would take long: by the integers that the search for common factors would meet."""
+    """Refuse a formula whose lowest terms would take long to find.
+
+    A sum of few terms is multiplied out at once. Common factors of a quotient are searched with integers in place of
+    one name after another (the heuristic gcd): a name of degree n makes the integers n + 1 times as long.
+    """
     if _terms(expression) <= _MAX_TERMS:
         return
-    counted, degrees, bits = weights(expression), Counter(), 6
-    for leaf, times in counted.items():
-        if is_number(leaf):
-            bits += times * sum(part.bit_length() - 1 for part in Fraction(str(leaf)).as_integer_ratio() if part)
-        else:
-            degrees.update(dict.fromkeys((m, m_prime) if leaf == epsilon else (leaf,), times))
-    if counted.total() > _MAX_WEIGHT or bits * prod(n + 1 for n in degrees.values()) > _MAX_BITS:
+    counted = weights(expression)
+    bits = _FEWEST_BITS + sum(times * _bits(leaf) for leaf, times in counted.items() if is_number(leaf))
+    if counted.total() > _MAX_WEIGHT or bits * prod(n + 1 for n in _degrees(counted).values()) > _MAX_BITS:
         raise NotComparableError(_TOO_LARGE)
+
+
+def _bits(number: sp.Expr) -> int:
+    """Return how many bits a number, as it was typed, adds to the integers of a product."""
+    return sum(part.bit_length() - 1 for part in Fraction(str(number)).as_integer_ratio() if part)
+
+
+def _degrees(counted: Counter[sp.Expr]) -> Counter[sp.Expr]:
+    """Return the degree of each name; ε stands for m′/m."""
+    degrees = Counter()
+    for leaf, times in counted.items():
+        if not is_number(leaf):
+            degrees.update(dict.fromkeys((m, m_prime) if leaf == epsilon else (leaf,), times))
+    return degrees
 
 
 def _terms(expression: sp.Expr) -> float:
@@ -135,7 +160,7 @@ def how_many_times(factor: str) -> str:
 
 def in_short(differences: Differences) -> list[str]:
     """Return the sentences about what differs; if there are many, their number and the first one."""
-    sentences = [sentence for _term, sentence in differences]
+    sentences = [each.sentence for each in differences]
     if len(sentences) <= _MOST_SENTENCES:
         return sentences
     n = len(sentences)
@@ -182,10 +207,20 @@ def term_by_term(
         return None
     found = []
     for powers in sorted(yours.keys() | theirs.keys(), reverse=True):
-        term, pair = _shown_product(powers), (each.get(powers, FIELD.zero) for each in (yours, theirs))
+        term, pair = _shown_product(powers), [each.get(powers, FIELD.zero) for each in (yours, theirs)]
         if sentence := _coefficient(term and place.format(term=term), *pair):
-            found.append((term, sentence))
+            found.append(Difference(term, sentence, _is_slip(*pair)))
     return found
+
+
+def _is_slip(yours: FracElement, right: FracElement) -> bool:
+    """Tell whether a coefficient is missing, has the wrong sign, is off by a factor of 2, or has m for m′."""
+    return yours in (0, -right, 2 * right, right / 2, _interchanged(right))
+
+
+def _interchanged(formula: FracElement) -> FracElement:
+    """Return a formula with m and m′ in each other's place."""
+    return FIELD.from_expr(formula.as_expr().xreplace({m: m_prime, m_prime: m}))
 
 
 def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tuple[int, ...], FracElement] | None:
@@ -212,6 +247,8 @@ def _coefficient(term: str, yours: FracElement, right: FracElement) -> str | Non
     if not yours:
         missing = _("The term with {term} is missing.") if term else _("The constant term is missing.")
         return missing.format(term=term)
+    if term and {"m", "m'"} <= names_in(right) and yours == _interchanged(right):
+        return _("In your coefficient of {term} m and m′ are interchanged.").format(term=term)
     ratio = yours / right
     factor = shown_factor(ratio)
     if factor is None:
@@ -261,21 +298,21 @@ def as_equation(given: FracElement, right: FracElement, variables: tuple[str, ..
 # As one fraction
 
 
-def as_fraction(given: FracElement, right: FracElement) -> list[str]:
-    """Return sentences about numerator and denominator if one of them is right.
+def as_fraction(given: FracElement, right: FracElement) -> tuple[str, Differences] | None:
+    """Return a sentence on what is right in a fraction, and how the rest of it differs; None if nothing is right.
 
     With the right denominator D the given numerator is given·D; with the right numerator N the denominator is N/given.
     """
     above, below = FIELD(right.numer), FIELD(right.denom)
     numerator = term_by_term(given * below, above, NAMES, _("{term} in the numerator"))
     if numerator and not names_in(FIELD(given.denom) / below):
-        return [_("Written as one fraction, your answer has the right denominator."), *in_short(numerator)]
+        return _("Written as one fraction, your answer has the right denominator."), numerator
     denominator = term_by_term(above / given, below, NAMES, _("{term} in the denominator"))
     if denominator and not names_in(FIELD(given.numer) / above):
-        return [_("Written as one fraction, your answer has the right numerator."), *in_short(denominator)]
+        return _("Written as one fraction, your answer has the right numerator."), denominator
     # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
     if numerator and len(numerator) == 1:
-        return [_("Written with the right denominator, your answer differs in one term."), *in_short(numerator)]
+        return _("Written with the right denominator, your answer differs in one term."), numerator
     if denominator and len(denominator) == 1:
-        return [_("Written with the right numerator, your answer differs in one term."), *in_short(denominator)]
-    return []
+        return _("Written with the right numerator, your answer differs in one term."), denominator
+    return None

@@ -26,6 +26,8 @@ _AGREEING, _VANISHING = _MP.mpf(10) ** -1150, _MP.mpf(10) ** -1180
 
 Number = mpmath.mpf
 Values = tuple[Number, ...]
+Mistakes = tuple[tuple[str, Values], ...]
+"""Hints, and the values of what the mistake of each gives."""
 
 
 class NegativeRootError(ArithmeticError):
@@ -206,7 +208,8 @@ def unit(expression: sp.Expr) -> str:
     # A zero that is added has any unit.
     units = {leaf: _UNITS.get(leaf, sp.S.Zero if leaf == 0 else sp.S.One) for leaf in leaves(expression)}
     value = replaced(expression, units).doit()
-    for total in sorted(value.atoms(sp.Add), key=sp.default_sort_key):
+    # A sum of plain numbers, such as 1 + √2, has no unit.
+    for total in sorted((each for each in value.atoms(sp.Add) if each.free_symbols), key=sp.default_sort_key):
         raise DifferentUnitsError(*sorted(_unit_text(term) for term in total.args[:2]))
     return _unit_text(value)
 
