@@ -67,6 +67,12 @@ def test_the_stage_marks_the_slipping_contact_only_beyond_the_model(monkeypatch,
     open_page(app, mu=0.03, glide=4.0, spin=1.0)
     assert given[-1]["slipping"] == "hoop_slab"
     assert (given[-1]["initial"].X_dot, given[-1]["initial"].Phi_dot) == (-0.04, 1.0)
+    for glide in (4.0, 0.0):
+        app.slider(key="glide").set_value(glide).run()
+        (seen,) = (alt for alt in charts(app) if alt.startswith("Displacements"))
+        # A spin moves the top cylinder alone.
+        assert ("The whole machine glides" in seen) == (glide > 0)
+        assert "The top cylinder drifts" in seen
     app.slider(key="mu").set_value(1.0).run()
     assert given[-1]["slipping"] is None
 

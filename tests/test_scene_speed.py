@@ -77,6 +77,9 @@ def test_every_corner_is_shown(app, method, steps, precision):
     assert f"**{METHODS[method].title}, {steps} steps per period, {precision}**" in words(app)
     # hΩ = 2π/3 lies beyond Verlet's limit of 2.
     assert ("**unstable here**" in words(app)) == (method == "velocity_verlet")
+    if method == "explicit_euler":
+        # Each of 90 steps multiplies q² + v² by 1 + (hΩ)².
+        assert f"energy grew to **{number((1 + (2 * math.pi / 3) ** 2) ** 90)} times** the true value" in words(app)
 
 
 def test_phase_error_is_that_of_the_midpoint_rule(app):

@@ -72,7 +72,7 @@ def run(method: str, steps: int) -> WorkPrecision:
 
 @cache
 def fewest_evaluations() -> int:
-    """Return the fewest evaluations with which any method stays within the tolerance."""
+    """Return the fewest evaluations with which one of `METHODS` stays within the tolerance."""
     best, *_others = cheapest_runs([work_precision(method, periods=PERIODS) for method in METHODS], TOLERANCE)
     return best.evaluations
 
@@ -87,11 +87,11 @@ def cheapest(setting: Setting) -> Verdict:
             _("The error is {error} of the amplitude. It must be at most {goal:1}."), error=written, goal=TOLERANCE
         )
     sentences = (
-        _("The error is {error}, and no method does it with fewer than {cost} evaluations."),
+        _("The error is {error}. None of the {methods} methods to choose from needs fewer than {cost} evaluations."),
         _("The error is {error}, small enough. But {cost} evaluations are {times:2} times as many as necessary."),
     )
     fewest = fewest_evaluations()
-    return near(cost - fewest, 0, sentences, error=written, cost=cost, times=cost / fewest)
+    return near(cost - fewest, 0, sentences, error=written, cost=cost, times=cost / fewest, methods=len(METHODS))
 
 
 def two_cubes(setting: Setting) -> Verdict:

@@ -147,22 +147,24 @@ STOPS = (
             message=_("Infinity or an error."), right=_("The right value."), zero=_("Zero."), wrong=_("Another number.")
         ),
         replies={
-            "message": _("The square of {ratio} becomes infinity, and the program divides by it. What does that give?"),
+            "message": _(
+                "The square of {ratio} becomes infinity, and the denominator becomes −∞. What does division by −∞ give?"
+            ),
             "right": _(
                 "The right value is {truth:3}. But on the way the program squares {ratio}. Is there a double-precision "
                 "number that large?"
             ),
             "wrong": _(
-                "That happens with other inputs. Here the program divides by the square of {ratio}, which is larger "
-                "than {largest:2}. What does it divide by?"
+                "That happens with other inputs. Here the denominator contains the square of {ratio}, which is larger "
+                "than {largest:2}. What does the denominator become?"
             ),
         },
         answer=_huge,
         why=_(
             "The formula squares m + m′. At ε = {ratio} this square is larger than every double-precision number, so "
-            "it becomes infinity. Division by infinity gives zero, and JavaScript says nothing about it. The right "
-            "value is {truth:3}. It is small, but it is an ordinary number for a computer. A formula that first "
-            "divides m by m′ finds it without trouble."
+            "it becomes infinity, and the denominator becomes −∞. Division by −∞ gives zero, and JavaScript says "
+            "nothing about it. The right value is {truth:3}. It is small, but it is an ordinary number for a computer. "
+            "A formula that first divides m by m′ finds it without trouble."
         ),
         numbers=lambda: {"truth": _truth()},
         hints=(_("The largest double-precision number is about {largest:2}. What is the square of {ratio}?"),),

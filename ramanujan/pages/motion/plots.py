@@ -34,19 +34,20 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
         for body in PARTS
         if body != "spring"
     }
-    sees = (
-        _(
-            "Displacements over time. The slab oscillates about a steady drift that comes from the initial velocities. "
-            "Greatest distance from the start, relative to the ground: {distances}."
-        )
-        if motion.initial.X_dot or motion.initial.Phi_dot
-        else _(
-            "Displacements over time. The slab oscillates; the centres of the lower rollers move least. Greatest "
-            "distance from the start, relative to the ground: {distances}."
-        )
-    )
+    end = motion.t[-1]
+    # Rounding leaves something of a drift that is not there.
+    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
+    block, top = (round(float(drift), 9) for drift in drifts)
+    sees = [
+        _("Displacements over time."),
+        _("The whole machine glides steadily, and the slab oscillates about this drift.")
+        if block
+        else _("The slab oscillates; the centres of the lower rollers move least."),
+        *([_("The top cylinder drifts along the block.")] if top else []),
+        _("Greatest distance from the start, relative to the ground: {distances}."),
+    ]
     with time:
-        chart(drawn[0], "displacements", sees.format(distances=listed(PARTS, farthest, "cm")))
+        chart(drawn[0], "displacements", " ".join(sees).format(distances=listed(PARTS, farthest, "cm")))
     ellipse = _(
         "Phase plane: velocity over displacement. Relative to the block the slab runs around a closed ellipse, because "
         "it oscillates with one frequency. It reaches ±{displacement:3 cm} and ±{velocity:3 cm/s}."
@@ -54,10 +55,6 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     x, v = 100 * motion.compression, 100 * motion.compression * motion.oscillator.natural_frequency
     with plane:
         chart(drawn[1], "phase_plane", filled(ellipse, displacement=x, velocity=v))
-    end = motion.t[-1]
-    # Rounding leaves something of a drift that is not there.
-    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
-    block, top = (round(float(drift), 9) for drift in drifts)
     sentences = [
         _("In the phase plane the block moves relative to the ground, the others relative to the block."),
         _(
@@ -79,12 +76,13 @@ def show_energy(motion: Record, drawn: tuple) -> None:
     """Draw the energies, stacked."""
     total = motion.total_energy
     spread = max(float(abs(total - total[0]).max() / total[0]), np.finfo(float).eps)
-    greatest = max(motion.energies, key=lambda key: motion.energies[key][1:].max())
+    kinetic = {body: sum(motion.energies[key] for key in motion.energies if key.startswith(body)) for body in PARTS}
+    greatest = max((body for body in PARTS if body != "spring"), key=lambda body: kinetic[body].max())
     sees = _(
         "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
-        "{total:4 mJ}. The largest single share belongs to this body: {body}."
+        "{total:4 mJ}. No other body ever has as much kinetic energy as this one: {body}."
     )
-    chart(drawn[0], "energy", filled(sees, total=1e3 * total[0], body=PARTS[greatest.partition("_")[0]]))
+    chart(drawn[0], "energy", filled(sees, total=1e3 * total[0], body=PARTS[greatest]))
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "

@@ -127,7 +127,8 @@ def _found(run: downsampling.Run) -> str:
     """Say how far a run is off at its end."""
     worst = float(np.max(run.energy))
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
-        return _("{method}: the energy has grown beyond all bounds.").format(method=METHODS[run.method].title)
+        sentence = _("{method}: the energy has grown beyond the largest floating-point number.")
+        return sentence.format(method=METHODS[run.method].title)
     sentence = _("{method}: phase error {phase:2 rad}, relative energy error up to {energy:2}.")
     return filled(sentence, method=METHODS[run.method].title, phase=abs(run.phase_at_end), energy=worst)
 

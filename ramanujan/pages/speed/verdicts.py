@@ -54,15 +54,18 @@ def errors_of(run: Run) -> str:
         "In {n} periods the force was evaluated {evaluations} times.",
         run.periods,
     ).format(n=run.periods, evaluations=number(run.evaluations, 3))
+    grown = _("Its energy grew to **{factor} times** the true value.")
+    if not math.isfinite(worst):
+        return " ".join((evaluated, _("The energy has grown beyond the largest floating-point number.")))
     if worst > 1e6:
-        return " ".join((evaluated, _("The energy has grown beyond all bounds.")))
+        return " ".join((evaluated, grown.format(factor=number(1 + worst))))
     phase = (
         _("At the end the computed machine is **{turns} of a full turn ahead** ({phase} rad).")
         if run.phase_at_end > 0
         else _("At the end the computed machine is **{turns} of a full turn behind** ({phase} rad).")
     ).format(phase=number(abs(run.phase_at_end)), turns=number(abs(run.phase_at_end) / math.tau))
     if worst > 1:
-        energy = _("Its energy grew to **{factor} times** the true value.").format(factor=number(1 + worst))
+        energy = grown.format(factor=number(1 + worst))
     elif worst >= 1e-4:
         energy = _("Its energy was off by up to **{share}**.").format(share=percent(worst))
     else:
@@ -102,9 +105,11 @@ def _cheapest(best: Choice, tolerance: float, by: str) -> str:
 
 
 def _none_reaches(tolerance: float) -> str:
-    return _("No method stays within an error of {tolerance} with {most} steps per period or fewer.").format(
-        tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1]
+    sentence = _(
+        "None of the {methods} methods on this page stays within an error of {tolerance} with {most} steps per period "
+        "or fewer."
     )
+    return sentence.format(methods=len(METHODS), tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1])
 
 
 def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:
