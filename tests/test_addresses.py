@@ -7,7 +7,7 @@ from ramanujan.shell import address as addresses
 from ramanujan.shell import class_keys, display_mode, parameters, stages
 from ramanujan.shell.navigation import PAGES
 from tests.browser import ROOT
-from tests.test_worksheet import key_of
+from tests.test_worksheet import key_of, name_of
 
 UNMEANT = {
     "empty": "",
@@ -38,7 +38,7 @@ MEANT = {
     "p": "104",
     "q": "99",
     "digits": "7",
-    "seed": "7",
+    "seed": name_of(7),
     "key": key_of(7),
     "chosen": "radius.same~block.rest.predicted",
     "task": "top-at-rest",
@@ -47,7 +47,7 @@ MEANT = {
     "exercise": "two-cubes,top-at-rest,block_momentum",
     "item": "2",
     "exercise_key": key_of(7),
-    "exercise_number": "7",
+    "exercise_name": name_of(7),
 }
 """A text for each key that is no choice and no slider, and for those that decide what another key is good for."""
 

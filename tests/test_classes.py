@@ -19,16 +19,19 @@ from ramanujan.lesson.classes import (
     CLASSES,
     DAY,
     MINUTE,
+    NETWORK_SEATS,
     PRESENT,
     STUDENTS,
-    WRONG_CODES,
-    WRONG_CODES_OF_ALL,
     ClassError,
+    CrowdError,
     Phase,
     Seat,
+    SeatError,
+    Vote,
 )
 
 OPTIONS = ["machine", "plain", "neither"]
+FIRST = Vote()
 NEW_PROCESS = multiprocessing.get_context("forkserver")
 NEW_PROCESS.set_forkserver_preload(["tests.test_classes"])  # what all of them import is imported once
 
@@ -79,7 +82,7 @@ def no_such_code(code: str) -> str:
 def answer_as(path: Path, code: str, students: range, votes: multiprocessing.Queue) -> None:
     """Be some students, in a process of their own: join, answer, and change the answer once or twice."""
     school, chance = classes.Classes(path, Clock()), random.Random(students.start)
-    seats = [school.join(code, f"session {student}") for student in students]
+    seats = [school.join(code, address=f"10.0.0.{student}") for student in students]
     for _ in range(chance.randint(2, 3)):
         chance.shuffle(seats)
         for seat in seats:
@@ -94,7 +97,7 @@ def answer_until_killed(path: Path, code: str, votes: multiprocessing.connection
     first, second = (school.join(code) for _ in range(2))
     school.vote(first, "faster", "neither")
     with school._store.writing() as execute:
-        execute("INSERT INTO vote VALUES (?, 'faster', 1, ?, 'neither')", (code, second.voter))
+        execute("INSERT INTO vote VALUES (?, 'faster', 1, 1, ?, 'neither')", (code, second.voter))
         votes.send(first.voter)
         signal.pause()
 
@@ -161,9 +164,9 @@ def test_whoever_waits_too_long_gets_a_sentence(school, opened, monkeypatch):
 def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
-    for number in (None, 1, 2):
+    for asked in (None, FIRST, Vote(1, 2)):
         with pytest.raises(ClassError, match="not been shown"):
-            school.distribution(opened.code, "faster", number)
+            school.distribution(opened.code, "faster", asked)
     with pytest.raises(ClassError, match="not been shown"):
         school.changes(opened.code, "faster", "plain")
     assert school.asked(opened.key) == []
@@ -177,9 +180,9 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
     assert school.distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
     school.ask_again(opened.key)
     # The first vote was seen; the second is not, not even by way of the comparison.
-    assert school.distribution(opened.code, "faster", 1) == {"machine": 1, "plain": 0, "neither": 0}
+    assert school.distribution(opened.code, "faster", FIRST) == {"machine": 1, "plain": 0, "neither": 0}
     for refused in (
-        lambda: school.distribution(opened.code, "faster", 2),
+        lambda: school.distribution(opened.code, "faster", Vote(1, 2)),
         lambda: school.changes(opened.code, "faster", "machine"),
     ):
         with pytest.raises(ClassError, match="not been shown"):
@@ -191,9 +194,9 @@ def test_a_first_vote_that_was_never_revealed_is_revealed_with_the_second(school
     school.vote(seat, "faster", "plain")
     school.ask_again(opened.key)
     with pytest.raises(ClassError, match="not been shown"):
-        school.distribution(opened.code, "faster", 1)
+        school.distribution(opened.code, "faster", FIRST)
     school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster", 1)["plain"] == 1
+    assert school.distribution(opened.code, "faster", FIRST)["plain"] == 1
 
 
 def test_first_and_second_vote_are_compared_student_by_student(school, opened):
@@ -210,13 +213,13 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
         (None, "machine"),
     ]
     seats = [school.join(opened.code) for _ in votes]
-    for round_ in (0, 1):
-        for seat, vote in zip(seats, votes, strict=True):
-            if vote[round_]:
-                school.vote(seat, "faster", vote[round_], round_ + 1)
-        school.ask_again(opened.key) if round_ == 0 else school.show(opened.key, Phase.REVEALED)
-    assert school.distribution(opened.code, "faster", 1) == {"machine": 2, "plain": 4, "neither": 2}
-    assert school.distribution(opened.code, "faster", 2) == {"machine": 5, "plain": 1, "neither": 2}
+    for number in (1, 2):
+        for seat, options in zip(seats, votes, strict=True):
+            if option := options[number - 1]:
+                school.vote(seat, "faster", option, Vote(1, number))
+        school.ask_again(opened.key) if number == 1 else school.show(opened.key, Phase.REVEALED)
+    assert school.distribution(opened.code, "faster", FIRST) == {"machine": 2, "plain": 4, "neither": 2}
+    assert school.distribution(opened.code, "faster", Vote(1, 2)) == {"machine": 5, "plain": 1, "neither": 2}
     changes = {(False, True): 3, (True, False): 1, (True, True): 1, (False, False): 2}
     assert school.changes(opened.code, "faster", "machine") == changes
 
@@ -224,8 +227,8 @@ def test_first_and_second_vote_are_compared_student_by_student(school, opened):
 def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_its_reason(school, opened):
     seat = school.join(opened.code)
 
-    def vote(stop: str = "faster", option: str = "plain", round_: int | None = 1) -> None:
-        school.vote(seat, stop, option, round_)
+    def vote(stop: str = "faster", option: str = "plain", asked: Vote = FIRST) -> None:
+        school.vote(seat, stop, option, asked)
 
     vote()
     vote(option="neither")
@@ -234,25 +237,25 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
     with pytest.raises(ClassError, match="no such answer"):
         vote(option="nobody")
     school.ask_again(opened.key)
-    with pytest.raises(ClassError, match="second vote has begun"):
+    with pytest.raises(ClassError, match="another vote has begun"):
         vote()
     assert chosen(school, seat) is None
     school.show(opened.key, Phase.REVEALED)
     with pytest.raises(ClassError, match="already been shown"):
-        vote(round_=2)
+        vote(asked=Vote(1, 2))
     school.present(opened.key, "energy", ["spring", "slab"])
     with pytest.raises(ClassError, match="another question"):
-        vote(round_=2)
+        vote(asked=Vote(1, 2))
     # A stop to which the lecturer returns is as it was left.
     school.present(opened.key, "faster", OPTIONS)
-    assert astuple(school.question(opened.code))[:3] == ("faster", 2, Phase.REVEALED)
+    assert astuple(school.question(opened.code))[:3] == ("faster", Vote(1, 2), Phase.REVEALED)
     with pytest.raises(ClassError, match="already voted twice"):
         school.ask_again(opened.key)
 
 
 def test_a_question_whose_answer_is_known_is_not_asked_again(school, opened):
     school.show(opened.key, Phase.SOLVED)
-    assert astuple(school.question(opened.code))[1:3] == (1, Phase.SOLVED)
+    assert astuple(school.question(opened.code))[1:3] == (FIRST, Phase.SOLVED)
     with pytest.raises(ClassError, match="already seen the right answer"):
         school.ask_again(opened.key)
 
@@ -281,45 +284,93 @@ def test_a_code_is_read_however_it_was_typed_and_no_two_letters_look_alike(schoo
 
 
 @pytest.mark.parametrize("text", ["", "A" * 10_000, "'; DROP TABLE class;--", "ⒷⒸⒹⒻⒽⒿ", "bcd fgh"])
-def test_what_cannot_be_a_code_gets_a_sentence_and_is_no_wrong_guess(school, text):
+def test_what_cannot_be_a_code_gets_a_sentence(school, text):
     assert read_code(text) is None
-    for _ in range(WRONG_CODES + 1):
-        with pytest.raises(ClassError, match=r"has six letters|contains [AG]"):
-            school.join(text, "phone")
+    with pytest.raises(ClassError, match=r"has six letters|contains [AG]"):
+        school.join(text)
 
 
 def test_an_answer_that_counts_may_be_said_again_after_the_result_is_shown(school, opened):
     """As a browser does that has lost its connection meanwhile; another answer still comes too late."""
     seat, other = school.join(opened.code), school.join(opened.code)
-    school.vote(seat, "faster", "plain", 1)
+    school.vote(seat, "faster", "plain", FIRST)
     school.show(opened.key, Phase.REVEALED)
-    school.vote(seat, "faster", "plain", 1)
+    school.vote(seat, "faster", "plain", FIRST)
     school.ask_again(opened.key)
-    school.vote(seat, "faster", "plain", 1)
-    assert school.distribution(opened.code, "faster", 1)["plain"] == 1
+    school.vote(seat, "faster", "plain", FIRST)
+    assert school.distribution(opened.code, "faster", FIRST)["plain"] == 1
     for voter, option in ((seat.voter, "machine"), (other.voter, "plain")):
         with pytest.raises(ClassError, match="too late"):
-            school.vote(Seat(opened.code, voter), "faster", option, 1)
+            school.vote(Seat(opened.code, voter), "faster", option, FIRST)
 
 
-def test_a_session_and_all_sessions_together_may_try_only_so_many_codes(school, opened, clock):
-    wrong = no_such_code(opened.code)
-    seated = school.join(opened.code, "early")
-    for _ in range(WRONG_CODES):
+def test_no_wrong_code_keeps_a_right_one_out(school, opened):
+    for number in range(300):
         with pytest.raises(ClassError, match="no class with this code"):
-            school.join(wrong, "guesser")
-    with pytest.raises(ClassError, match="Too many wrong codes"):
-        school.join(opened.code, "guesser")
-    school.join(opened.code, "another")
-    for number in range(WRONG_CODES_OF_ALL - WRONG_CODES):
-        with pytest.raises(ClassError, match="no class with this code"):
-            school.join(wrong, f"guesser {number}")
-    with pytest.raises(ClassError, match="Too many wrong codes"):
-        school.join(opened.code, "latecomer")
-    # Whoever has a seat already keeps it, also after a reload.
-    assert school.join(opened.code, "reloaded", seated.voter).voter == seated.voter
+            school.join(no_such_code(opened.code), f"guesser {number}", "10.0.0.7")
+    assert school.join(opened.code, "latecomer", "10.0.0.7").code == opened.code
+
+
+@pytest.mark.parametrize(
+    ("addresses", "elsewhere"),
+    [
+        (["10.0.0.7", "::ffff:10.0.0.7"], "10.0.0.8"),
+        ([f"2001:db8:0:7:{number:x}::1" for number in range(100)], "2001:db8:0:8::1"),
+        ([""], "10.0.0.7"),
+    ],
+)
+def test_a_network_gets_seats_as_fast_as_a_lecture_hall_takes_them(school, opened, clock, addresses, elsewhere):
+    for number in range(NETWORK_SEATS):
+        clock.now += 0.5
+        school.join(opened.code, f"phone {number}", addresses[number % len(addresses)])
+    assert NETWORK_SEATS >= 60
+    for number in range(500):
+        with pytest.raises(CrowdError, match="joins by itself"):
+            school.join(opened.code, f"script {number}", addresses[number % len(addresses)])
+    # Who has a seat keeps it, and nobody else has to wait.
+    assert school.join(opened.code, "phone 0", addresses[0]).voter == "phone 0"
+    school.join(opened.code, "another", elsewhere)
+    seats = school.seats(opened.key)
+    assert (seats.taken, seats.lately) == (NETWORK_SEATS + 1, NETWORK_SEATS + 1)
+    # They came within half a minute, so that half a minute later the first seat is free again.
+    clock.now += MINUTE / 2 + 0.5
+    school.join(opened.code, "script 0", addresses[0])
+    with pytest.raises(CrowdError):
+        school.join(opened.code, "script 1", addresses[0])
     clock.now += MINUTE
-    school.join(opened.code, "latecomer")
+    school.join(opened.code, "script 2", addresses[0])
+    kept = sqlite3.connect(school._store.path).execute("SELECT COUNT(*) FROM voter WHERE network IS NOT NULL")
+    assert kept.fetchone() == (1,)
+
+
+def test_the_lecturer_closes_the_door_and_removes_the_empty_seats_with_their_answers(school, opened, clock):
+    stays = school.join(opened.code, "stays")
+    empty = [school.join(opened.code, f"script {number}") for number in range(38)]
+    for seat in empty:
+        school.vote(seat, "faster", "plain")
+    school.vote(stays, "faster", "machine")
+    seats = school.seats(opened.key)
+    assert (seats.taken, seats.present, seats.lately, seats.is_open) == (39, 39, 39, True)
+    school.let_join(opened.key, False)
+    clock.now += PRESENT + 1
+    school.join(opened.code, "stays")
+    with pytest.raises(ClassError, match="closed this class to newcomers"):
+        school.join(opened.code, "script 99")
+    school.remove_absent(opened.key)
+    seats = school.seats(opened.key)
+    assert (seats.taken, seats.present, seats.is_open) == (1, 1, False)
+    for act in (lambda: chosen(school, empty[0]), lambda: school.vote(empty[0], "faster", "plain")):
+        with pytest.raises(SeatError, match="did not count"):
+            act()
+    school.let_join(opened.key, True)
+    back = school.join(opened.code, "script 0")
+    assert chosen(school, back) is None
+    school.show(opened.key, Phase.REVEALED)
+    assert school.distribution(opened.code, "faster") == {"machine": 1, "plain": 0, "neither": 0}
+    # What the class has seen stays as it was.
+    clock.now += PRESENT + 1
+    school.remove_absent(opened.key)
+    assert school.distribution(opened.code, "faster")["machine"] == 1
 
 
 def test_only_the_key_opens_the_lecturers_desk(school, opened):
@@ -349,7 +400,7 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
 def test_the_file_does_not_hold_the_lecturers_key(school, opened):
     secret = opened.key.partition("-")[2]
     assert len(secret) >= 32
-    seat = school.join(opened.code, "phone")
+    seat = school.join(opened.code)
     kept = b"".join(file.read_bytes() for file in school._store.path.parent.iterdir())
     assert secret.encode() not in kept
     assert seat.voter.encode() in kept  # negative control: what is kept in the open is found
@@ -367,15 +418,15 @@ def test_a_voter_who_never_joined_has_no_vote(school, opened):
 def test_a_browser_is_one_voter_in_each_class_and_another_in_every_other(school, opened):
     """Three tabs of one phone have one vote; a neighbour's phone has its own."""
     other = school.open_class()
-    tabs = [school.join(opened.code, f"tab {n}", voter_of("phone", opened.code.lower())) for n in range(3)]
-    neighbour = school.join(opened.code, "neighbour", voter_of("another phone", opened.code))
+    tabs = [school.join(opened.code, voter_of("phone", opened.code.lower())) for _ in range(3)]
+    neighbour = school.join(opened.code, voter_of("another phone", opened.code))
     for seat, option in zip(tabs, OPTIONS, strict=True):
         school.vote(seat, "faster", option)
     school.vote(neighbour, "faster", "plain")
     school.show(opened.key, Phase.REVEALED)
     assert school.distribution(opened.code, "faster") == {"machine": 0, "plain": 1, "neither": 1}
     assert school.question(opened.code).present == 2
-    assert school.join(other.code, "", voter_of("phone", other.code)).voter != tabs[0].voter
+    assert school.join(other.code, voter_of("phone", other.code)).voter != tabs[0].voter
 
 
 def test_present_is_who_was_heard_of_lately(school, opened, clock):
@@ -394,9 +445,9 @@ def test_present_is_who_was_heard_of_lately(school, opened, clock):
 
 def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_ones(school, opened, clock):
     seat = school.join(opened.code)
-    school.vote(seat, "faster", "plain", 1)
+    school.vote(seat, "faster", "plain", FIRST)
     school.ask_again(opened.key)
-    school.vote(seat, "faster", "neither", 2)
+    school.vote(seat, "faster", "neither", Vote(1, 2))
     school.show(opened.key, Phase.SOLVED)
     clock.now += 60
     school.present(opened.key, "energy", ["spring", "slab"])
@@ -405,8 +456,8 @@ def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_on
     clock.now += 60
     school.present(opened.key, "faster", OPTIONS, anew=True)
     assert chosen(school, seat) is None
-    assert not school.question(opened.code).is_second
-    school.vote(seat, "faster", "machine", 3)
+    assert not school.question(opened.code).vote.is_second
+    school.vote(seat, "faster", "machine", Vote(2))
     school.show(opened.key, Phase.REVEALED)
     first, second, third = school.asked(opened.key)
     votes = [{option: n for option, n in each.items() if n} for each in (first.first, first.second, third.first)]
@@ -428,7 +479,7 @@ def test_a_class_is_gone_after_a_day_and_nothing_of_it_remains(school, opened, c
     clock.now += 1
     for act in (
         lambda: school.question(opened.code),
-        lambda: school.join(opened.code, "new"),
+        lambda: school.join(opened.code),
         lambda: school.vote(seat, "faster", "plain"),
         lambda: school.expires(opened.key),
     ):
@@ -456,11 +507,11 @@ def left(school: classes.Classes) -> dict[str, int]:
 
 
 def test_a_full_class_and_a_full_server_say_so(school, opened, clock):
-    for _ in range(STUDENTS):
-        seat = school.join(opened.code)
+    for number in range(STUDENTS):
+        seat = school.join(opened.code, address=f"10.0.{number // 50}.7")
     with pytest.raises(ClassError, match="full: it has 500 students"):
         school.join(opened.code)
-    school.join(opened.code, "reloaded", seat.voter)
+    school.join(opened.code, seat.voter)
     for _ in range(CLASSES - 1):
         school.open_class()
     with pytest.raises(ClassError, match="no room for another class"):
@@ -476,6 +527,17 @@ def test_a_file_that_cannot_be_used_gets_a_sentence(tmp_path):
         with pytest.raises(ClassError, match="cannot keep answers"):
             classes.Classes(path).open_class()
     assert no_database.read_text().startswith("Nothing")
+
+
+def test_tables_of_an_earlier_version_make_room(tmp_path, caplog):
+    path = tmp_path / "classes.sqlite"
+    file = sqlite3.connect(path)
+    file.execute("CREATE TABLE class (code TEXT PRIMARY KEY, expires DOUBLE PRECISION, round INTEGER)")
+    file.execute("CREATE TABLE vote (code TEXT REFERENCES class, round INTEGER)")
+    file.close()
+    school = classes.Classes(path)
+    assert school.join(school.open_class().code)
+    assert "earlier version" in caplog.text
 
 
 def test_a_file_that_is_taken_away_is_made_anew_for_all(school, opened):

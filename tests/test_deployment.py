@@ -1,16 +1,24 @@
 """The recipe under .deploy, started as it is on the loopback address: two processes behind HAProxy, with a browser."""
 
+import asyncio
 import gzip
 import os
 import random
 import re
+import sqlite3
 import time
 import urllib.error
 import urllib.request
+from collections import Counter
 from collections.abc import Iterator
 
 import pytest
+import websockets
+from streamlit.proto.BackMsg_pb2 import BackMsg
+from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
+from ramanujan.lesson import classes
+from ramanujan.lesson.class_codes import network_of
 from tests.browser import CHROMIUM, listen, settle
 from tests.deployed import HAPROXY, deployed
 
@@ -98,6 +106,36 @@ def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) ->
     for wrong in (re.sub(r"/\w+/", "/0000/", module), module.replace("begin", "nothing")):
         with pytest.raises(urllib.error.HTTPError, match="404"):
             get(f"{hall.address}/{wrong}")
+
+
+def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: deployed) -> None:
+    """What visitors write of their address counts for nothing: with a hundred addresses they are one network."""
+    school = classes.Classes(f"{hall.state.name}/classes.sqlite")
+    opened = school.open_class()
+
+    async def join(proxied: str, own: str) -> None:
+        """Join as somebody who comes from one loopback address and claims to have another one."""
+        async with websockets.connect(
+            f"ws{hall.address.removeprefix('http')}/_stcore/stream",
+            local_addr=(proxied, 0),
+            subprotocols=["streamlit"],
+            additional_headers={"X-Forwarded-For": own, "X-Real-IP": own, "Forwarded": f"for={own}"},
+        ) as socket:
+            question = BackMsg()
+            question.rerun_script.query_string = f"class={opened.code}"
+            question.rerun_script.page_name = "lesson"
+            await socket.send(question.SerializeToString())
+            while ForwardMsg.FromString(await socket.recv()).WhichOneof("type") != "script_finished":
+                pass
+
+    def networks() -> Counter[str]:
+        with sqlite3.connect(f"{hall.state.name}/classes.sqlite") as file:
+            return Counter(network for (network,) in file.execute("SELECT network FROM voter"))
+
+    for number in range(4):
+        asyncio.run(join("127.0.0.2", f"10.0.0.{number}"))
+    asyncio.run(join("127.0.0.3", "127.0.0.2"))
+    assert networks() == {network_of("127.0.0.2", opened.code): 4, network_of("127.0.0.3", opened.code): 1}
 
 
 def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> None:

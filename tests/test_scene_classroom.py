@@ -30,8 +30,9 @@ def school(tmp_path, monkeypatch) -> classes.Classes:
 
 @pytest.fixture(autouse=True)
 def cookies(monkeypatch) -> None:
-    """A browser's name, which AppTest cannot send, is what a test puts into the session."""
+    """A browser's name, which AppTest cannot send, is what a test puts into the session; all share one address."""
     monkeypatch.setattr(class_session, "browser", lambda: st.session_state.get("cookie", ""))
+    monkeypatch.setattr(class_session, "network", lambda: "10.0.0.1")
 
 
 def visitor(cookie: str = "", **link: str) -> AppTest:
@@ -155,7 +156,7 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
         student.run()
     press(lecturer, "again")
     answer(first, RIGHT)
-    assert "the second vote has begun" in words(first)
+    assert "another vote has begun" in words(first)
     assert first.radio[0].value is None
     # What was too late for the first vote is no reproach in the second.
     answer(first, RIGHT)
@@ -228,6 +229,37 @@ def test_a_reload_of_another_page_loses_nobody(lecturer):
             again.query_params[key] = value
         again.switch_page("ramanujan/pages/motion/page.py").run()
         assert still in words(again.switch_page(PAGE).run())
+
+
+def test_a_session_has_one_seat_and_a_network_its_turn(lecturer, school, monkeypatch):
+    """Also without a cookie; and who comes in a crowd waits on a page that joins by itself."""
+    student = visitor(**{"class": code_of(lecturer)})
+    for _ in range(3):
+        press(student, "leave")
+        student.text_input(key="class_code").set_value(code_of(lecturer))
+        student.button(key="FormSubmitter:class_join-Join").click().run()
+    assert "1 student has joined" in words(lecturer.run())
+    monkeypatch.setattr(classes, "NETWORK_SEATS", 2)
+    second, third = (visitor(**{"class": code_of(lecturer)}) for _ in range(2))
+    assert "The first question will appear here" in words(second)
+    assert "This page joins by itself in a moment" in words(third.run())
+    monkeypatch.setattr(class_session, "network", lambda: "10.0.0.7")
+    assert "The first question will appear here" in words(third.run())
+    assert "3 students joined in the last minute" in words(lecturer.run())
+
+
+def test_the_desk_closes_the_door_and_a_phone_whose_seat_was_removed_takes_it_again(lecturer, school, monkeypatch):
+    student = visitor(**{"class": code_of(lecturer)})
+    press(lecturer, "bar")
+    late = visitor(**{"class": code_of(lecturer)})
+    assert "closed this class to newcomers" in words(late)
+    press(lecturer, "bar")
+    with monkeypatch.context() as later:
+        later.setattr(classes, "PRESENT", -1.0)
+        press(lecturer, "clear")
+    assert "0 students have joined" in words(lecturer)
+    assert "The first question will appear here" in words(student.run())
+    assert "1 student has joined" in words(lecturer.run())
 
 
 def test_a_class_that_has_ended_lets_everybody_go(lecturer):

@@ -1,10 +1,9 @@
 """The worksheet: its answers on an independent way, its picture, and the key that fits the questions."""
 
-import itertools
+import hashlib
 import re
 import xml.etree.ElementTree as ET
 from fractions import Fraction
-from functools import cache
 
 import mpmath
 import numpy as np
@@ -189,10 +188,14 @@ def test_the_picture_is_to_scale(radius):
     assert float(slab[2]) == pytest.approx(float(hoop[2]), abs=1e-3)
 
 
-@cache
 def key_of(number: int) -> str:
-    """The first key, in their order, of the sheet with this number."""
-    return next(key for key in map("{:012x}".format, itertools.count()) if sheet_keys.number(key) == number)
+    """Some key, one for each number."""
+    return f"{number:016x}"
+
+
+def name_of(number: int) -> str:
+    """The name of the sheet to which that key belongs."""
+    return sheet_keys.name(key_of(number))
 
 
 def sheet(**query: str) -> AppTest:
@@ -203,9 +206,10 @@ def sheet(**query: str) -> AppTest:
 
 
 def test_questions_show_no_answer_and_the_key_shows_all():
-    asked = questions(Oscillator(k=10.0), "5")
-    blank = "\n".join(each.value for each in sheet(seed="5").markdown)
-    app = sheet(seed="5", paper="key", key=key_of(5))
+    name = name_of(5)
+    asked = questions(Oscillator(k=10.0), name)
+    blank = "\n".join(each.value for each in sheet(seed=name).markdown)
+    app = sheet(seed=name, paper="key", key=key_of(5))
     key = "\n".join(each.value for each in app.markdown)
     for question in asked:
         assert question.text in blank
@@ -216,8 +220,10 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert all(line in key for line in question.working)
     assert "mass ratio is ε = m′/m" in blank
     # Only its own key leads to a sheet's answers.
-    other = app.number_input(key="seed").set_value(6).run()
-    for each in (other, sheet(seed="5", paper="key"), sheet(seed="5", paper="key", key=key_of(6))):
+    typed = f" {name_of(6)[:5].lower()}-{name_of(6)[5:]}"
+    other = app.text_input(key="sheet_name").set_value(typed).run()
+    assert other.query_params["seed"] == name_of(6)
+    for each in (other, sheet(seed=name, paper="key"), sheet(seed=name, paper="key", key=key_of(6))):
         assert each.title[0].value.startswith("Ramanujan’s oscillator: worksheet")
         assert "paper" not in {chips.key for chips in each.button_group}
 
@@ -226,9 +232,30 @@ def test_who_makes_a_sheet_has_its_key():
     app = sheet()
     (make,) = (each for each in app.button if each.label == "New sheet with its key")
     made = make.click().run()
-    number, key = made.session_state["seed"], made.query_params["key"]
-    assert sheet_keys.number(key) == number
-    assert made.query_params["seed"] == str(number)
-    assert made.title[0].value == f"Ramanujan’s oscillator: worksheet {number}"
-    assert sheet(seed=str(number), paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {number}"
+    name, key = made.query_params["seed"], made.query_params["key"]
+    assert sheet_keys.name(key) == name
+    written = f"{name[:5]} {name[5:]}"
+    assert made.title[0].value == f"Ramanujan’s oscillator: worksheet {written}"
+    assert sheet(seed=name, paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {written}"
     assert "key" in address.PRIVATE
+
+
+def test_what_is_no_name_of_a_sheet_gets_a_sentence_and_the_old_sheet_stays():
+    app = sheet(seed=name_of(5))
+    app.text_input(key="sheet_name").set_value("<b>1729</b>").run()
+    assert app.query_params["seed"] == name_of(5)
+    assert [each.value for each in app.warning] == [
+        "A sheet’s name has 10 letters, all from BCDFHJKLMNPRSTWXZ. The old name was kept."
+    ]
+
+
+def test_a_name_leads_to_no_key():
+    """Names are spread over at least 40 bits, and a key is hashed slowly: scrypt fills 16 MB for each."""
+    names = {name_of(number) for number in range(12)}
+    assert len(names) == 12
+    assert len(sheet_keys.ALPHABET) ** len(names.pop()) > 2**40
+    with pytest.MonkeyPatch.context() as patch:
+        asked = []
+        patch.setattr(hashlib, "scrypt", lambda *_, n, r, **__: asked.append(128 * n * r) or bytes(64))
+        sheet_keys.name(key_of(1729))
+    assert min(asked) >= 2**24

@@ -1,12 +1,13 @@
 """What opens a class: a short code for everybody, a long key for the lecturer, a random voter for each student."""
 
 import hashlib
+import ipaddress
 import secrets
 
 ALPHABET = "BCDFHJKLMNPRSTWXZ"
 """Letters of a code: none looks like a digit or like another letter, and without vowels they spell no word."""
 LETTERS = 6
-"""Letters of a code; 17⁶ is 24 million."""
+"""Letters of a code; 17⁶ is 24 million. A code that is guessed gives a stranger one vote, at the desk’s sight."""
 
 SECRET_BYTES, VOTER_BYTES = 24, 9
 """Of a lecturer’s key, which fits into an address, and of a student’s random name."""
@@ -18,14 +19,14 @@ def new_code() -> str:
     return "".join(secrets.choice(ALPHABET) for _ in range(LETTERS))
 
 
-def read_code(text: str) -> str | None:
+def read_code(text: str, letters: int = LETTERS) -> str | None:
     """Return the code that was typed, in whatever case and with whatever between its letters, or None.
 
     >>> read_code(" bcd-fhj ")
     'BCDFHJ'
     """
     code = _bare(text)
-    return code if len(code) == LETTERS and set(code) <= set(ALPHABET) else None
+    return code if len(code) == letters and set(code) <= set(ALPHABET) else None
 
 
 def foreign_to_codes(text: str) -> str:
@@ -44,7 +45,7 @@ def spaced(code: str) -> str:
     >>> spaced("BCDFHJ")
     'BCD FHJ'
     """
-    return f"{code[: LETTERS // 2]} {code[LETTERS // 2 :]}"
+    return f"{code[: len(code) // 2]} {code[len(code) // 2 :]}"
 
 
 def key_of(code: str, secret: str) -> str:
@@ -65,7 +66,25 @@ def hash_of(secret: str) -> str:
 
 def voter_of(browser: str, code: str) -> str:
     """Return the random name of a browser in one class: no class can be told from it what another one got."""
-    return hashlib.sha256(f"{read_code(code)}:{browser}".encode()).hexdigest()[:16] if browser else ""
+    return _in_class(code, browser) if browser else ""
+
+
+def network_of(address: str, code: str) -> str:
+    """Return what a class knows of a visitor’s IP address while it counts who joins from one network.
+
+    A provider gives a household a whole range of version 6 addresses, so those that agree in 64 bits count as one.
+    """
+    try:
+        at = ipaddress.ip_address(address)
+    except ValueError:
+        return _in_class(code, address)
+    # A server that listens to both versions sees a version 4 address inside one of version 6.
+    at = getattr(at, "ipv4_mapped", None) or at
+    return _in_class(code, f"{at.version}:{int(at) >> (64 if at.version == 6 else 0)}")
+
+
+def _in_class(code: str, text: str) -> str:
+    return hashlib.sha256(f"{read_code(code)}:{text}".encode()).hexdigest()[:16]
 
 
 def _bare(text: str) -> str:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import NamedTuple
 
 
 class Phase(IntEnum):
@@ -15,6 +16,22 @@ class Phase(IntEnum):
     """The machine runs."""
     SOLVED = 3
     """The right answer is named and explained."""
+
+
+class Vote(NamedTuple):
+    """One of the votes on a stop.
+
+    asking : how often the class had been asked about this stop, from 1
+    number : 1 for the vote before students talk to their neighbours, 2 for the one after
+    """
+
+    asking: int = 1
+    number: int = 1
+
+    @property
+    def is_second(self) -> bool:
+        """Whether the class votes for the second time, after talking."""
+        return self.number == 2
 
 
 @dataclass(frozen=True)
@@ -38,22 +55,33 @@ class Question:
     """What a class is asked now, as everybody may know it.
 
     stop : id of the stop, None before the first
-    round : number of the vote; odd for a first vote, even for the second vote that follows it
+    vote : which vote on it
     phase : how far the question has come
     answered : how many of those present have answered
     present : how many students were heard of lately
     """
 
     stop: str | None
-    round: int
+    vote: Vote
     phase: Phase
     answered: int
     present: int
 
-    @property
-    def is_second(self) -> bool:
-        """Whether the class votes for the second time, after talking."""
-        return self.round % 2 == 0
+
+@dataclass(frozen=True)
+class Seats:
+    """Who sits in a class, for the lecturer.
+
+    taken : how many seats are taken
+    present : how many of their students were heard of lately
+    lately : how many were taken within the last minute
+    is_open : whether somebody else may join
+    """
+
+    taken: int
+    present: int
+    lately: int
+    is_open: bool
 
 
 @dataclass(frozen=True)

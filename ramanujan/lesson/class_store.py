@@ -32,29 +32,39 @@ PATIENCE = 10.0
 """Seconds after which a transaction is given up."""
 POSTGRES = ("postgresql://", "postgres://")
 
-# Both databases understand it.
+# Both databases understand it. `asking` and `number` are the fields of a `class_states.Vote`.
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS class (
-    code TEXT PRIMARY KEY, key_hash TEXT NOT NULL, expires DOUBLE PRECISION NOT NULL, stop TEXT, round INTEGER,
-    machine TEXT);
+    code TEXT PRIMARY KEY, key_hash TEXT NOT NULL, expires DOUBLE PRECISION NOT NULL,
+    is_open INTEGER NOT NULL DEFAULT 1, stop TEXT, asking INTEGER NOT NULL DEFAULT 1,
+    number INTEGER NOT NULL DEFAULT 1, machine TEXT);
 CREATE TABLE IF NOT EXISTS question (
-    code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, stop TEXT NOT NULL, round INTEGER NOT NULL,
-    options TEXT NOT NULL, phase INTEGER NOT NULL DEFAULT 0, asked DOUBLE PRECISION NOT NULL,
-    present INTEGER NOT NULL DEFAULT 0, PRIMARY KEY (code, stop, round));
+    code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, stop TEXT NOT NULL, asking INTEGER NOT NULL,
+    number INTEGER NOT NULL, options TEXT NOT NULL, phase INTEGER NOT NULL DEFAULT 0,
+    asked DOUBLE PRECISION NOT NULL, present INTEGER NOT NULL DEFAULT 0, PRIMARY KEY (code, stop, asking, number));
 CREATE TABLE IF NOT EXISTS voter (
     code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, voter TEXT NOT NULL, heard DOUBLE PRECISION NOT NULL,
-    PRIMARY KEY (code, voter));
+    joined DOUBLE PRECISION NOT NULL, network TEXT, PRIMARY KEY (code, voter));
 CREATE TABLE IF NOT EXISTS vote (
-    code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, stop TEXT NOT NULL, round INTEGER NOT NULL,
-    voter TEXT NOT NULL, option TEXT NOT NULL, PRIMARY KEY (code, stop, round, voter));
-CREATE TABLE IF NOT EXISTS wrong_code (at DOUBLE PRECISION NOT NULL, session TEXT NOT NULL);
+    code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, stop TEXT NOT NULL, asking INTEGER NOT NULL,
+    number INTEGER NOT NULL, voter TEXT NOT NULL, option TEXT NOT NULL,
+    PRIMARY KEY (code, stop, asking, number, voter));
 CREATE INDEX IF NOT EXISTS class_expires ON class (expires);
-CREATE INDEX IF NOT EXISTS wrong_at ON wrong_code (at);
 """
+_OLD = ("wrong_code", "vote", "voter", "question", "class")
+"""Tables of an earlier version of the app, which a computer may still have; they hold other columns."""
 
 
 class ClassError(Exception):
     """What a class cannot do, in one sentence for whoever asked."""
+
+
+class CrowdError(ClassError):
+    """What a class can do in a moment."""
+
+
+class SeatError(ClassError):
+    """What a class does only for whoever has a seat in it."""
 
 
 def place() -> str:
@@ -149,6 +159,17 @@ class Store:
         """Execute a statement whose values are marked by `?`."""
         return connection.execute(query, values)
 
+    def _make_tables(self, connection: Any) -> None:
+        """Make the tables that are missing, in a transaction; those of an earlier version are removed first."""
+        for statement in _SCHEMA.split(";")[:-1]:
+            connection.execute(statement)
+        if "is_open" in (column[0] for column in connection.execute("SELECT * FROM class WHERE 1 = 0").description):
+            return
+        _LOG.warning("The database of the classes was made by an earlier version. Its classes are removed.")
+        for table in _OLD:
+            connection.execute(f"DROP TABLE IF EXISTS {table}")
+        self._make_tables(connection)
+
 
 class SqliteStore(Store):
     """One SQLite database in WAL mode."""
@@ -166,30 +187,39 @@ class SqliteStore(Store):
     def connect(self) -> sqlite3.Connection:
         """Return the connection to the files that are there now; where one was taken away, open them anew."""
         files = self._inodes()
-        if self._connection is not None and self._files == files:
-            return self._connection
-        if self._connection is not None:
-            connection, self._connection = self._connection, None
-            if self._files.get("") == files.get(""):
-                # Only the journal is gone: what it held is still open here, and goes into the database.
-                connection.execute("PRAGMA wal_checkpoint")
-                connection.close()
-            else:
-                # Closed, it would take the journal of its successor along, which has the same name.
-                self._lost.append(connection)
+        if self._connection is None or self._files != files:
+            self._give_up(files)
+            self._connection, self._files = self._open(), self._inodes()
+        return self._connection
+
+    def _give_up(self, files: dict[str, tuple[int, int]]) -> None:
+        """Let go of a connection, if there is one, without harm to the files that are there now."""
+        connection, self._connection = self._connection, None
+        if connection is None:
+            return
+        if self._files.get("") == files.get(""):
+            # Only the journal is gone. This connection still has it open, and writes it into the database.
+            connection.execute("PRAGMA wal_checkpoint")
+            connection.close()
+        else:
+            # SQLite would delete the new database’s journal with this connection, by its name. So it stays open.
+            self._lost.append(connection)
+
+    def _open(self) -> sqlite3.Connection:
+        """Open the file, which only its owner may read, and make the tables that are missing."""
         self.path.touch(mode=0o600)
-        connection = sqlite3.connect(self.path, BUSY_TIMEOUT, isolation_level=None, check_same_thread=False)
+        connection = sqlite3.connect(self.path, timeout=BUSY_TIMEOUT, isolation_level=None, check_same_thread=False)
         try:
             connection.execute("PRAGMA journal_mode = WAL")
             # A vote outlives the death of a process; only a computer that loses its power may lose the last ones.
             connection.execute("PRAGMA synchronous = NORMAL")
             connection.execute("PRAGMA foreign_keys = ON")
-            connection.executescript(_SCHEMA)
-            connection.execute("SELECT 1 FROM class").fetchone()
+            connection.execute(*self.begin)
+            self._make_tables(connection)
+            connection.execute("COMMIT")
         except BaseException:
             connection.close()
             raise
-        self._connection, self._files = connection, self._inodes()
         return connection
 
     def may_pass(self, error: Exception) -> bool:
@@ -229,7 +259,7 @@ class PostgresStore(Store):
             # Two processes that create a table at once would meet in the catalogue.
             with connection.transaction():
                 connection.execute(self.begin[1])
-                connection.execute(_SCHEMA)
+                self._make_tables(connection)
             self._connection = connection
         return self._connection
 

@@ -23,12 +23,14 @@ from pathlib import Path
 from typing import Any
 
 from ramanujan.lesson import class_codes
-from ramanujan.lesson.class_states import Asked, Class, Phase, Question, Seat
-from ramanujan.lesson.class_store import ClassError, place, store_at
+from ramanujan.lesson.class_states import Asked, Class, Phase, Question, Seat, Seats, Vote
+from ramanujan.lesson.class_store import ClassError, CrowdError, SeatError, place, store_at
 from ramanujan.translation import _
 
 STUDENTS = 500
 """Most students in one class."""
+NETWORK_SEATS = 60
+"""Most seats that one network gets in a class within a `MINUTE`: those of a lecture hall behind one router."""
 CLASSES = 200
 """Most classes at one time."""
 DAY = 24 * 3600.0
@@ -38,8 +40,6 @@ PRESENT = 20.0
 """Seconds for which somebody who was heard of counts as present."""
 HEARD_EVERY = 5.0
 """Seconds after which being heard of is written down again: a phone asks twice as often."""
-WRONG_CODES, WRONG_CODES_OF_ALL = 6, 120
-"""Wrong codes that one session, and all sessions together, may try in a `MINUTE`."""
 MINUTE = 60.0
 
 _ID = re.compile(r"[a-z0-9_-]{1,40}", re.ASCII)
@@ -47,18 +47,20 @@ _Execute = Callable[..., Any]
 
 _PRESENTLY = "SELECT COUNT(*) FROM voter WHERE voter.code = class.code AND heard > ?"
 _QUESTION = f"""
-SELECT stop, round, COALESCE(phase, 0),
+SELECT stop, asking, number, COALESCE(phase, 0),
        (SELECT COUNT(*) FROM vote JOIN voter ON voter.code = vote.code AND voter.voter = vote.voter
-        WHERE vote.code = class.code AND vote.stop = class.stop AND vote.round = class.round AND heard > ?),
+        WHERE vote.code = class.code AND vote.stop = class.stop AND vote.asking = class.asking
+        AND vote.number = class.number AND heard > ?),
        ({_PRESENTLY})
-FROM class LEFT JOIN question USING (code, stop, round) WHERE code = ? AND expires > ?
+FROM class LEFT JOIN question USING (code, stop, asking, number) WHERE code = ? AND expires > ?
 """
 _CHANGES = """
 SELECT before.option = ?, after.option = ?, COUNT(*)
-FROM vote AS before JOIN vote AS after USING (code, stop, voter)
-WHERE before.code = ? AND before.stop = ? AND before.round = ? AND after.round = ?
+FROM vote AS before JOIN vote AS after USING (code, stop, asking, voter)
+WHERE code = ? AND stop = ? AND asking = ? AND before.number = 1 AND after.number = 2
 GROUP BY 1, 2
 """
+_THIS_VOTE = "code = ? AND stop = ? AND asking = ? AND number = ?"
 
 
 class Classes:
@@ -83,7 +85,7 @@ class Classes:
             while _count(execute, "class WHERE code = ?", code := class_codes.new_code()):
                 pass
             values = (code, class_codes.hash_of(secret), self._clock() + lifetime)
-            execute("INSERT INTO class (code, key_hash, expires, round) VALUES (?, ?, ?, 1)", values)
+            execute("INSERT INTO class (code, key_hash, expires) VALUES (?, ?, ?)", values)
         return Class(code, class_codes.key_of(code, secret))
 
     def close(self, key: str) -> None:
@@ -114,37 +116,34 @@ class Classes:
         if not all(_ID.fullmatch(each) for each in (stop, *options)):
             raise ValueError(_("The ids of {stop} must have small letters, digits, - and _ only.").format(stop=stop))
         with self._store.writing() as execute:
-            query = "SELECT MAX(round) FROM question WHERE code = ? AND stop = ?"
-            last = execute(query, (code, stop)).fetchone()[0]
-            # Each asking has an odd round for the first vote and an even one for the second.
-            round_ = (last + 1) // 2 * 2 + 1 if last and anew else last or 1
-            self._begin(execute, code, stop, round_, " ".join(options))
+            query = "SELECT asking, number FROM question WHERE code = ? AND stop = ? ORDER BY asking DESC, number DESC"
+            last = Vote(*(execute(query, (code, stop)).fetchone() or Vote(0)))
+            vote = last if last.asking and not anew else Vote(last.asking + 1)
+            self._begin(execute, code, stop, vote, " ".join(options))
 
     def show(self, key: str, phase: Phase) -> None:
         """Take the present question to a phase; from REVEALED on it takes no answers."""
         code = self.code_of(key)
         with self._store.writing() as execute:
-            stop, round_, *_rest = _present(execute, code)
+            stop, vote, *_rest = _present(execute, code)
             present = execute(f"{_PRESENTLY.replace('class.code', '?')}", (code, self._lately)).fetchone()[0]
             # With a second vote, the first is shown too.
-            first = round_ - 1 if round_ % 2 == 0 else round_
             execute(
                 "UPDATE question SET present = CASE WHEN phase = 0 THEN ? ELSE present END, "
-                "phase = CASE WHEN phase > ? THEN phase ELSE ? END "
-                "WHERE code = ? AND stop = ? AND round BETWEEN ? AND ?",
-                (present, int(phase), int(phase), code, stop, first, round_),
+                "phase = CASE WHEN phase > ? THEN phase ELSE ? END WHERE code = ? AND stop = ? AND asking = ?",
+                (present, int(phase), int(phase), code, stop, vote.asking),
             )
 
     def ask_again(self, key: str) -> None:
         """Begin the second vote on the present question; the first takes no answers any more."""
         code = self.code_of(key)
         with self._store.writing() as execute:
-            stop, round_, options, phase = _present(execute, code)
+            stop, vote, options, phase = _present(execute, code)
             if phase == Phase.SOLVED:
                 raise ClassError(_("The class has already seen the right answer to this question."))
-            if round_ % 2 == 0:
+            if vote.is_second:
                 raise ClassError(_("The class has already voted twice on this question."))
-            self._begin(execute, code, stop, round_ + 1, options)
+            self._begin(execute, code, stop, vote._replace(number=2), options)
 
     def set_machine(self, key: str, machine: str) -> None:
         """Let the wall show this machine: what the lecturer's sliders hold, as the query of an address."""
@@ -156,36 +155,73 @@ class Classes:
         """Return every question that the class was asked and whose result was shown, in the order of asking."""
         code = self.code_of(key)
         rows = self._store.read(
-            "SELECT stop, round, options, asked, present FROM question WHERE code = ? AND phase > 0 "
-            "ORDER BY asked, round",
+            "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND phase > 0 "
+            "ORDER BY asked, asking, number",
             (code,),
         )
-        shown = {(stop, round_): (options, at, present) for stop, round_, options, at, present in rows}
+        shown = {(stop, Vote(asking, number)): rest for stop, asking, number, *rest in rows}
         found = []
-        for (stop, round_), (options, at, present) in shown.items():
-            if round_ % 2:
-                second = shown.get((stop, round_ + 1))
-                votes = [self._votes(code, stop, number, options) for number in (round_, round_ + 1)]
-                found.append(Asked(stop, at, second[2] if second else present, votes[0], votes[1] if second else None))
+        for (stop, vote), (options, at, present) in shown.items():
+            if vote.is_second:
+                continue
+            again = vote._replace(number=2)
+            first, second = self._votes(code, stop, vote, options), None
+            if (stop, again) in shown:
+                second, present = self._votes(code, stop, again, options), shown[stop, again][-1]
+            found.append(Asked(stop, at, present, first, second))
         return found
+
+    def seats(self, key: str) -> Seats:
+        """Return how many seats are taken, how many of them lately, and whether there are more."""
+        code = self.code_of(key)
+        query = (
+            f"SELECT (SELECT COUNT(*) FROM voter WHERE voter.code = class.code), ({_PRESENTLY}), (SELECT COUNT(*) "
+            "FROM voter WHERE voter.code = class.code AND joined > ?), is_open FROM class WHERE code = ?"
+        )
+        taken, present, lately, is_open = self._store.read(query, (self._lately, self._clock() - MINUTE, code))[0]
+        return Seats(taken, present, lately, bool(is_open))
+
+    def let_join(self, key: str, is_open: bool) -> None:
+        """Open or close the door: whoever has a seat keeps it, and others get one only while it is open."""
+        code = self.code_of(key)
+        with self._store.writing() as execute:
+            execute("UPDATE class SET is_open = ? WHERE code = ?", (int(is_open), code))
+
+    def remove_absent(self, key: str) -> None:
+        """Remove everybody who was not heard of lately, and their answers to a question whose result is not shown."""
+        code = self.code_of(key)
+        absent = "voter IN (SELECT voter FROM voter WHERE code = ? AND heard <= ?)"
+        with self._store.writing() as execute:
+            if _count(execute, "class WHERE code = ? AND stop IS NOT NULL", code):
+                stop, vote, _options, phase = _present(execute, code)
+                if phase == Phase.ASKED:
+                    values = (code, stop, *vote, code, self._lately)
+                    execute(f"DELETE FROM vote WHERE {_THIS_VOTE} AND {absent}", values)
+            execute("DELETE FROM voter WHERE code = ? AND heard <= ?", (code, self._lately))
 
     # ---- a student
 
-    def join(self, code: str, session: str = "", voter: str = "") -> Seat:
+    def join(self, code: str, voter: str = "", address: str = "") -> Seat:
         """Return a seat in a class, the old one if this voter has been there before.
+
+        A code is looked up before anything else, by one read, and wrong ones leave nothing behind: however many
+        anybody has typed, a right one gets in.
 
         Parameters
         ----------
         code : as it was typed, or stands in a link
-        session : whose wrong codes are counted together
         voter : random name of the browser in this class; a new one where there is none
+        address : IP address of the visitor; those of one network get only so many seats at a time
         """
-        with self._store.writing() as execute:
-            self._forget(execute)
-            seat = self._seat(execute, code, session, voter)
-        # Raised after the transaction, which keeps count of the wrong codes.
-        if isinstance(seat, str):
-            raise ClassError(seat)
+        if (read := class_codes.read_code(code)) is None:
+            raise ClassError(_no_code(code))
+        seat = None
+        if self._store.read("SELECT 1 FROM class WHERE code = ?", (read,)):
+            with self._store.writing() as execute:
+                self._forget(execute)
+                seat = self._seat(execute, read, voter, class_codes.network_of(address, read))
+        if seat is None:
+            raise ClassError(_no_such_class())
         return seat
 
     def chosen(self, seat: Seat, question: Question) -> str | None:
@@ -193,46 +229,49 @@ class Classes:
         now = self._clock()
         rows = self._store.read(
             "SELECT option, heard FROM voter LEFT JOIN vote ON vote.code = voter.code AND vote.voter = voter.voter "
-            "AND stop = ? AND round = ? WHERE voter.code = ? AND voter.voter = ?",
-            (question.stop, question.round, seat.code, seat.voter),
+            "AND stop = ? AND asking = ? AND number = ? WHERE voter.code = ? AND voter.voter = ?",
+            (question.stop, *question.vote, seat.code, seat.voter),
         )
-        if rows and now - rows[0][1] > HEARD_EVERY:
+        if not rows:
+            raise SeatError(_no_seat())
+        option, heard = rows[0]
+        if now - heard > HEARD_EVERY:
             with self._store.writing() as execute:
                 execute("UPDATE voter SET heard = ? WHERE code = ? AND voter = ?", (now, seat.code, seat.voter))
-        return rows[0][0] if rows else None
+        return option
 
-    def vote(self, seat: Seat, stop: str, option: str, round_: int | None = None) -> None:
+    def vote(self, seat: Seat, stop: str, option: str, vote: Vote | None = None) -> None:
         """Take a student's answer to the present question, in place of an earlier one.
 
         Parameters
         ----------
         seat : of the student
         stop, option : ids
-        round_ : the one in which the student was asked, where an answer may come late
+        vote : the one in which the student was asked, where an answer may come late
         """
         code, voter = seat.code, seat.voter
         with self._store.writing() as execute:
             if not _count(execute, "class WHERE code = ? AND expires > ?", code, self._clock()):
                 raise ClassError(_no_such_class())
             if not _count(execute, "voter WHERE code = ? AND voter = ?", code, voter):
-                raise ClassError(_("Your answer did not count. Join the class again with its code."))
+                raise SeatError(_no_seat())
             # After a lost connection a browser says once more what counts already.
-            said = "vote WHERE code = ? AND stop = ? AND round = ? AND voter = ? AND option = ?"
-            if _count(execute, said, code, stop, round_, voter, option):
+            said = f"vote WHERE {_THIS_VOTE} AND voter = ? AND option = ?"
+            if vote and _count(execute, said, code, stop, *vote, voter, option):
                 return
             present, now, options, phase = _present(execute, code)
             if present != stop:
                 raise ClassError(_("Your answer came too late: the class has gone on to another question."))
             if phase > Phase.ASKED:
                 raise ClassError(_("Your answer came too late: the result has already been shown."))
-            if now != (round_ or now):
-                raise ClassError(_("Your answer came too late: the second vote has begun. Please answer again."))
+            if now != (vote or now):
+                raise ClassError(_("Your answer came too late: another vote has begun. Please answer again."))
             if option not in options.split():
                 raise ClassError(_("This question has no such answer."))
             execute(
-                "INSERT INTO vote VALUES (?, ?, ?, ?, ?) "
-                "ON CONFLICT (code, stop, round, voter) DO UPDATE SET option = excluded.option",
-                (code, stop, now, voter, option),
+                "INSERT INTO vote VALUES (?, ?, ?, ?, ?, ?) "
+                "ON CONFLICT (code, stop, asking, number, voter) DO UPDATE SET option = excluded.option",
+                (code, stop, *now, voter, option),
             )
             execute("UPDATE voter SET heard = ? WHERE code = ? AND voter = ?", (self._clock(), code, voter))
 
@@ -243,45 +282,50 @@ class Classes:
         rows = self._store.read(_QUESTION, (self._lately, self._lately, code, self._clock()))
         if not rows:
             raise ClassError(_("The class has ended."))
-        stop, round_, phase, answered, present = rows[0]
-        return Question(stop, round_, Phase(phase), answered, present)
+        stop, asking, number, phase, answered, present = rows[0]
+        return Question(stop, Vote(asking, number), Phase(phase), answered, present)
 
     def last(self, code: str, stop: str) -> Question | None:
         """Return how a stop was left that the class was asked before; numbers of people belong to the present one."""
-        query = "SELECT round, phase FROM question WHERE code = ? AND stop = ? ORDER BY round DESC"
-        rows = self._store.read(query, (code, stop))
-        return Question(stop, rows[0][0], Phase(rows[0][1]), 0, 0) if rows else None
+        query = (
+            "SELECT asking, number, phase FROM question WHERE code = ? AND stop = ? ORDER BY asking DESC, number DESC"
+        )
+        for asking, number, phase in self._store.read(query, (code, stop))[:1]:
+            return Question(stop, Vote(asking, number), Phase(phase), 0, 0)
+        return None
 
     def machine(self, code: str) -> str | None:
         """Return what the wall shows of the lecturer's sliders."""
         rows = self._store.read("SELECT machine FROM class WHERE code = ?", (code,))
         return rows[0][0] if rows else None
 
-    def distribution(self, code: str, stop: str, round_: int | None = None) -> dict[str, int]:
+    def distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
         """Return option → number of votes, in the order of the options; by default of the last vote that was shown."""
-        query = "SELECT options, round FROM question WHERE code = ? AND stop = ? AND phase > 0 ORDER BY round DESC"
-        shown = [row for row in self._store.read(query, (code, stop)) if round_ in (None, row[1])]
-        if not shown:
-            raise ClassError(_("The result of this question has not been shown yet."))
-        options, number = shown[0]
-        return self._votes(code, stop, number, options)
+        query = (
+            "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND phase > 0 "
+            "ORDER BY asking DESC, number DESC"
+        )
+        for options, *of in self._store.read(query, (code, stop)):
+            if vote in (None, Vote(*of)):
+                return self._votes(code, stop, Vote(*of), options)
+        raise ClassError(_("The result of this question has not been shown yet."))
 
-    def changes(self, code: str, stop: str, right: str, round_: int = 2) -> Counter[tuple[bool, bool]]:
+    def changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:
         """Return how many of those who voted twice were right in the first vote and in the second.
 
         Parameters
         ----------
         code, stop : the class and the question
         right : id of the right option
-        round_ : of the second vote
+        asking : of the two votes
 
         Returns
         -------
         whether they were right before, and after → their number
         """
         # Raises where the result has not been shown.
-        self.distribution(code, stop, round_)
-        rows = self._store.read(_CHANGES, (right, right, code, stop, round_ - 1, round_))
+        self.distribution(code, stop, Vote(asking, 2))
+        rows = self._store.read(_CHANGES, (right, right, code, stop, asking))
         return Counter({(bool(before), bool(after)): number for before, after, number in rows})
 
     # ---- inside
@@ -290,46 +334,46 @@ class Classes:
     def _lately(self) -> float:
         return self._clock() - PRESENT
 
-    def _votes(self, code: str, stop: str, round_: int, options: str) -> dict[str, int]:
-        query = "SELECT option, COUNT(*) FROM vote WHERE code = ? AND stop = ? AND round = ? GROUP BY option"
-        votes = dict(self._store.read(query, (code, stop, round_)))
+    def _votes(self, code: str, stop: str, vote: Vote, options: str) -> dict[str, int]:
+        query = f"SELECT option, COUNT(*) FROM vote WHERE {_THIS_VOTE} GROUP BY option"
+        votes = dict(self._store.read(query, (code, stop, *vote)))
         return {option: votes.get(option, 0) for option in options.split()}
 
     def _forget(self, execute: _Execute) -> None:
-        """Remove what has expired, with all that belongs to it."""
+        """Remove what has expired, with all that belongs to it, and from which networks students came."""
         execute("DELETE FROM class WHERE expires <= ?", (self._clock(),))
-        execute("DELETE FROM wrong_code WHERE at <= ?", (self._clock() - MINUTE,))
+        earlier = self._clock() - MINUTE
+        execute("UPDATE voter SET network = NULL WHERE network IS NOT NULL AND joined <= ?", (earlier,))
 
-    def _begin(self, execute: _Execute, code: str, stop: str, round_: int, options: str) -> None:
+    def _begin(self, execute: _Execute, code: str, stop: str, vote: Vote, options: str) -> None:
         execute(
-            "INSERT INTO question (code, stop, round, options, asked) VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
-            (code, stop, round_, options, self._clock()),
+            "INSERT INTO question (code, stop, asking, number, options, asked) VALUES (?, ?, ?, ?, ?, ?) "
+            "ON CONFLICT DO NOTHING",
+            (code, stop, *vote, options, self._clock()),
         )
-        execute("UPDATE class SET stop = ?, round = ? WHERE code = ?", (stop, round_, code))
+        execute("UPDATE class SET stop = ?, asking = ?, number = ? WHERE code = ?", (stop, *vote, code))
 
-    def _seat(self, execute: _Execute, text: str, session: str, voter: str) -> Seat | str:
-        """Return the seat of whoever comes with this code, or why there is none."""
-        code = class_codes.read_code(text)
-        if code is None:
-            if wrong := class_codes.foreign_to_codes(text):
-                sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
-                return sentence.format(letter=wrong)
-            return _("A class code has six letters. Look at the projector and type them again.")
+    def _seat(self, execute: _Execute, code: str, voter: str, network: str) -> Seat | None:
+        """Return the seat of whoever comes with this code; None where the class has just ended."""
         again = "UPDATE voter SET heard = ? WHERE code = ? AND voter = ?"
         if execute(again, (self._clock(), code, voter)).rowcount:
             return Seat(code, voter)
-        if (
-            _count(execute, "wrong_code WHERE session = ?", session) >= WRONG_CODES
-            or _count(execute, "wrong_code") >= WRONG_CODES_OF_ALL
-        ):
-            return _("Too many wrong codes have been typed. Wait a minute, then try again.")
-        if not _count(execute, "class WHERE code = ?", code):
-            execute("INSERT INTO wrong_code VALUES (?, ?)", (self._clock(), session))
-            return _no_such_class()
+        found = execute("SELECT is_open FROM class WHERE code = ?", (code,)).fetchone()
+        if not found:
+            return None
+        if not found[0]:
+            raise ClassError(_("The lecturer has closed this class to newcomers. Ask for it to be opened."))
         if _count(execute, "voter WHERE code = ?", code) >= STUDENTS:
-            return _("This class is full: it has {most} students.").format(most=STUDENTS)
+            raise ClassError(_("This class is full: it has {most} students.").format(most=STUDENTS))
+        # Older ones have been forgotten.
+        if _count(execute, "voter WHERE code = ? AND network = ?", code, network) >= NETWORK_SEATS:
+            sentence = _(
+                "{most} students of your network have joined within a minute. This page joins by itself in a moment."
+            )
+            raise CrowdError(sentence.format(most=NETWORK_SEATS))
         seat = Seat(code, voter or secrets.token_urlsafe(class_codes.VOTER_BYTES))
-        execute("INSERT INTO voter VALUES (?, ?, ?)", (code, seat.voter, self._clock()))
+        values = (code, seat.voter, self._clock(), self._clock(), network)
+        execute("INSERT INTO voter (code, voter, heard, joined, network) VALUES (?, ?, ?, ?, ?)", values)
         return seat
 
 
@@ -347,12 +391,27 @@ def _count(execute: _Execute, what: str, *values: object) -> int:
     return execute(f"SELECT COUNT(*) FROM {what}", values).fetchone()[0]
 
 
-def _present(execute: _Execute, code: str) -> tuple[str, int, str, Phase]:
-    """Return the present stop, its round, its options, and how far it has come."""
-    query = "SELECT stop, round, options, phase FROM class JOIN question USING (code, stop, round) WHERE code = ?"
-    if row := execute(query, (code,)).fetchone():
-        return row
+def _present(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
+    """Return the present stop, the vote on it, its options, and how far it has come."""
+    query = (
+        "SELECT stop, asking, number, options, phase FROM class JOIN question USING (code, stop, asking, number) "
+        "WHERE code = ?"
+    )
+    for stop, asking, number, options, phase in execute(query, (code,)).fetchall():
+        return stop, Vote(asking, number), options, Phase(phase)
     raise ClassError(_("The class has not been asked a question yet."))
+
+
+def _no_code(text: str) -> str:
+    """Return what is wrong with a text that is no code."""
+    if wrong := class_codes.foreign_to_codes(text):
+        sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
+        return sentence.format(letter=wrong)
+    return _("A class code has six letters. Look at the projector and type them again.")
+
+
+def _no_seat() -> str:
+    return _("Your answer did not count. Join the class again with its code.")
 
 
 def _no_such_class() -> str:

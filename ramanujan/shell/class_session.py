@@ -13,8 +13,8 @@ from urllib.parse import parse_qsl, urlencode
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.lesson.class_codes import parts_of, voter_of
-from ramanujan.lesson.classes import DAY, ClassError, Phase, Seat, shared
+from ramanujan.lesson.class_codes import parts_of, read_code, voter_of
+from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.shell import address, messages, sidebar
 from ramanujan.shell.browser_cookie import NAME
@@ -22,7 +22,12 @@ from ramanujan.shell.class_keys import CLASS, LECTURER, WALL
 from ramanujan.shell.parameters import MACHINE
 
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
+_WAITS = "class_waits"
+"""Session state: the code of the class in which this session gets a seat in a moment."""
 _SESSION = "class_session"
+"""Session state: a random name, in place of the browser’s where that keeps no cookies."""
+_HERE = "here"
+"""In place of the IP address of whoever sits at the server’s own computer, which Streamlit leaves out."""
 _TOLD = "class_settings_told"
 """Session state: the settings of the desk, as this screen last told or took them."""
 _JUDGED = "class_link_judged"
@@ -47,8 +52,8 @@ def arrive() -> None:
         _write_address(parts_of(mine)[0], lecturer=mine)
     elif code := wall_held():
         _write_address(code, wall="on")
-    elif seat := seat_held():
-        _write_address(seat.code)
+    elif code := awaited() or (seat_held() and seat_held().code):
+        _write_address(code)
 
 
 def key_held() -> str | None:
@@ -59,6 +64,11 @@ def key_held() -> str | None:
 def seat_held() -> Seat | None:
     """Return the student's seat, if this session is a student's."""
     return st.session_state.get(_SEAT)
+
+
+def awaited() -> str | None:
+    """Return the code of the class in which this session gets a seat in a moment, if there is one."""
+    return st.session_state.get(_WAITS)
 
 
 def wall_held() -> str | None:
@@ -83,9 +93,15 @@ def open_class(lifetime: float = DAY) -> None:
 
 
 def take_seat(code: str) -> None:
-    """Become a student of the class with this code."""
-    session = st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
-    st.session_state[_SEAT] = shared().join(code, session, voter_of(browser(), code))
+    """Become a student of the class with this code, now or in a moment; a session has one seat in a class."""
+    named = browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
+    for name in (_SEAT, _WAITS):
+        st.session_state.pop(name, None)
+    try:
+        st.session_state[_SEAT] = shared().join(code, voter_of(named, code), network())
+    except CrowdError:
+        st.session_state[_WAITS] = read_code(code)
+        raise
 
 
 def browser() -> str:
@@ -93,9 +109,19 @@ def browser() -> str:
     return st.context.cookies.get(NAME, "")
 
 
+def network() -> str:
+    """Return the visitor’s IP address.
+
+    It is that of the connection. Where this comes from a proxy that Uvicorn trusts (FORWARDED_ALLOW_IPS, by default
+    the same computer), it is the last one in X-Forwarded-For, which the proxy writes itself. Who comes without a proxy
+    may write into this header what they like: it is not read.
+    """
+    return st.context.ip_address or _HERE
+
+
 def leave() -> None:
     """Be nobody again."""
-    for name in (_KEY, _SEAT, _WALL, _SAID):
+    for name in (_KEY, _SEAT, _WAITS, _WALL, _SAID):
         st.session_state.pop(name, None)
     _write_address()
 
@@ -115,7 +141,7 @@ def refusal() -> str | None:
     return st.session_state.get(_SAID)
 
 
-def forget_refusal(question: tuple[str, int]) -> None:
+def forget_refusal(question: tuple[str, Vote]) -> None:
     """Forget a refusal that was shown with an earlier question than this one, stop and vote."""
     if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
         st.session_state.pop(_SAID)

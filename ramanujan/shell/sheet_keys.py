@@ -1,35 +1,61 @@
-"""Keys of worksheets and exercises: whoever makes one has its key, and its number, which others have, leads to no key.
+"""Keys of worksheets and exercises: whoever makes one has its key, and its name, which others have, leads to no key.
 
-The number is a hash of the key, so that the two need not be kept anywhere: a link works on every server and for ever.
+The name is a hash of the key, so that the two need not be kept anywhere: a link works on every server and for ever. A
+signature would need a secret of the server: with another one, after a move or on the laptop in the classroom, no link
+would lead to its key any more.
+
+A sheet has one of 17¹⁰ ≈ 2 × 10¹² names, and scrypt takes some 50 ms and 16 MB for each key that somebody tries: on a
+thousand cores one finds a key that fits after three years.
 """
 
+import hashlib
 import secrets
-from hashlib import sha256
+from functools import lru_cache
 
+from ramanujan.lesson.class_codes import ALPHABET, read_code
 from ramanujan.shell import address
 from ramanujan.translation import _
 
-MOST = 9999
-"""The greatest number of a sheet."""
+LETTERS = 10
+"""Letters of a sheet's name: 41 bits."""
+_COST = {"n": 2**14, "r": 8, "p": 1}
+"""Of scrypt: what its author recommends for a person who waits (C. Percival, 2009)."""
 _REFUSED = _("The value of {name} in the address was ignored: it is not the key of a sheet.")
+_NO_NAME = _("The value of {name} in the address was ignored: it is not the name of a sheet.")
 
 
-def parameter(name: str) -> address.Text:
+def key_parameter(name: str) -> address.Text:
     """Return the URL parameter of this name, which holds a key."""
-    return address.Text(name, "[0-9a-f]{12}", _REFUSED)
+    return address.Text(name, "[0-9a-f]{16}", _REFUSED)
+
+
+def name_parameter(name: str, default: str = "") -> address.Text:
+    """Return the URL parameter of this name, which holds the name of a sheet."""
+    return address.Text(name, f"[{ALPHABET}]{{{LETTERS}}}", _NO_NAME, default)
 
 
 def new() -> str:
     """Return a key that nobody can guess."""
-    return secrets.token_hex(6)
+    return secrets.token_hex(8)
 
 
-def number(key: str) -> int:
-    """Return the number of the sheet to which a key belongs, from 1 to `MOST`."""
-    return 1 + int.from_bytes(sha256(key.encode()).digest(), "big") % MOST
+@lru_cache(maxsize=1024)
+def name(key: str) -> str:
+    """Return the name of the sheet to which a key belongs."""
+    hashed = int.from_bytes(hashlib.scrypt(key.encode(), salt=b"Ramanujan's oscillator", **_COST))
+    return "".join(ALPHABET[hashed // len(ALPHABET) ** place % len(ALPHABET)] for place in range(LETTERS))
 
 
-def fits(held: address.Text, sheet: int) -> bool:
-    """Tell whether a URL parameter holds the key of the sheet with this number."""
+def read_name(text: str) -> str | None:
+    """Return the name of a sheet that was typed, in whatever case and with whatever between its letters, or None.
+
+    >>> read_name(" bcdfh-jklmn ")
+    'BCDFHJKLMN'
+    """
+    return read_code(text, LETTERS)
+
+
+def fits(held: address.Text, sheet: str) -> bool:
+    """Tell whether a URL parameter holds the key of the sheet with this name."""
     key = address.keep(held)
-    return bool(key) and number(key) == sheet
+    return bool(key) and name(key) == sheet

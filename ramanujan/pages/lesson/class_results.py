@@ -7,26 +7,26 @@ import segno
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.classes import ClassError, Question, shared
+from ramanujan.lesson.classes import ClassError, Question, Seats, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
 from ramanujan.translation import _, ngettext
 
 
-def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None = None, alone: bool = False) -> None:
+def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None, alone: bool = False) -> None:
     """Draw the result of a question.
 
     Parameters
     ----------
     access : the class's code
     stop : the question
-    round_ : the last vote
+    vote : the last one
     solved : whether to say which answer is right, and how many have found it
     chosen : a student's own answer in the last vote
     alone : show only how many have found the right answer
     """
     try:
-        all_votes, changes = _result(access, stop.id, round_)
+        all_votes, changes = _result(access, stop.id, vote)
     except ClassError as error:
         st.warning(str(error))
         return
@@ -50,12 +50,11 @@ def show(access: str, stop: Stop, round_: int, solved: bool, chosen: str | None 
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def _result(access: str, stop: str, round_: int) -> tuple[list[Mapping[str, int]], Counter[tuple[bool, bool]]]:
+def _result(access: str, stop: str, vote: Vote) -> tuple[list[Mapping[str, int]], Counter[tuple[bool, bool]]]:
     """Return the votes on a question, option → number, and the changes; what is revealed stays as it is."""
-    if round_ % 2:
-        return [shared().distribution(access, stop, round_)], Counter()
-    votes = [shared().distribution(access, stop, number) for number in (round_ - 1, round_)]
-    return votes, shared().changes(access, stop, lesson.stop(stop).right, round_)
+    votes = [shared().distribution(access, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
+    right = lesson.stop(stop).right
+    return votes, shared().changes(access, stop, right, vote.asking) if vote.is_second else Counter()
 
 
 def _label(label: str, right: bool, own: bool) -> str:
@@ -108,7 +107,7 @@ def explain(stop: Stop, chosen: str | None = None) -> None:
 def answered(now: Question) -> str:
     """Return how many of those present have answered, as a sentence."""
     numbers = {"answered": now.answered, "present": now.present}
-    if now.is_second:
+    if now.vote.is_second:
         return ngettext(
             "Second vote: {answered} of {present} here has answered.",
             "Second vote: {answered} of {present} here have answered.",
@@ -122,6 +121,18 @@ def answered(now: Question) -> str:
 def joined(people: int) -> str:
     """Return how many have joined, as a sentence."""
     return ngettext("{n} student has joined.", "{n} students have joined.", people).format(n=people)
+
+
+def lately(seats: Seats) -> str:
+    """Return how many have joined in the last minute, as a sentence; nothing if nobody has."""
+    said = ngettext("{n} student joined in the last minute.", "{n} students joined in the last minute.", seats.lately)
+    return said.format(n=seats.lately) if seats.lately else ""
+
+
+def taken(seats: Seats) -> str:
+    """Return how many seats there are, and how many of them are empty, as sentences."""
+    said = ngettext("{n} seat is taken. Empty: {empty}.", "{n} seats are taken. Empty: {empty}.", seats.taken)
+    return f"{said.format(n=seats.taken, empty=seats.taken - seats.present)} {lately(seats)}"
 
 
 def qr_code(address: str) -> None:

@@ -16,7 +16,7 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import parts_of, spaced
 from ramanujan.lesson.class_record import as_csv
-from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, shared
+from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, SeatError, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, progress
 from ramanujan.shell import address, class_session, widgets
@@ -43,6 +43,9 @@ def guests(show: Callable[[Stop, bool], None]) -> None:
     show : draws a stop's machine, and whether it runs
     """
     class_session.arrive()
+    if class_session.awaited():
+        _waiting()
+        st.stop()
     if seat := seat_held():
         st.session_state[_DRAWN] = _question(seat)
         _phone()
@@ -136,11 +139,11 @@ def _desk(stop: Stop, phase: Phase) -> None:
         _follow(now, stop)
         if (last.phase if last else Phase.ASKED) != phase:
             st.rerun()
-        st.markdown(f"**{_attendance(stop, now)}**")
+        st.markdown(f"**{_attendance(stop, now)}** {class_results.lately(shared().seats(key))}")
         with st.container(horizontal=True, gap="small"):
             _next_moves(key, stop, now, last)
         if last and last.phase > Phase.ASKED:
-            class_results.show(code, stop, last.round, last.phase == Phase.SOLVED)
+            class_results.show(code, stop, last.vote, last.phase == Phase.SOLVED)
         else:
             st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
@@ -182,7 +185,7 @@ def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> N
         return
     if now.phase == Phase.ASKED:
         button(_("Show the result"), "reveal", partial(classes.show, phase=Phase.REVEALED), usual=True)
-    if not now.is_second and now.phase < Phase.RUNNING:
+    if not now.vote.is_second and now.phase < Phase.RUNNING:
         button(_("Ask again"), "again", classes.ask_again)
     if now.phase == Phase.REVEALED:
         button(_("Run the machine"), "run", partial(classes.show, phase=Phase.RUNNING), usual=True)
@@ -210,6 +213,8 @@ def _foot(key: str, code: str) -> None:
     with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
         class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
+    with st.popover(_("Seats"), key="class_seats", type="tertiary"):
+        _seats(key)
     widgets.download(
         _("Results as CSV"),
         as_csv(shared().asked(key)),
@@ -219,6 +224,22 @@ def _foot(key: str, code: str) -> None:
         type="tertiary",
     )
     _ending(key)
+
+
+def _seats(key: str) -> None:
+    """Draw who sits in the class, and what helps against somebody who fills it with seats."""
+    classes = shared()
+    seats = classes.seats(key)
+    st.markdown(class_results.taken(seats))
+    label = _("Let nobody else join") if seats.is_open else _("Let students join again")
+    st.button(label, key="class_bar", on_click=attempt, args=(classes.let_join, key, not seats.is_open))
+    st.markdown(
+        _(
+            "A seat is empty if its student’s page is closed. With the seat, the answer to the present question is "
+            "removed, unless its result is shown. A student who comes back gets a new seat."
+        )
+    )
+    st.button(_("Remove the empty seats"), key="class_clear", on_click=attempt, args=(classes.remove_absent, key))
 
 
 def _ending(key: str) -> None:
@@ -238,6 +259,20 @@ def _ending(key: str) -> None:
 
 
 @st.fragment(run_every=PHONE_EVERY)
+def _waiting() -> None:
+    """Try again to join: many students of one network come at once, and each gets a seat in turn."""
+    if code := class_session.awaited():
+        attempt(class_session.take_seat, code)
+    if not class_session.awaited():
+        st.rerun()
+    with st.container(key="class_phone"):
+        st.html(NOTHING_TO_SET)
+        st.title(_("Class {code}").format(code=spaced(code)), anchor=False)
+        st.info(class_session.refusal())
+        st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
+
+
+@st.fragment(run_every=PHONE_EVERY)
 def _phone() -> None:
     """Draw what a student is asked now, and look every few seconds whether it is still that."""
     if (seat := seat_held()) is None:
@@ -247,6 +282,10 @@ def _phone() -> None:
         try:
             question = shared().question(seat.code)
             chosen = shared().chosen(seat, question)
+        except SeatError:
+            # The lecturer has removed the empty seats while this phone slept.
+            attempt(class_session.take_seat, seat.code)
+            st.rerun()
         except ClassError as error:
             st.warning(str(error))
         else:
@@ -267,7 +306,7 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
         return
-    class_session.forget_refusal((question.stop, question.round))
+    class_session.forget_refusal((question.stop, question.vote))
     stop = lesson.stop(question.stop)
     st.title(stop.heading, anchor=False)
     st.markdown(stop.question)
@@ -276,11 +315,11 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         solved = question.phase == Phase.SOLVED
         if solved:
             class_results.explain(stop, chosen)
-        class_results.show(seat.code, stop, question.round, solved, chosen)
+        class_results.show(seat.code, stop, question.vote, solved, chosen)
         return
-    if question.is_second:
+    if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
-    key = f"class_answer_{stop.id}_{question.round}"
+    key = f"class_answer_{stop.id}_{question.vote.asking}_{question.vote.number}"
     # What the database says counts, also after a reload and after an answer that came too late.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
@@ -291,13 +330,13 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         format_func=stop.options.__getitem__,
         key=key,
         on_change=_vote,
-        args=(key, stop.id, question.round),
+        args=(key, stop.id, question.vote),
     )
     _warn()
     if chosen:
         st.success(_("Your answer counts. You can change it until the result is shown."))
 
 
-def _vote(key: str, stop: str, round_: int) -> None:
+def _vote(key: str, stop: str, vote: Vote) -> None:
     if seat := seat_held():
-        attempt(shared().vote, seat, stop, st.session_state[key], round_)
+        attempt(shared().vote, seat, stop, st.session_state[key], vote)

@@ -1,7 +1,7 @@
 """An exercise by link: chosen questions and tasks, one at a time, and at the end a sheet to print or to save.
 
-The lecturer composes the link on the page Worksheet. The link for students has a number; the lecturer's has the key,
-too, to which the number belongs (`shell/sheet_keys.py`).
+The lecturer composes the link on the page Worksheet. The link for students has a name; the lecturer's has the key,
+too, to which the name belongs (`shell/sheet_keys.py`).
 """
 
 import streamlit as st
@@ -20,8 +20,8 @@ from ramanujan.translation import _
 ITEMS = (*QUESTIONS, *(task.id for task in lesson.TASKS))
 EXERCISE = address.Several("exercise", ITEMS)
 ITEM = address.Count("item", len(ITEMS) + 1)
-SHEET = address.Count("exercise_number", sheet_keys.MOST, default=0)
-KEY = sheet_keys.parameter("exercise_key")
+SHEET = sheet_keys.name_parameter("exercise_name")
+KEY = sheet_keys.key_parameter("exercise_key")
 URL_PARAMETERS = (EXERCISE, ITEM, SHEET, KEY)
 END = _("Your sheet")
 FILE = "exercise.md"
@@ -96,7 +96,7 @@ def compose() -> None:
             return
         machine = {each.name: f"{each.present:g}" for each in PARAMETERS.values() if each.present != each.default}
         key = st.session_state.setdefault("composed_key", sheet_keys.new())
-        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), SHEET.name: sheet_keys.number(key)}
+        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), SHEET.name: sheet_keys.name(key)}
         link = address.link(asked, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)

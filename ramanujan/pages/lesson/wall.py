@@ -55,9 +55,9 @@ def _show(code: str, stop: Stop, question: Question) -> None:
     if question.phase < Phase.RUNNING:
         st.markdown(stop.question)
         if question.phase == Phase.REVEALED:
-            class_results.show(code, stop, question.round, solved=False)
+            class_results.show(code, stop, question.vote, solved=False)
             return
-        if question.is_second:
+        if question.vote.is_second:
             st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
         st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         return
@@ -65,7 +65,7 @@ def _show(code: str, stop: Stop, question: Question) -> None:
     if question.phase == Phase.SOLVED:
         with reason:
             class_results.explain(stop)
-            class_results.show(code, stop, question.round, solved=True, alone=True)
+            class_results.show(code, stop, question.vote, solved=True, alone=True)
     else:
         words.markdown(stop.question)
     with picture:
@@ -80,7 +80,7 @@ def _watch(code: str, drawn: Question) -> None:
     except ClassError as error:
         st.warning(str(error))
         return
-    gone_on = (now.stop, now.round, now.phase) != (drawn.stop, drawn.round, drawn.phase)
+    gone_on = (now.stop, now.vote, now.phase) != (drawn.stop, drawn.vote, drawn.phase)
     if gone_on or (now.stop and class_session.settings_differ(shared().machine(code))):
         st.rerun()
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):

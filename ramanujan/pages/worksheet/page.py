@@ -5,17 +5,18 @@ from collections.abc import Iterable, Iterator
 import streamlit as st
 
 from ramanujan import Oscillator
+from ramanujan.lesson.class_codes import ALPHABET, spaced
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
 from ramanujan.pages.lesson import exercise
-from ramanujan.shell import address, drawings, sheet_keys, sidebar, theme, widgets
+from ramanujan.shell import address, drawings, messages, sheet_keys, sidebar, theme, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 PAPER = address.Choice("paper", {"questions": _("Questions"), "key": _("Key")}, "questions")
-SEED = address.Count("seed", sheet_keys.MOST)
-KEY = sheet_keys.parameter("key")
+SEED = sheet_keys.name_parameter("seed", default="BCDFHJKLMN")
+KEY = sheet_keys.key_parameter("key")
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
@@ -29,7 +30,7 @@ def show() -> None:
     machine = sidebar.oscillator()
     with sheet("machine", _("The machine")):
         paper, seed, level = choose()
-        asked = questions(machine, str(seed), level)
+        asked = questions(machine, seed, level)
         calculations = [number for number, question in enumerate(asked, start=1) if question.working]
         if not is_projector():
             exercise.compose()
@@ -72,37 +73,52 @@ def uses_sidebar() -> bool:
     return False
 
 
-def choose() -> tuple[str, int, int]:
-    """Draw the choice of number and level, and with a key between questions and key; none of it is printed."""
+def choose() -> tuple[str, str, int]:
+    """Draw the choice of sheet and level, and with a key between questions and key; none of it is printed."""
     with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
         has_key, paper = sheet_keys.fits(KEY, address.held(SEED)), "questions"
         if has_key:
             paper = widgets.chips(PAPER, _("Sheet"), label_visibility="collapsed")
-        seed = widgets.count(SEED, _("Sheet number"), width=230)
+        name_of_sheet()
         level = widgets.menu(LEVEL, _("Guidance"), width=280)
         if not is_projector():
             st.button(_("New sheet with its key"), on_click=make_sheet)
-        st.caption(_("Another number makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
+        st.caption(_("Another name makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
         if has_key and not is_projector():
             st.caption(
                 _("The address of this page contains the key. Save it for yourself: *Copy link* leaves the key out.")
             )
-    return paper, seed, level
+    return paper, address.keep(SEED), level
+
+
+def name_of_sheet() -> None:
+    """Draw the box with the sheet’s name; who has it on paper types it there."""
+
+    def take() -> None:
+        if name := sheet_keys.read_name(st.session_state["sheet_name"]):
+            st.session_state[SEED.name] = name
+        else:
+            sentence = _("A sheet’s name has {n} letters, all from {letters}. The old name was kept.")
+            messages.note(SEED.name, sentence.format(n=sheet_keys.LETTERS, letters=ALPHABET), warning=True)
+
+    st.session_state["sheet_name"] = spaced(address.held(SEED))
+    st.text_input(_("Name of the sheet"), key="sheet_name", max_chars=40, width=230, on_change=take, autocomplete="off")
+    messages.show_note(SEED.name)
 
 
 def make_sheet() -> None:
     """Take a new key and the sheet that belongs to it, in a callback."""
     key = sheet_keys.new()
-    st.session_state.update({KEY.name: key, SEED.name: sheet_keys.number(key)})
+    st.session_state.update({KEY.name: key, SEED.name: sheet_keys.name(key)})
 
 
-def head(machine: Oscillator, paper: str, seed: int, calculations: list[int]) -> None:
-    """Draw the title with the seed, by which sheet and key find each other, and the machine of the calculations."""
+def head(machine: Oscillator, paper: str, seed: str, calculations: list[int]) -> None:
+    """Draw the title with the name, by which sheet and key find each other, and the machine of the calculations."""
     titles = {
         "questions": _("Ramanujan’s oscillator: worksheet {seed}"),
         "key": _("Ramanujan’s oscillator: key {seed}"),
     }
-    st.title(titles[paper].format(seed=seed), anchor=False)
+    st.title(titles[paper].format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
         name, date = _("Name"), _("Date")
         st.html(f"<p class='name'>{name} {_LINE} {date} {_LINE}</p>")
