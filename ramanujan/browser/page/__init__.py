@@ -10,7 +10,10 @@ import its module, which the server offers as a file (`ramanujan.browser.modules
 The topics of the bus, where NAME is the name of a stage:
 
     machine/NAME      what `stage.payload` returns; published by the stage’s messages, forgotten when the page is left
-    time/NAME         {time [s], phase [rad], playing}: published by the stage in every frame in which it changed
+    time/NAME         {time [s], phase [rad], periods, playing}: published by the stage in every frame in which it
+                      changed; periods of the plain mass since both hands started together
+    story/NAME        how many seconds a period of the plain mass lasts while a story is told, during which the hands
+                      keep the angle between them; null ends it
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     dragged           true as soon as a slab has been dragged: the hint to do so has served its purpose
     seek/NAME         {time [s]}: somebody asks the stage to go to that time and to stay there
@@ -64,28 +67,24 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     return modules.component("page/publish")(key=key, data=dict(topics))
 
 
-def sweep(stage: str, slider: str, ratio: float, exactly: str) -> Any:
-    """Put a button on the page that moves a slider slowly until a stage's machine is in step; beside it, its ε.
+def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words: Mapping[str, str]) -> Any:
+    """Put a button on the page that tells a story: it moves a slider until a stage's machine is in step.
 
-    The page itself moves the slider, as a hand does, marks the place on it, and sends the last value alone.
+    The page itself moves the slider, as a hand does, and sends the last value alone. Once the ratio has been found, by
+    the story or by hand, the page marks it on the slider.
 
     Parameters
     ----------
     stage : the name of the stage
     slider : key of the slider of m′
-    ratio, exactly : ε = m′/m of the machine in step, as a number and as an exact expression
+    ratio : ε = m′/m of the machine in step
+    told : stories, each a list of scenes {sentence, ratios, periods}; pace, the seconds that a period of the plain mass
+        lasts; stills, {label, turns} of each clock for someone who asked for less motion; marked, whether the slider
+        marks the ratio from the start
+    words : ratio, a template for ε; there, what is said in step; mark, begin, again, stop, hint
     """
-    said = {
-        "ratio": "ε = m′/m = {ratio}",
-        "there": _("In step: ε = {exactly}").format(exactly=exactly),
-        "mark": _("in step"),
-        "begin": _("Show me"),
-        "hint": _("Move m′ slowly until both hands turn together"),
-        "stop": _("Stop"),
-    }
-    return modules.component("page/sweep")(
-        key="sweep", data={"stage": stage, "slider": slider, "ratio": ratio, "said": said}
-    )
+    data = {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **told}
+    return modules.component("page/story")(key="story", data=data)
 
 
 def cursor(stage: str) -> Any:

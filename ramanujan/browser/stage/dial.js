@@ -19,8 +19,8 @@ function nearness({ Omega, plain }) {
 }
 
 /** What the hands show now, in a sentence. Before the release they part, too, but nobody is ahead. */
-function lead(phase, plainPhase) {
-  const turns = (phase - plainPhase) / TURN, apart = Math.abs(turns), periods = plainPhase / TURN;
+function lead({ phase, plainPhase, periods }) {
+  const turns = (phase - plainPhase) / TURN, apart = Math.abs(turns);
   const values = { turns: fixed(apart, 2), periods: fixed(Math.abs(periods), 1), least: LEAST };
   if (Math.abs(periods) < 0.05) return WORDS.start;
   if (apart < LEAST) return fill(periods < 0 ? WORDS.start : WORDS.close, values);
@@ -57,14 +57,15 @@ export function makeDial(root) {
     set(find(".pointer"), { transform: `translate(${at(Math.min(solution.normalized, limit))} 30)` });
   }
 
-  function frame(phase, plainPhase, running) {
+  function frame(playback, running) {
+    const { phase, plainPhase } = playback;
     const degrees = (angle) => ((angle % TURN) * 360) / TURN, between = ((phase - plainPhase) / TURN) % 1;
     put(find, {
       ".hand.machine": { transform: `rotate(${degrees(phase)})` },
       ".hand.plain": { transform: `rotate(${degrees(plainPhase)})` },
       ".lead": { transform: `rotate(${degrees(between > 0 ? plainPhase : phase) - 90})`, "stroke-dasharray": `${Math.abs(between)} 1` },
     });
-    if (running) write(find(".verdict"), lead(phase, plainPhase));
+    if (running) write(find(".verdict"), lead(playback));
   }
 
   return { machine, frame };

@@ -20,7 +20,7 @@ const TRAIL = { positions: 8, apart: TURN / 60 }; // the last ones, so much of a
  *
  * geometry(parameters)                              the radius or a body's shape has changed
  * machine({ parameters, solution, data, parts })     any parameter has changed
- * frame({ known, phase, plainPhase, shift, write })  a frame: known = parameters, state, Omega; shift [m] of the view;
+ * frame({ known, playback, shift, write })           a frame: known = parameters, state, Omega; shift [m] of the view;
  *                                                   write: the running numbers, too
  * show(layers)                                      the set of layers that are seen
  * ghosts(states)                                    the still of the present machine, or none
@@ -82,7 +82,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     layers.machine(parameters, solution, data, clock.seenFrom);
   }
 
-  function frame({ known, phase, plainPhase, shift, write }) {
+  function frame({ known, playback, shift, write }) {
     const plain = known.plain * CM;
     put(inMoving, placed(known, place, shift));
     put(find, {
@@ -91,9 +91,9 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
       ".centre": { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` },
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
-    leave(known, phase, shift);
+    leave(known, playback.phase, shift);
     layers.frame(known, shift, write);
-    dial.frame(phase, plainPhase, write);
+    dial.frame(playback, write);
   }
 
   /** Leave a faint outline of what has just moved; none after a leap in time. */

@@ -10,6 +10,8 @@ const NO_OFFSET = { X: 0, phi: 0, Phi: 0, plain: 0, shift: 0 };
 export class Playback {
   phase = 0; // of the machine, Ωt: it stays when parameters change, so that the picture does not jump
   plainPhase = 0; // of the plain mass
+  together = 0; // the plain mass's phase when both hands started together
+  keeps = false; // whether the hands keep the angle between them while the machine changes
   offset = NO_OFFSET;
   exit = null; // the phase at which the machine has left its place, if somebody has gone beyond it
 
@@ -19,7 +21,12 @@ export class Playback {
     Object.assign(this, { parameters, solution, samples, leaves, seenFrom });
     this.exit = null;
     // The clocks compare frequencies: they start together whenever these change.
-    if (ratio !== solution.Omega / solution.plain) this.plainPhase = this.phase;
+    if (!this.keeps && ratio !== solution.Omega / solution.plain) this.plainPhase = this.together = this.phase;
+  }
+
+  /** How many periods of the plain mass ago both hands started together. */
+  get periods() {
+    return (this.plainPhase - this.together) / TURN;
   }
 
   /** The time [s] since release. */
@@ -58,7 +65,7 @@ export class Playback {
   }
 
   reset() {
-    this.phase = this.plainPhase = 0;
+    this.phase = this.plainPhase = this.together = 0;
     this.exit = null;
   }
 
@@ -86,8 +93,16 @@ export class Playback {
   /** Go to a time since release, for both clocks. */
   goToTime(time) {
     this.plainPhase = this.solution.plain * time;
+    this.together = 0;
     this.phase = this.solution.Omega * time;
     return this.goTo(this.phase);
+  }
+
+  /** Give the plain mass this phase; from it follows when both hands started together. */
+  meet(plainPhase) {
+    const gained = this.solution.Omega / this.solution.plain - 1;
+    this.plainPhase = plainPhase;
+    this.together = Math.abs(gained) > 1e-9 ? plainPhase - (this.phase - plainPhase) / gained : 0;
   }
 
   /** Whether every period is like the first. */

@@ -43,6 +43,7 @@ class Stage {
     this.keeper = makeKeeper(this, options, signal);
     signal.addEventListener("abort", () => ["time", "present", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
+    bus.subscribe(`story/${stage}`, (pace) => this.tell(pace), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
   }
 
@@ -67,7 +68,7 @@ class Stage {
     if (!phases) return;
     this.clock.playing = false;
     this.playback.goTo(phases[0]);
-    [, this.playback.plainPhase] = phases;
+    this.playback.meet(phases[1]);
   }
 
   hide(names) {
@@ -111,10 +112,25 @@ class Stage {
     if (this.hand.look()) this.change(() => {});
     const stands = this.hand.isHolding || this.parts.hides("motion");
     const running = this.clock.playing && !stands;
-    if (running) this.run(elapsed * this.clock.speed * this.clock.slowing);
+    if (running) this.run(elapsed * this.pace());
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.dirty) this.draw(elapsed);
     return running || fading || this.hand.held !== null;
+  }
+
+  /** How many seconds of the machine pass in one of the beholder's. */
+  pace() {
+    return this.lapse ? TURN / this.solution.plain / this.lapse : this.clock.speed * this.clock.slowing;
+  }
+
+  /** Tell a story, in which a period of the plain mass lasts so many seconds; null ends it. */
+  tell(lapse) {
+    this.lapse = lapse;
+    this.playback.keeps = Boolean(lapse);
+    if (lapse) {
+      this.playback.reset();
+      this.setClock({ playing: true });
+    } else this.showSlowing();
   }
 
   /** Have the picture drawn with the next frame. */
@@ -199,12 +215,12 @@ class Stage {
     if (write) this.sinceText = 0;
     const { shift, ...state } = playback.drawn();
     const known = { ...this.parameters, ...state, Omega: this.solution.Omega };
-    const { phase, plainPhase, time } = playback;
-    this.picture.frame({ known, phase, plainPhase, shift, write });
+    const { phase, time, periods } = playback;
+    this.picture.frame({ known, playback, shift, write });
     if (dirty && this.still && !this.parts.hides("motion")) this.picture.ghosts(exposures(this.parameters, this.solution));
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
-    bus.publish(`time/${this.name}`, { time, phase, playing: this.clock.playing });
+    bus.publish(`time/${this.name}`, { time, phase, periods, playing: this.clock.playing });
     if (dirty && !this.clock.playing) this.keeper.update();
   }
 
@@ -225,6 +241,6 @@ class Stage {
   }
 
   showSlowing() {
-    this.voice.slowed(Math.min(1, this.period() / EYE), this.clock.speed);
+    this.voice.paced(this.lapse ? this.pace() : Math.min(1, this.period() / EYE) * this.clock.speed, this.clock.speed);
   }
 }

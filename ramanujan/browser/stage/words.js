@@ -27,13 +27,13 @@ export const moment = (phase, time, { hides }) =>
   });
 
 /**
- * The voice of one stage. `note` shows something for a few seconds, `slowed` as long as it holds, `describe` and `tell`
+ * The voice of one stage. `note` shows something for a few seconds, `paced` as long as it holds, `describe` and `tell`
  * are for the page's live region, which says a sentence once; what the machine does by itself comes before descriptions.
  */
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
-  let message = null, slowing = "", described = "", told = "";
-  const show = (sentence) => (node.textContent = (message = sentence) ?? slowing);
+  let message = null, pace = "", described = "", told = "";
+  const show = (sentence) => (node.textContent = (message = sentence) ?? pace);
   const say = (sentence, urgent) => compact || bus.publish("say", { sentence, urgent });
   const fade = atRest(NOTE_TIME, () => show(null), signal);
   return {
@@ -41,9 +41,10 @@ export function makeVoice(root, { compact, parts, signal }) {
       show(sentence);
       fade();
     },
-    slowed(factor, speed) {
-      const sentence = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
-      slowing = factor < 1 ? fill(sentence, { factor: number(factor * speed, 2) }) : "";
+    /** The picture is shown at so many times its real speed; said where nobody has chosen that `speed`. */
+    paced(factor, speed) {
+      const slow = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
+      pace = factor === speed ? "" : fill(factor < speed ? slow : WORDS.lapsed, { factor: number(factor, 2) });
       show(message);
     },
     /** The description compares the machine with the plain mass, in numbers. */

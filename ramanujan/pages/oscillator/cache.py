@@ -54,6 +54,14 @@ def unit_ratio() -> str:
     return root.replace(f"sqrt({condition.discriminant})", f"√{condition.discriminant}")
 
 
+def taxicab() -> str:
+    """Return the number as the square of an expression in ε."""
+    condition = unit_frequency_condition()
+    numerator, denominator = sp.fraction(condition.root)
+    shift = sp.sqrt(condition.discriminant) - numerator
+    return f"({denominator}ε + {shift})² = {condition.discriminant}"
+
+
 def equal_masses_value() -> str:
     """Return Ω²m/k at equal masses as an exact fraction."""
     return str(unit_frequency_condition().normalized_frequency_squared.subs(epsilon, 1))

@@ -2,18 +2,23 @@
 
 import math
 from collections.abc import Collection
+from dataclasses import asdict
 
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO
 from ramanujan.browser import page, stage
-from ramanujan.pages.oscillator import cache
-from ramanujan.shell import display_mode, drawings, navigation, sidebar, stages, theme
+from ramanujan.numerals import number
+from ramanujan.pages.oscillator import cache, story
+from ramanujan.pages.oscillator.story import gained
+from ramanujan.shell import address, display_mode, drawings, navigation, sidebar, stages, theme
 from ramanujan.shell.cache import numbers_stated
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
 
-URL_PARAMETERS = ()
+FOUND = address.Choice("found", ("on",))
+"""Whether the slider of m′ marks the ratio before it has been found."""
+URL_PARAMETERS = (FOUND,)
 
 
 def lead() -> Collection[str]:
@@ -70,10 +75,14 @@ def the_steps() -> None:
 def opening() -> None:
     """Say what this is, what it asks and what to do first; on a reader's screen also where to learn more."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
-    first = _("Drag the slab and let go.")
-    if not display_mode.hides("clocks"):
-        first = _("Drag the slab and let go, then move m′ until both clock hands turn together.")
     question = _("When does this machine of five bodies oscillate in step with a plain mass on the same spring?")
+    first = _("Drag the slab and let go.")
+    if not display_mode.hides("clocks", "numbers"):
+        question = _(
+            "Two machines, one spring: with equal masses they are almost in step. Their hands part by one full turn in "
+            "{periods} periods."
+        ).format(periods=number(1 / float(gained(1.0)), 2))
+        first = _("At which mass ratio do they stay together? Move m′ until both hands turn together.")
     with st.container(horizontal=True, gap="small", key="opening"):
         with st.container(gap=None):
             st.markdown(f"**{question}** {first}")
@@ -82,7 +91,30 @@ def opening() -> None:
                     to_lesson()
         # A projector's sheet has no height for it.
         if not (display_mode.hides("clocks", "numbers") or display_mode.is_projector()):
-            page.sweep("oscillator", "m_prime", UNIT_MASS_RATIO, cache.unit_ratio())
+            tell_story()
+
+
+def tell_story() -> None:
+    """Offer the story that ends at the one mass ratio at which both hands turn together."""
+    told = {
+        "stories": [[asdict(scene) for scene in story.story(start)] for start in story.STARTS],
+        "pace": story.PACE,
+        "stills": story.stills(),
+        "marked": address.keep(FOUND) == "on",
+    }
+    words = {
+        "ratio": "ε = m′/m = {ratio}",
+        "there": _("In step: ε = {exactly}. So {number}.").format(exactly=cache.unit_ratio(), number=cache.taxicab()),
+        "mark": _("in step"),
+        "begin": _("Bring them into step"),
+        "again": _("Again"),
+        "stop": _("Stop"),
+        "stills": _(
+            "Both hands start together. After {periods} periods of the plain mass they stand like this:"
+        ).format(periods=story.STILL_PERIODS),
+        "hint": _("Watch how the hands part as m′ changes, and where they stay together"),
+    }
+    page.story("oscillator", "m_prime", UNIT_MASS_RATIO, told, words)
 
 
 def to_lesson() -> None:

@@ -1,0 +1,104 @@
+"""The story of the first page: from heavy rollers to the one mass ratio at which both clock hands turn together.
+
+Times are in periods of the plain mass, masses in units of m: one story fits every machine. The hands start together,
+and the waits are such that they meet again at ε*. By how many full turns the machine's hand gains on the other one is
+
+    ∫ (√f(ε(t)) − 1) dt,    f(ε) = Ω²m/k
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import streamlit as st
+from numpy.typing import ArrayLike, NDArray
+
+from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
+from ramanujan.numerals import number
+from ramanujan.translation import _
+
+STARTS = (5.0, 2.0)
+"""Mass ratios with which a story may begin: where 5m is more than a roller's largest mass, 2m is not."""
+PACE = 0.6
+"""Seconds that a period of the plain mass lasts in the story."""
+_OVER = 2 * UNIT_MASS_RATIO - 1
+"""As far above ε* as equal masses are below."""
+STILL_PERIODS = 2
+"""Periods of the plain mass after which the still clocks are drawn."""
+_KNOTS = 16
+"""Straight pieces of a move, which begins and ends slowly."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A part of the story.
+
+    Parameters
+    ----------
+    sentence : what is said while it lasts
+    ratios : ε at equal steps of time, from its beginning to its end; two equal ones while the machine stays as it is
+    periods : how long it lasts, in periods of the plain mass
+    """
+
+    sentence: str
+    ratios: tuple[float, ...]
+    periods: float
+
+
+def gained(ratios: ArrayLike) -> NDArray[np.float64]:
+    """Return by how many full turns the machine's hand gains on the plain mass's in each of its periods, √f(ε) − 1."""
+    return np.sqrt(normalized_frequency_squared(ratios)) - 1
+
+
+@st.cache_resource(show_spinner=False)
+def story(start: float) -> tuple[Scene, ...]:
+    """Return the scenes of the story that begins with a mass ratio.
+
+    Parameters
+    ----------
+    start : ε of the heavy rollers, dimensionless
+    """
+    lighter = Scene(_("Lighter rollers: the machine falls behind more slowly."), _moved(start, UNIT_MASS_RATIO), 5)
+    turns = math.ceil(-turns_in(lighter) - float(gained(start)))
+    wait = (turns + turns_in(lighter)) / -float(gained(start))
+    heavy = _("Heavy rollers: in {periods} periods the machine falls one full turn behind.")
+    ahead = (
+        Scene(_("Still lighter: now the machine runs ahead."), _moved(UNIT_MASS_RATIO, 1.0), 1.2),
+        _stay(_("Equal masses: in {periods} periods the machine gains one full turn."), 1.0, 3),
+        Scene(_("Heavier again: the machine slows down."), _moved(1.0, _OVER), 1.5),
+    )
+    back = Scene(_("Between the two, one mass ratio keeps both hands together."), _moved(_OVER, UNIT_MASS_RATIO), 1.2)
+    rest = sum(map(turns_in, (*ahead, back))) / -float(gained(_OVER))
+    return (
+        _stay(heavy, start, wait),
+        lighter,
+        _stay(_("Here both hands turn together."), UNIT_MASS_RATIO, 2),
+        *ahead,
+        _stay(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _OVER, rest),
+        back,
+    )
+
+
+def stills() -> list[dict[str, str | float]]:
+    """Return clocks for someone who asked for less motion: labels, and by how many turns the hands are apart."""
+    ratios = {"ε = 5": 5.0, "ε = 2": 2.0, "ε = 1.127…": UNIT_MASS_RATIO, "ε = 1": 1.0, "ε = 0.5": 0.5}
+    return [{"label": label, "turns": STILL_PERIODS * float(gained(ratio))} for label, ratio in ratios.items()]
+
+
+def turns_in(scene: Scene) -> float:
+    """Return by how many full turns the machine's hand gains on the other one in a scene."""
+    # From knot to knot ε is a straight line, and so nearly is √f.
+    fine = np.linspace(0, 1, 50 * len(scene.ratios) + 1)
+    ratios = np.interp(fine, np.linspace(0, 1, len(scene.ratios)), scene.ratios)
+    return scene.periods * float(np.trapezoid(gained(ratios), fine))
+
+
+def _stay(sentence: str, ratio: float, periods: float) -> Scene:
+    """Return a scene in which the machine stays as it is; its sentence says how soon the hands part by a full turn."""
+    apart = 1 / abs(float(gained(ratio))) if ratio != UNIT_MASS_RATIO else math.inf
+    return Scene(sentence.format(periods=number(apart, 2)), (ratio, ratio), periods)
+
+
+def _moved(start: float, end: float) -> tuple[float, ...]:
+    share = np.linspace(0, 1, _KNOTS + 1)
+    return tuple(float(ratio) for ratio in start * (end / start) ** (share**2 * (3 - 2 * share)))

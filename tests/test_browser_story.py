@@ -1,0 +1,123 @@
+"""The story of the first page: what it says and what the hands show at every second, against the numeric core."""
+
+import re
+from itertools import accumulate, pairwise
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
+from ramanujan.pages.oscillator.story import STARTS, STILL_PERIODS, story
+from tests.browser import STAGE, inside, settle
+
+STORY = "document.querySelector('.st-key-story [data-testid=stBidiComponentIsolated]').shadowRoot"
+NOW = f"""() => {{
+  const text = (root, selector) => root.querySelector(selector).textContent;
+  const {{ phase, periods }} = ramanujan.last("time/oscillator");
+  return {{ periods, ratio: ramanujan.last("present/oscillator").ratio, said: text({STORY}, ".said"),
+    verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"), phase }};
+}}"""
+MARK = "document.querySelector('.st-key-m_prime').style.getPropertyValue('--mark')"
+
+
+def button(page, name: str):
+    return page.get_by_role("button", name=name, exact=True)
+
+
+def ratio_at(scenes, periods: float) -> float:
+    """The mass ratio after so many periods of the plain mass."""
+    ends = list(accumulate(scene.periods for scene in scenes))
+    i = int(np.searchsorted(ends, periods))
+    share = 1 - (ends[i] - periods) / scenes[i].periods
+    return float(np.interp(share, np.linspace(0, 1, len(scenes[i].ratios)), scenes[i].ratios))
+
+
+def gained(scenes, periods: float) -> float:
+    """By how many turns the machine's hand is ahead then."""
+    ends = [each for each in accumulate(scene.periods for scene in scenes) if each < periods]
+    rate = lambda t: float(np.sqrt(normalized_frequency_squared(ratio_at(scenes, t)))) - 1  # noqa: E731
+    return sum(quad(rate, start, end, limit=200, epsabs=1e-6)[0] for start, end in pairwise([0.0, *ends, periods]))
+
+
+def figure(sentence: str) -> float:
+    return float(re.search(r"\d+(\.\d+)?", sentence)[0])
+
+
+@pytest.mark.parametrize("start", STARTS)
+def test_the_hands_meet_again_where_both_machines_are_in_step(start):
+    scenes = story(start)
+    assert [scenes[0].ratios[0], scenes[2].ratios[0], scenes[-1].ratios[-1]] == [
+        start,
+        UNIT_MASS_RATIO,
+        UNIT_MASS_RATIO,
+    ]
+    for first, second in pairwise(scenes):
+        assert first.ratios[-1] == second.ratios[0]
+    arrives, ends = sum(scene.periods for scene in scenes[:2]), sum(scene.periods for scene in scenes)
+    turns = gained(scenes, arrives)
+    assert turns == pytest.approx(round(turns), abs=1e-3)
+    assert turns <= -0.999
+    assert gained(scenes, ends - 1e-9) == pytest.approx(round(turns), abs=1e-3)
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])
+def test_the_story_is_true_at_every_second_and_ends_in_step(visit, width, height):
+    page = visit("?m=1.5&hide=curve,steps", width=width, height=height, motion="no-preference")
+    assert page.evaluate(MARK) == "", "the answer is not printed on the slider"
+    scenes, sent, seen = story(STARTS[0]), len(page.frames_sent), set()
+    button(page, "Bring them into step").click()
+    for _ in range(40):
+        page.wait_for_timeout(600)
+        now = page.evaluate(NOW)
+        if now["said"].startswith("In step"):
+            break
+        ends = [*accumulate(scene.periods for scene in scenes)]
+        seen.add(now["said"])
+        # On a slow machine a frame is long, and the sentence changes with the next one.
+        first, last = (min(int(np.searchsorted(ends, now["periods"] + by)), len(ends) - 1) for by in (-0.6, 0.6))
+        assert now["said"] in [scene.sentence for scene in scenes[first : last + 1]]
+        # A slow machine draws a frame late; the slider has its steps.
+        around = [ratio_at(scenes, max(0, min(now["periods"] + by, ends[-1] - 1e-9))) for by in (-0.4, 0.4)]
+        assert min(around) - 0.01 < now["ratio"] < max(around) + 0.01
+        ahead = gained(scenes, min(now["periods"], ends[-1] - 1e-9))
+        if " turns " in now["verdict"] and "agree" not in now["verdict"]:
+            assert figure(now["verdict"]) == pytest.approx(abs(ahead), abs=0.1)
+            assert ("behind" in now["verdict"]) == (ahead < 0)
+        apart = 1 / abs(float(np.sqrt(normalized_frequency_squared(now["ratio"]))) - 1)
+        assert figure(now["parting"].replace("\u202f", "")) == pytest.approx(apart, rel=0.05, abs=0.5)
+    else:
+        pytest.fail("the story does not end")
+    assert len(seen) >= 6
+    settle(page)
+    assert now["said"] == "In step: ε = (√1729 − 1)/36. So (36ε + 1)² = 1729."
+    assert page.locator(".st-key-m_prime_exact input").input_value() == repr(UNIT_MASS_RATIO * 1.5)
+    assert len(page.frames_sent) == sent + 1, "no message while it plays"
+    assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
+    assert float(page.evaluate(MARK)) == pytest.approx((UNIT_MASS_RATIO * 1.5 - 0.05) / (10 - 0.05))
+    # Whatever is touched takes over: the slider stays where it is, and says so.
+    button(page, "Again").click()
+    page.wait_for_function("ramanujan.last('present/oscillator').ratio < 4.5")
+    page.keyboard.press("Shift")
+    settle(page)
+    value = float(page.locator(".st-key-m_prime_exact input").input_value())
+    assert 2 < value / 1.5 < 4.6
+    assert f"m_prime={value:g}" in page.url
+    assert page.evaluate("ramanujan.last('machine/oscillator').parameters.m_prime") == pytest.approx(value)
+
+
+def test_who_wants_less_motion_sees_five_clocks(visit):
+    page = visit("?found=on&hide=curve,steps")
+    assert page.evaluate(MARK) != ""
+    button(page, "Bring them into step").click()
+    settle(page)
+    angles = page.evaluate(
+        f"[...{STORY}.querySelectorAll('.stills svg')].map((clock) => [...clock.querySelectorAll("
+        "'line')].map((hand) => Number(/[-.\\d]+/.exec(hand.getAttribute('transform') ?? '0')[0])))"
+    )
+    assert [plain for plain, _ in angles] == [0] * 5
+    labels = page.locator(".st-key-story li").all_inner_texts()
+    for label, (_, degrees) in zip(labels, angles, strict=True):
+        turns = STILL_PERIODS * (np.sqrt(normalized_frequency_squared(figure(label))) - 1)
+        assert degrees == pytest.approx(360 * turns, abs=0.1), label
+    assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
