@@ -30,6 +30,7 @@ from tests.browser import (
     settle,
     started,
 )
+from tests.engines import bare, bare_address, browsers, engine, missing, playwright, window  # noqa: F401
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
 UNOPTIMIZED = "--js-flags=--no-opt --no-maglev"
@@ -87,28 +88,20 @@ def server(pytestconfig: pytest.Config) -> Iterator[str]:
 
 
 @pytest.fixture(scope="session")
-def profile(tmp_path_factory: pytest.TempPathFactory) -> Iterator[object]:
+def profile(playwright: object, tmp_path_factory: pytest.TempPathFactory) -> Iterator[object]:  # noqa: F811
     """One headless browser for all tests of a worker, with one profile on the disk.
 
     There it keeps compiled scripts, as a visitor's browser does. It does not optimize them, which for a test of a
     second or two never pays. Both together halve a visit: the first page takes 0.9 s of the processor instead of 1.7.
     """
     if CHROMIUM is None:
-        if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
-            pytest.fail("no Chromium or Chrome on this system, and RAMANUJAN_REQUIRE_BROWSER is set")
-        pytest.skip("no Chromium or Chrome on this system (on Debian: apt-get install chromium)")
-    from playwright.sync_api import expect, sync_playwright
-
-    expect.set_options(
-        timeout=20_000
-    )  # [ms]; on a machine that others share, a page of five figures takes more than 5 s
-    with sync_playwright() as playwright:
-        place = tmp_path_factory.mktemp("profile")
-        context = playwright.chromium.launch_persistent_context(
-            place, executable_path=CHROMIUM, args=[*FLAGS, UNOPTIMIZED], downloads_path=place
-        )
-        yield context
-        context.close()
+        missing("chromium")
+    place = tmp_path_factory.mktemp("profile")
+    context = playwright.chromium.launch_persistent_context(
+        place, executable_path=CHROMIUM, args=[*FLAGS, UNOPTIMIZED], downloads_path=place
+    )
+    yield context
+    context.close()
 
 
 @pytest.fixture(scope="session")

@@ -13,7 +13,8 @@ from PIL import Image
 from ramanujan import Oscillator
 from ramanujan.browser import stage
 from ramanujan.motion import InitialState, motion, released
-from tests.browser import STAGE, next_frame
+from tests.bare import Bare
+from tests.browser import STAGE, inside, next_frame
 
 ROLLERS = ("hoop", "cylinder", "top")
 STEPS = 24
@@ -95,20 +96,22 @@ _SEEK = f"""([periods, part]) => {{
 
 
 class Picture:
-    """A page with a stage of a given name, told which machine to show and at which time."""
+    """A stage on a bare page, told which machine to show and at which time."""
 
-    def __init__(self, page: object, name: str) -> None:
-        self.page, self.name = page, name
-        page.wait_for_function(f"globalThis.ramanujan?.last?.('time/{name}')")
+    def __init__(self, bare: Bare, name: str = "oscillator", **options: object) -> None:
+        self.bare, self.page, self.name = bare, bare.page, name
+        bare.stage(name=name, **options)
 
     def show(self, machine: Oscillator, compression: float, initial: InitialState | None = None) -> None:
-        """Show a machine in place of the page's own, by the door through which the server's numbers come."""
+        """Show a machine."""
         self.machine, self.compression, self.initial = machine, compression, initial or released(machine, compression)
         data = stage.payload(machine, compression, initial=initial)
-        # The stage follows the sliders where they show something else than it is told.
-        self.page.evaluate("document.querySelectorAll('.stSlider').forEach((slider) => slider.remove())")
-        self.page.evaluate(f"(data) => ramanujan.publish('machine/{self.name}', data)", data)
+        self.bare.put(lambda: stage.tell(data, name=self.name))
         next_frame(self.page)
+
+    def find(self, expression: str) -> object:
+        """Return what a JavaScript expression says of the stage, whose document is `root`."""
+        return inside(self.page, expression)
 
     def at(self, periods: float) -> dict:
         """Go to a time, in periods after release, by the buttons and the scrubber, and return what is drawn there.
@@ -128,10 +131,9 @@ class Picture:
 
     def layers(self, *names: str) -> None:
         """Show these layers and no others."""
-        self.page.get_by_role("button", name="Show", exact=True).click()
-        for layer in self.page.locator(".st-key-stage [data-layer]").all():
-            layer.locator("input").set_checked(layer.get_attribute("data-layer") in names)
-        self.page.keyboard.press("Escape")
+        boxes = "[...root.querySelectorAll('[data-layer]')]"
+        wrong = f"{boxes}.filter((box) => {list(names)}.includes(box.dataset.layer) !== box.firstChild.checked)"
+        self.find(f"{wrong}.forEach((box) => box.firstChild.click())")
         next_frame(self.page)
 
     def painted(self) -> np.ndarray:

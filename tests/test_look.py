@@ -1,6 +1,5 @@
 """One colour for each body, everywhere, and readable: the theme, the stage's style sheet and the figures agree."""
 
-import tomllib
 import warnings
 from itertools import combinations
 
@@ -10,9 +9,9 @@ from daltonlens import convert, simulate
 
 from ramanujan.integrators import METHODS
 from ramanujan.shell.theme import BODY_COLORS
+from tests.bare import THEME
 from tests.browser import ROOT
 
-THEME = tomllib.loads((ROOT / ".streamlit" / "config.toml").read_text())["theme"]
 STYLE = (ROOT / "ramanujan" / "browser" / "stage" / "stage.css").read_text()
 
 
