@@ -1,4 +1,4 @@
-"""Reads LaTeX as the pages show it, and evaluates it with 60 digits: what a reader with pencil and paper would do.
+"""Reads LaTeX as the pages show it, and evaluates it with 100 digits: what a reader with pencil and paper would do.
 
 It knows nothing of the package or of SymPy: each mark becomes the one of Python that means the same. A decimal that
 ends in dots is read as the number that is written.
@@ -14,9 +14,9 @@ import mpmath
 import numpy as np
 
 Number = mpmath.mpf | np.ndarray
-"""A number of 60 digits, or a matrix of them."""
+"""A number of 100 digits, or a matrix of them."""
 
-mpmath.mp.dps = 60
+mpmath.mp.dps = 100
 
 _LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|cdot|d?dot)[a-zA-Z]+|[a-zA-Z])"
 _PYTHON = {
@@ -48,6 +48,8 @@ _TOKEN = re.compile(
     r"|(?P<name>\\Omega(?:_\{\\text\{clamped\}\})?\^\{2\}|M\^\{-1\}"
     rf"|(?:\\d?dot\{{{_LETTER}\}}|{_LETTER})'?(?:_\{{(?:\\text\{{\w+\}}|\\?[a-zA-Z0-9*]+)\}})?)"
 )
+_SIDE_BY_SIDE = re.compile(r"\d(?:\\,| )+\d")
+"""Two numbers that a reader takes for one."""
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 
 
@@ -61,7 +63,9 @@ class Formula:
     """A formula as Python; `names` are its symbols as written in LaTeX, `value` evaluates it."""
 
     def __init__(self, text: str) -> None:
-        place, python, self._numbers, self.names = 0, "", [], []
+        if _SIDE_BY_SIDE.search(text):
+            raise ValueError(f"numbers side by side: {text!r}")
+        place, python, self._numbers, self._cut_off, self.names = 0, "", [], {}, []
         while place < len(text):
             found = _TOKEN.match(text, place)
             if found is None:
@@ -69,6 +73,8 @@ class Formula:
             place = found.end()
             if found["number"]:
                 python += f"numbers[{len(self._numbers)}]"
+                if r"\ldots" in found[0]:
+                    self._cut_off[len(self._numbers)] = last_place(found[0])
                 self._numbers.append(mpmath.mpf(f"{found['number']}e{found['power'] or 0}"))
             elif found["name"]:
                 python += f"names[{len(self.names)}]"
@@ -76,6 +82,15 @@ class Formula:
             else:
                 python += _PYTHON[found["mark"]]
         self._python = compile(python, text, "eval")
+
+    def cut_off(self, values: Mapping[str, Number]) -> Number:
+        """Return by how much the value may be wrong, since some decimals go on behind their last place."""
+        numbers, plain, total = list(self._numbers), self.value(values), 0
+        for place, unit in self._cut_off.items():
+            self._numbers = [*numbers[:place], numbers[place] + unit, *numbers[place + 1 :]]
+            total += abs(self.value(values) - plain)
+        self._numbers = numbers
+        return total
 
     def value(self, values: Mapping[str, Number]) -> Number:
         """Return the value.
@@ -96,11 +111,17 @@ class Formula:
         return np.array(found, dtype=object) if isinstance(found, tuple) else found
 
 
-def equations(display: str) -> list[str]:
+def last_place(decimal: str) -> mpmath.mpf:
+    """Return the unit in the last place of a decimal."""
+    digits, _, power = decimal.replace(r"\ldots", "").partition(r" \times 10^{")
+    return mpmath.mpf(10) ** (int(power.rstrip("}") or 0) - len(digits.partition(".")[2]))
+
+
+def equations(display: str, newline: str = "") -> list[str]:
     """Return the equations of one display, the lines of a broken one put together again."""
     inside = display.removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
     found: list[str] = []
-    for line in re.split(r"\\\\\[[\d.]+em\]", inside):
+    for line in inside.split(newline) if newline else re.split(r"\\\\\[[\d.]+em\]", inside):
         for part in re.split(r"&\\qquad", line):
             text = part.strip()
             if text.startswith(r"&\quad"):

@@ -4,16 +4,20 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ramanujan.derivation.printers import Number, number_to_latex, rounded, truncated
+from ramanujan.derivation.printers import Number, rounded, truncated
+from ramanujan.derivation.rows import side_terms
+from ramanujan.derivation.symbols import k, m, m_prime
+
+ROOT, HALF = sp.sqrt(1729), sp.Rational(1, 2)
 
 
-def shown(number: Number) -> str:
-    """Return a number as it stands alone."""
-    found = number_to_latex(number)
-    return f"- {found.absolute}" if found.sign < 0 else found.absolute
+def shown(number: sp.Expr) -> str:
+    """Return a number as it stands alone, in place of a symbol."""
+    return "".join(side_terms(m_prime, {m: 1, m_prime: number, k: 1}))
 
 
 @settings(deadline=None, max_examples=40)
@@ -38,11 +42,12 @@ def test_a_rounded_decimal_is_near(p, q):
 @pytest.mark.parametrize(
     ("number", "text"),
     [
-        (Number(-1, 2), r"- \frac{1}{2}"),
-        (Number(37, 36, -1, 1729), r"- \frac{\sqrt{1729} - 37}{36}"),
-        (Number(205, 7, -5, 1729), r"- \frac{5\,\left(\sqrt{1729} - 41\right)}{7}"),
-        (Number(0, 1, 2, 1729), r"2\,\sqrt{1729}"),
-        (Number(1, 3 * 10**7), r"3.3333333\ldots \times 10^{-8}"),
+        (-HALF, r"- \frac{1}{2}"),
+        ((37 - ROOT) / 36, r"- \frac{\sqrt{1729} - 37}{36}"),
+        (37 - ROOT, r"- (\sqrt{1729} - 37)"),
+        (5 * (41 - ROOT) / 7, r"- \frac{5\,\left(\sqrt{1729} - 41\right)}{7}"),
+        (2 * ROOT, r"2\,\sqrt{1729}"),
+        (HALF / (15 * 10**6), r"3.3333333\ldots \times 10^{-8}"),
     ],
 )
 def test_how_a_number_looks(number, text):

@@ -189,19 +189,15 @@ class Number(NamedTuple):
 
 
 class Printed(NamedTuple):
-    """A number as LaTeX: its sign (1, 0 or −1), numerator and denominator of its absolute value ("" for 1)."""
+    """A number as LaTeX: its sign (1, 0 or −1), numerator and denominator of its absolute value, the latter "" for 1.
+
+    Of a numerator p + r√n, `is_sum` tells whether it needs brackets as a factor.
+    """
 
     sign: int
     above: str
     below: str = ""
     is_sum: bool = False
-
-    @property
-    def absolute(self) -> str:
-        """The absolute value, in brackets if a minus sign before it would split it."""
-        if self.below:
-            return rf"\frac{{{self.above}}}{{{self.below}}}"
-        return rf"\left({self.above}\right)" if self.is_sum and self.sign < 0 else self.above
 
     @property
     def says_all(self) -> bool:
@@ -213,8 +209,8 @@ class Printed(NamedTuple):
 def number_to_latex(number: Number) -> Printed:
     r"""Return a number as LaTeX: one fraction, no root below it; a long one as a decimal that ends in dots.
 
-    >>> number_to_latex(Number(-3, 2)).absolute, number_to_latex(Number(37, 36, -1, 1729)).absolute
-    ('\\frac{3}{2}', '\\frac{\\sqrt{1729} - 37}{36}')
+    >>> number_to_latex(Number(37, 36, -1, 1729))
+    Printed(sign=-1, above='\\sqrt{1729} - 37', below='36', is_sum=True)
     """
     value = number.numerator if number.r else number.p
     sign = (value > 0) - (value < 0)

@@ -1,24 +1,24 @@
-r"""Numbers into formulas: a formula is printed once with a slot for each number, then filled for any machine.
+r"""Numbers into formulas: SymPy prints a formula once for each shape of its numbers, then any digits are put in.
 
-Where masses and stiffness have values, each formula is a sum of terms, each a number times something that keeps its
-symbols. The template keeps that LaTeX, and each number as a rational function of m, m′ and k:
+Where masses and stiffness have values, each formula is a sum of terms, with a number wherever m, m′ and k stood alone.
+The template keeps these terms, and each number as a rational function of m, m′ and k:
 
-    ½R²(8m + 7m′)φ̇²   →   □ R²φ̇²  with  □ = (8m + 7m′)/2   →   \frac{15}{2}\,R^{2}\,\dot{\varphi}^{2}
+    ½R²(8m + 7m′)φ̇²   →   □R²φ̇²  with  □ = (8m + 7m′)/2   →   \frac{15\,R^{2}\,\dot{\varphi}^{2}}{2}
 
-Filling evaluates the functions exactly and joins text; nothing is simplified or printed by SymPy again.
+The shape of a number is its sign, and whether it is 1, a fraction, or a sum with a root. SymPy's printer needs no more
+to set signs, fraction bars and brackets. It takes ten times as long as all the rest, so what it prints is kept.
 """
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache, partial
+from functools import cache, lru_cache
 from math import lcm
 
 import sympy as sp
 from sympy.utilities.iterables import sift
 
-from ramanujan.derivation.printers import InOrder, LatexPrinter, Number, in_order, number_to_latex
+from ramanujan.derivation.printers import InOrder, LatexPrinter, Number, Printed, in_order, number_to_latex
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.translation import _
 
@@ -34,37 +34,28 @@ Highlight = tuple[tuple[sp.Basic, str], ...]
 Coefficients = tuple[tuple[int, int], ...]
 """Of a polynomial, by falling powers: c and d of each coefficient c + d√n."""
 
-# Private characters, which no formula contains, surround what belongs there in the printed text: the sign of a number,
-# its absolute value, its numerator or its denominator.
-_SIGN, _ABSOLUTE, _ABOVE, _BELOW = "sabc"
-_SLOT = re.compile("( \\+ )?\ue000(\\d+)([sabc])\ue001(\\\\,)?")
+_PRIVATE = 0xE000
+"""Where the characters begin that no formula contains: one for each numerator, one for each denominator."""
 
 
 @dataclass(frozen=True)
 class Template:
-    """One side of an equation: its terms as LaTeX with slots, and the numbers in them as functions of m, m′ and k."""
+    """One side of an equation: its terms with a slot for each number, and the numbers as functions of m, m′ and k."""
 
-    terms: tuple[str, ...]
+    terms: tuple[sp.Basic, ...]
     numbers: tuple[sp.Expr, ...]
+    highlight: Highlight
 
     def filled(self, values: Values | None = None) -> list[str]:
-        """Return the terms, each with its sign; without values there must be no slot."""
-        if not self.numbers:
-            return list(self.terms)
-        numbers = [number_to_latex(number) for number in self.evaluated(values)]
-
-        def put(found: re.Match) -> str:
-            plus, place, kind, times = found.groups("")
-            number = numbers[int(place)]
-            if kind == _SIGN:
-                return f"{plus and ' '}- " if number.sign < 0 else plus
-            text = {_ABSOLUTE: number.absolute, _ABOVE: number.above, _BELOW: number.below}[kind]
-            if not times:
-                return text
-            is_sum = number.is_sum and (kind == _ABOVE or not number.below)
-            return "" if text in ("", "1") else (rf"\left({number.above}\right)" if is_sum else text) + times
-
-        return [_SLOT.sub(put, term) for term in self.terms]
+        """Return the terms as LaTeX, each with its sign; without values there must be no slot."""
+        found = [number_to_latex(number) for number in self.evaluated(values)] if self.numbers else []
+        digits = dict(enumerate((part for number in found for part in (number.above, number.below)), _PRIVATE))
+        texts = []
+        for term in self.terms:
+            shapes = tuple((place, _shape(found[place])) for place in _places(term))
+            texts.append(_printed(term, shapes, self.highlight).translate(digits))
+        first, *others = [text for text in texts if text != "0"] or ["0"]
+        return [first, *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in others)]
 
     def evaluated(self, values: Values) -> list[Number]:
         """Return the numbers for exact values.
@@ -100,11 +91,11 @@ def template(side: sp.Basic, highlight: Highlight = (), with_slots: bool = True)
     numbers: dict[sp.Expr, sp.Symbol] = {}
 
     def slot(number: sp.Expr) -> sp.Expr:
-        return numbers.setdefault(number, sp.Symbol(f"slot_{len(numbers)}", positive=True))
+        return numbers.setdefault(number, _Slot(str(len(numbers)), positive=True))
 
     slotted = gather_numbers(side, slot) if with_slots else side
-    printer = _TemplatePrinter(dict(highlight), {symbol: place for place, symbol in enumerate(numbers.values())})
-    return Template(tuple(printer.terms(slotted)), tuple(numbers))
+    terms = _terms(slotted) if isinstance(slotted, sp.Add) else [slotted]
+    return Template(tuple(terms), tuple(numbers), highlight)
 
 
 def gather_numbers(expression: sp.Basic, replaced: Callable[[sp.Expr], sp.Expr]) -> sp.Basic:
@@ -143,52 +134,92 @@ def _is_number(expression: sp.Expr) -> bool:
     )
 
 
-def _mark(place: int, kind: str) -> str:
-    return f"\ue000{place}{kind}\ue001"
+# Formulas with slots
 
 
-class _TemplatePrinter(LatexPrinter):
-    """Prints the slot of a number, as marked text, before what it is multiplied by."""
+class _Slot(sp.Symbol):
+    """Stands for a number; its name is the place of the number among those of its side."""
 
-    def __init__(self, highlight: Mapping[sp.Basic, str], slots: Mapping[sp.Symbol, int]) -> None:
-        super().__init__(highlight)
-        self._slots = slots
 
-    def terms(self, expression: sp.Basic) -> list[str]:
-        """Return the terms of a sum, or an expression as its only term, each with its sign."""
-        if not isinstance(expression, sp.Add):
-            return [self._print(expression)]
-        ordered = expression.args
-        if not isinstance(expression, InOrder):
-            # The order is that of the terms without their numbers.
-            sifted = ((*self._sifted(term), term) for term in expression.args)
-            with_number = {sp.Mul(*rest) if slot else term: term for slot, rest, term in sifted}
-            ordered = [with_number[rest] for rest in sp.Add(*with_number).as_ordered_terms()]
-        texts = [self._print(term) for term in ordered]
-        return [texts[0], *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in texts[1:])]
+class _Part(sp.Symbol):
+    """Stands for the numerator or the denominator of a number, and is printed as one private character."""
 
-    def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
-        has_slot = not self._slots.keys().isdisjoint(expr.free_symbols)
-        return "".join(self.terms(expr)) if has_slot else super()._print_Add(expr, order)
+    def sort_key(self, order: str | None = None) -> tuple:
+        """Return a key that comes before that of any other symbol: in a product, numbers come first."""
+        return sp.Symbol("").sort_key(order)
 
-    def _print_Mul(self, expr: sp.Mul) -> str:
-        slot, others = self._sifted(expr)
-        if not slot:
-            return super()._print_Mul(expr)
-        above, below = sp.fraction(sp.Mul(*others))
-        if below == 1:
-            return rf"{self._print(slot[0])}\,{self._print(above)}"
-        above = rf"\,{self._print(above)}" if above != 1 else ""
-        mark = partial(_mark, self._slots[slot[0]])
-        return rf"{mark(_SIGN)}\frac{{{mark(_ABOVE)}{above}}}{{{mark(_BELOW)}\,{self._print(below)}}}"
 
-    def _print_Symbol(self, expr: sp.Symbol, style: str = "plain") -> str:
-        if expr not in self._slots:
-            return super()._print_Symbol(expr, style)
-        return _mark(self._slots[expr], _SIGN) + _mark(self._slots[expr], _ABSOLUTE)
+class _Sum(InOrder):
+    """A numerator with a root, p + r√n; it is printed as one character, and in brackets where a sum needs them."""
 
-    def _sifted(self, term: sp.Expr) -> tuple[list[sp.Expr], list[sp.Expr]]:
-        return sift(sp.Mul.make_args(term), lambda factor: factor in self._slots, binary=True)
+    def sort_key(self, order: str | None = None) -> tuple:
+        """Return the key of its first part."""
+        return self.args[0].sort_key(order)
+
+
+class _ShapePrinter(LatexPrinter):
+    """Prints the parts of a number as they are named."""
+
+    def _print__Part(self, expr: _Part) -> str:
+        return expr.name
+
+    def _print__Sum(self, expr: _Sum) -> str:
+        return expr.args[0].name
+
+
+Shape = tuple[int, bool, bool, bool]
+"""Of a number: its sign, and whether its numerator is 1, whether it is a sum, and whether there is a denominator."""
+
+
+def _shape(number: Printed) -> Shape:
+    return number.sign, number.above == "1", number.is_sum, bool(number.below)
+
+
+def _of_shape(place: int, shape: Shape) -> sp.Expr:
+    """Return an expression that SymPy prints as it would print a number of that shape."""
+    sign, is_one, is_sum, has_denominator = shape
+    above, below = (_Part(chr(_PRIVATE + 2 * place + part), positive=True) for part in (0, 1))
+    numerator = sp.S.One if is_one else _Sum(above, below, evaluate=False) if is_sum else above
+    factors = [*([] if sign > 0 else [sp.Integer(sign)]), numerator, *([1 / below] if has_denominator else [])]
+    return factors[0] if len(factors) == 1 else sp.Mul(*factors, evaluate=not is_sum or not sign)
+
+
+@lru_cache(maxsize=8192)
+def _places(term: sp.Basic) -> tuple[int, ...]:
+    """Return the places of the numbers in a term."""
+    return tuple(sorted(int(symbol.name) for symbol in term.free_symbols if isinstance(symbol, _Slot)))
+
+
+@lru_cache(maxsize=8192)
+def _printed(term: sp.Basic, shapes: tuple[tuple[int, Shape], ...], highlight: Highlight) -> str:
+    """Return a term as LaTeX, with characters in place of the digits of its numbers."""
+    numbers = {place: _of_shape(place, shape) for place, shape in shapes}
+    return _ShapePrinter(dict(highlight)).doprint(_put(term, numbers))
+
+
+def _put(expression: sp.Basic, numbers: Mapping[int, sp.Expr]) -> sp.Basic:
+    """Return an expression with numbers in its slots, every sum in the order in which it is read."""
+    if isinstance(expression, _Slot):
+        return numbers[int(expression.name)]
+    if not _places(expression):
+        return expression
+    if isinstance(expression, sp.Add):
+        return in_order(*(_put(term, numbers) for term in _terms(expression)))
+    return expression.func(*(_put(part, numbers) for part in expression.args))
+
+
+def _terms(total: sp.Add) -> list[sp.Expr]:
+    """Return the terms of a sum in the order in which they are read: that of the terms without their numbers."""
+    if isinstance(total, InOrder):
+        return list(total.args)
+    bare = {term: _without_number(term) for term in total.args}
+    order = sp.Add(*set(bare.values())).as_ordered_terms()
+    return sorted(total.args, key=lambda term: order.index(bare[term]))
+
+
+def _without_number(term: sp.Expr) -> sp.Expr:
+    slots, others = sift(sp.Mul.make_args(term), lambda factor: isinstance(factor, _Slot), binary=True)
+    return sp.Mul(*others) if slots else term
 
 
 # Numbers
