@@ -3,8 +3,7 @@
 import re
 from collections import Counter
 from fractions import Fraction
-from itertools import combinations, pairwise
-from xml.etree import ElementTree
+from itertools import combinations
 
 import mpmath
 import numpy as np
@@ -14,11 +13,9 @@ from streamlit.testing.v1 import AppTest
 
 from ramanujan import normalized_frequency_squared
 from ramanujan.browser import stage
-from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice, machines
 from ramanujan.pages.taxicab import cache
-from tests.reading import array
 
 PAGE = "ramanujan/pages/taxicab/page.py"
 COLORS = dict.fromkeys(("ink", "faint", "paper", "primary", "top", "hoop", "on_hoop", "block"), "#123456")
@@ -185,53 +182,6 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
     assert tally.machines == len(numbers)
     assert tally.sums == sum(bool(two_cubes(number)) for number in numbers)
     assert tally.taxicabs == sum(len(two_cubes(number)) > 1 for number in numbers)
-
-
-@pytest.mark.parametrize("apart", [False, True])
-def test_unit_cubes_can_be_counted_in_the_drawn_lines(apart: bool) -> None:
-    sides = (4, 3)
-    figure = cubes.cube_stack(sides, widest=9, apart=apart, turn=30, colors=COLORS).checked()
-    *lines, mesh = figure.data
-    for side, line in zip(sides, lines, strict=True):
-        points = np.array([array(line[axis]) for axis in "xyz"], dtype=int).T
-        drawn = set()
-        for a, b in pairwise(points):
-            # Along one axis at a time: no stroke across a face.
-            assert np.count_nonzero(a != b) <= 1
-            for middle in np.linspace(a, b, np.abs(b - a).max() // 2 * 2 + 1)[1::2]:
-                drawn.add(tuple(middle))
-        heights = sorted({z for _, _, z in map(tuple, points)})
-        # Each height has the whole grid: side·(side+1) edges in each of two directions, on top and bottom of a layer.
-        outside = [(x, y, z) for x, y, z in drawn if z == heights[-1]]
-        assert len(outside) == 2 * side * (side + 1)
-        assert len(heights) == (2 * side if apart else side + 1)
-    # The volume of the boxes is the number of unit cubes, but for the hair by which they are drawn in.
-    corners = np.array([array(mesh[axis]) for axis in "xyz"]).T.reshape(-1, 8, 3)
-    volume = sum(np.prod(np.ptp(box, axis=0) / 2) for box in corners)
-    assert volume == pytest.approx(sum(side**3 for side in sides), rel=0.06)
-    assert len(figure.data) <= 4
-    assert len(figure.to_json()) < 20_000
-
-
-@pytest.mark.parametrize("turn", [0, 40, 130, 190, 305])
-@pytest.mark.parametrize("sides", [(12, 1), (10, 9)])
-def test_cubes_on_paper_show_every_unit_cube_of_three_faces_and_come_apart(sides, turn) -> None:
-    drawn, apart = (cubes.cubes_svg(sides, widest=19, apart=each, turn=turn, color="#0b6477") for each in (False, True))
-    paths = [path.attrib for path in ElementTree.fromstring(drawn).iter("{http://www.w3.org/2000/svg}path")]
-    edges = {name: [path["d"].count("M") for path in paths if path.get("data-face") == name] for name in ("x", "top")}
-    # n unit cubes need n + 1 lines in each of two directions.
-    assert sorted(edges["x"]) == sorted(edges["top"]) == sorted(2 * (n + 1) for n in sides)
-    # Seen from an elevation, a horizontal square shrinks by its sine, whatever the direction; an edge is ten long.
-    tops = [path["d"] for path, lines in pairwise(paths) if lines.get("data-face") == "top"]
-    elevation = np.sin(np.arctan2(0.42, 0.85))
-    assert sorted(map(area, tops)) == pytest.approx(sorted(100 * n**2 * elevation for n in sides), rel=0.05)
-    assert (drawn.count("<use"), apart.count("<use")) == (0, sum(n - 1 for n in sides))
-
-
-def area(outline: str) -> float:
-    """The area within a closed outline M x y x y … z."""
-    x, y = np.array(re.findall(r"-?[\d.]+", outline), dtype=float).reshape(-1, 2).T
-    return abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2
 
 
 def test_the_figure_of_all_machines_lets_one_stand_out() -> None:

@@ -3,8 +3,7 @@
 from functools import cache
 
 import streamlit as st
-
-from ramanujan.figures.cubes import lighter
+from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 
 BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
 """Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
@@ -43,6 +42,10 @@ def _colors(shown: str) -> dict[str, str]:
 
 @cache
 def on_paper() -> dict[str, str]:
-    """Return the colours of drawings for paper: primary, and for each body one that is light enough for letters."""
+    """Return the colours of drawings for paper: for each body one that is light enough for letters."""
     light = _colors("light")
-    return {"primary": light["primary"], **{body: lighter(light[body], 1.4) for body in BODY_COLORS}}
+    return {body: _lighter(light[body]) for body in BODY_COLORS}
+
+
+def _lighter(color: str) -> str:
+    return label_rgb(find_intermediate_color(hex_to_rgb(color), (255, 255, 255), 0.56))

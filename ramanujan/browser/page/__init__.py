@@ -87,6 +87,18 @@ def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words:
     return modules.component("page/story")(key="story", data=data)
 
 
+def cubes(sums: Sequence[Sequence[int]], sees: Sequence[str], captions: Sequence[str]) -> Any:
+    """Put stacks of cubes of unit cubes on the page, side by side, which a hand turns and pulls apart.
+
+    Parameters
+    ----------
+    sums : of each stack the sides of its cubes, in unit cubes
+    sees, captions : of each stack its text alternative, and what stands below it
+    """
+    told = {"sees": list(sees), "captions": list(captions), "words": {"degrees": _("{angle} degrees")}}
+    return modules.component("page/cubes")(key="cubes", data={"sums": [list(sides) for sides in sums], **told})
+
+
 def cursor(stage: str) -> Any:
     """Put the time cursor on the page: one moment, marked in every figure, moved without the server.
 

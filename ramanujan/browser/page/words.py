@@ -3,6 +3,7 @@
 from ramanujan.translation import _
 
 TEXTS = {
+    "cubes": {"apart": _("Pull the layers apart"), "turn": _("Turn the stacks")},
     "cursor": {"cursor": _("Time cursor")},
     "link": {"copy": _("Copy link"), "link": _("Link")},
     "pager": {"sheets": _("Sheets of this page"), "back": _("Back"), "next": _("Next")},

@@ -18,7 +18,6 @@ from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import epsilon
-from ramanujan.figures import cubes
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BodyChoice
 from ramanujan.shell.cache import giving_way, route
@@ -31,7 +30,6 @@ COUNTED_PART = 20
 
 
 # Building a figure costs more than everything else on the page; these depend on little.
-cube_stack = st.cache_resource(cubes.cube_stack, show_spinner=False, max_entries=64)
 machine_grid = st.cache_resource(figures.machine_grid, show_spinner=False, max_entries=80)
 cube_counts = st.cache_resource(figures.cube_counts, show_spinner=False, max_entries=4)
 

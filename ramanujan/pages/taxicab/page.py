@@ -1,16 +1,15 @@
 """Page 4: why 1729. The exact mass ratio, two stacks of cubes, other bodies, other targets, the open question."""
 
 from fractions import Fraction
-from typing import Any
 
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.figures.cubes import cubes_svg
+from ramanujan.browser import page
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
-from ramanujan.shell import address, drawings, sidebar, theme, widgets
+from ramanujan.shell import address, sidebar, widgets
 from ramanujan.shell.display_mode import folded, sheet
 from ramanujan.translation import _, ngettext
 
@@ -101,7 +100,6 @@ def scientific(value: Fraction) -> str:
     return rf"{mantissa}\times10^{{{int(exponent)}}}"
 
 
-@st.fragment
 def two_stacks() -> None:
     """The number as two stacks of cubes."""
     st.header(_("Two stacks of cubes"), anchor=False)
@@ -111,13 +109,11 @@ def two_stacks() -> None:
     )
     sums, smallest = cache.sums_of_cubes(PAPER.cubes), number_theory.smallest_taxicab()
     st.markdown(sentence.format(number=PAPER.discriminant, cubes=sums, smallest=smallest))
-    with st.container(horizontal=True, vertical_alignment="bottom"):
-        apart = st.toggle(_("Pull the layers apart"), key="apart")
-        turn = st.slider(_("Turn the stacks"), 0, 360, 305, 5, format="%d°", key="turn", width=260)
-    widest = max(map(sum, PAPER.cubes))
-    for column, cubes in zip(st.columns(len(PAPER.cubes)), PAPER.cubes, strict=True):
-        with column:
-            one_stack(sorted(cubes, reverse=True), widest=widest, apart=apart, turn=turn)
+    page.cubes(
+        [(larger, smaller) for smaller, larger in PAPER.cubes],
+        [in_words(*cubes) for cubes in PAPER.cubes],
+        [f"{x}³ + {y}³ = {x**3} + {y**3} = {PAPER.discriminant}" for x, y in PAPER.cubes],
+    )
     expanded, same_terms = cache.discriminant_written_out()
     sentence = _(
         "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
@@ -126,22 +122,14 @@ def two_stacks() -> None:
     st.markdown(sentence.format(expanded=expanded, sum=same_terms))
 
 
-def one_stack(sides: list[int], **drawn: Any) -> None:
-    """Draw two cubes of unit cubes, each in a tint of its own, and below them what they add up to."""
-    larger, smaller = sides
-    volumes = f"{smaller**3} + {larger**3}"
+def in_words(smaller: int, larger: int) -> str:
+    """Return what is seen of two cubes that add up to the number."""
     sees = _(
         "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
         "{number} unit cubes."
     )
-    sees = sees.format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant)
-    drawings.plot(cache.cube_stack(sides, colors=theme.colors(), **drawn), f"cubes_{larger}", sees)
-    with st.container(key=f"on_paper_{larger}"):
-        # The figure above prints empty; a screen reader has heard of it.
-        svg = cubes_svg(sides, **drawn, color=theme.on_paper()["primary"])
-        drawings.draw(svg, alt="", style="display:block;margin:auto;width:7cm")
-    written = cache.sums_of_cubes([(smaller, larger)])
-    st.markdown(f"${written} = {volumes} = {PAPER.discriminant}$", text_alignment="center")
+    volumes = f"{smaller**3} + {larger**3}"
+    return sees.format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,83 @@
+// Stacks of cubes that a hand turns and a reader counts: SVG, drawn anew for each direction, on paper as on the screen.
+
+import { fill } from "./sentences.js";
+import { element, set } from "../stage/svg.js";
+
+const EYE = [0.85, 0.42]; // so far beside the middle and so far above it the view is from
+const TILT = Math.atan2(EYE[1], EYE[0]);
+const EDGE = 10; // length of a unit cube's edge in the picture
+const APART = 2; // unit cubes that would fit between two cubes
+const GAP = 0.5; // between two layers that are pulled apart
+const DEGREES = Math.PI / 180, BY_PIXEL = 0.5; // degrees for each pixel of a drag
+
+/**
+ * The faces that are seen of cubes side by side, what is farther away first: { cube, face, outline, grid, layers, rise }. Each is
+ * drawn once and repeated so many `layers` high, each time by `rise` higher. `turn` [degrees] says from where one looks.
+ */
+export function faces(sides, apart, turn) {
+  const angle = turn * DEGREES, [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const across = [-Math.sin(angle), Math.cos(angle), 0];
+  const upright = [-Math.cos(angle) * Math.sin(TILT), -Math.sin(angle) * Math.sin(TILT), Math.cos(TILT)];
+  const dot = (a, b) => a.reduce((sum, each, i) => sum + each * b[i], 0);
+  const add = (point, edge, times) => point.map((each, i) => each + edge[i] * times);
+  const at = (point) => [EDGE * dot(across, point), -EDGE * dot(upright, point)].map((each) => each.toFixed(2)).join(" ");
+  let start = 0;
+  const cubes = sides.map((side, cube) => {
+    const corner = [start, Math.floor((Math.max(...sides) - side) / 2), 0], high = apart ? 1 : side;
+    start += side + APART;
+    const near = (edge) => (dot(edge, [Math.cos(angle), Math.sin(angle), 0]) > 0 ? add(corner, edge, side) : corner);
+    const drawn = [["x", near(x), y, z, side, high], ["y", near(y), x, z, side, high], ["top", add(corner, z, high), x, y, side, side]];
+    return drawn.map(([face, from, along, upwards, length, height]) => {
+      const far = add(from, along, length), lines = [];
+      for (let n = 0; n <= length; n++) lines.push(`M${at(add(from, along, n))}L${at(add(add(from, along, n), upwards, height))}`);
+      for (let n = 0; n <= height; n++) lines.push(`M${at(add(from, upwards, n))}L${at(add(far, upwards, n))}`);
+      const outline = `M${[from, far, add(far, upwards, height), add(from, upwards, height)].map(at).join("L")}z`;
+      return { cube, face, outline, grid: lines.join(""), layers: apart ? side : 1, rise: -EDGE * (1 + GAP) * Math.cos(TILT) };
+    });
+  });
+  return (Math.cos(angle) > 0 ? cubes : cubes.reverse()).flat();
+}
+
+/** How high the picture is at most, in whichever direction one looks: then nothing below it moves. */
+const tallest = (sides, apart, wide) => {
+  const most = Math.max(...sides), high = most * (apart ? 1 + GAP : 1);
+  return EDGE * (high * Math.cos(TILT) + Math.hypot(wide, most) * Math.sin(TILT) + 1);
+};
+
+export default function ({ data: { sums, sees, captions, words }, parentElement: root }, signal) {
+  const [box, slider] = root.querySelectorAll("input");
+  const widest = Math.max(...sums.flatMap((sides) => sides.reduce((sum, side) => sum + side)));
+  const pictures = sums.map((sides, i) => {
+    const figure = document.createElement("figure"), svg = element("svg", { role: "img", "aria-label": sees[i] }, figure);
+    figure.append(Object.assign(document.createElement("figcaption"), { textContent: captions[i] }));
+    root.querySelector(".stacks").append(figure);
+    svg.addEventListener("pointerdown", (event) => svg.setPointerCapture(event.pointerId), { signal });
+    svg.addEventListener("pointermove", (event) => {
+      if (event.buttons) turnTo((Number(slider.value) + BY_PIXEL * event.movementX + 360) % 360);
+    }, { signal });
+    return [sides, svg];
+  });
+  const draw = () => {
+    for (const [sides, svg] of pictures) {
+      const layers = new Map();
+      for (const { cube, face, outline, grid, layers: count, rise } of faces(sides, box.checked, Number(slider.value)))
+        for (let n = 0; n < count; n++) {
+          const key = `${cube} ${n}`, group = layers.get(key) ?? element("g", { class: `cube-${cube}`, transform: `translate(0 ${n * rise})` });
+          layers.set(key, group);
+          element("path", { class: face, d: outline }, group);
+          element("path", { class: "grid", d: grid }, group);
+        }
+      svg.replaceChildren(...layers.values());
+      const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + APART + 2), high = tallest(sides, box.checked, widest + APART);
+      set(svg, { viewBox: `${x + (width - room) / 2} ${y + (height - high) / 2} ${room} ${high}` });
+    }
+    slider.ariaValueText = fill(words.degrees, { angle: slider.value });
+  };
+  const turnTo = (degrees) => {
+    slider.value = degrees;
+    draw();
+  };
+  box.addEventListener("change", draw, { signal });
+  slider.addEventListener("input", draw, { signal });
+  turnTo(slider.value);
+}

@@ -1,0 +1,70 @@
+"""The stacks of cubes as they are drawn: unit cubes to be counted, from every side, pulled apart, turned by hand."""
+
+import re
+
+import numpy as np
+import pytest
+
+from ramanujan.browser import page
+
+SUMS = [(12, 1), (10, 9)]
+ELEVATION = np.arctan2(0.42, 0.85)
+CUBES = "document.querySelector('.st-key-cubes > *').shadowRoot"
+TURN = f"{CUBES}.querySelector('[type=range]')"
+READ = f"""[...{CUBES}.querySelectorAll("svg")].map((svg) => [...svg.querySelectorAll("g")].map((layer) => [
+  layer.getAttribute("class"),
+  Number(/ (-?[\\d.]+)\\)/.exec(layer.getAttribute("transform"))[1]),
+  [...layer.querySelectorAll("path")].map((path) => [path.getAttribute("class"), path.getAttribute("d")]),
+]))"""
+MIDDLE = f"""(() => {{
+  const {{ x, y, width, height }} = {CUBES}.querySelector("svg").getBoundingClientRect();
+  return [x + width / 2, y + height / 2];
+}})()"""
+
+
+@pytest.fixture
+def drawn(bare):
+    drawn = bare()
+    drawn.put(lambda: page.cubes(SUMS, ["twelve and one", "ten and nine"], ["first", "second"]))
+    return drawn.page
+
+
+def area(outline: str) -> float:
+    """The area within a closed outline M x y L x y … z."""
+    x, y = np.array(re.findall(r"-?[\d.]+", outline), dtype=float).reshape(-1, 2).T
+    return abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2
+
+
+def test_every_unit_cube_of_three_faces_can_be_counted_from_every_side(drawn):
+    for turn in (0, 40, 130, 190, 305):
+        drawn.evaluate(f"(turn) => {{ {TURN}.value = turn; {TURN}.dispatchEvent(new Event('input')); }}", turn)
+        for sides, layers in zip(SUMS, drawn.evaluate(READ), strict=True):
+            assert sorted(name for name, *_ in layers) == ["cube-0", "cube-1"]
+            for name, _, paths in layers:
+                side = sides[int(name[-1])]
+                # n unit cubes need n + 1 lines in each of two directions.
+                assert [d.count("M") for kind, d in paths if kind == "grid"] == [2 * (side + 1)] * 3
+                # Seen from above, a square on the floor shrinks by the sine of the elevation, from whichever side.
+                top = next(d for kind, d in paths if kind == "top")
+                assert area(top) == pytest.approx(100 * side**2 * np.sin(ELEVATION), rel=1e-2)
+    drawn.evaluate(f"() => {CUBES}.querySelector('[type=checkbox]').click()")
+    for sides, layers in zip(SUMS, drawn.evaluate(READ), strict=True):
+        assert len(layers) == sum(sides), "a cube of side n has n layers"
+        for n, side in enumerate(sides):
+            mine = [(rise, paths) for name, rise, paths in layers if name == f"cube-{n}"]
+            # Each layer is one unit cube high, and half a unit cube above the one below it.
+            assert np.diff([rise for rise, _ in mine]) == pytest.approx([-15 * np.cos(ELEVATION)] * (side - 1))
+            assert all(d.count("M") == side + 3 for _, paths in mine for kind, d in paths[:4] if kind == "grid")
+
+
+@pytest.mark.parametrize("engine", ["chromium", "firefox"])
+def test_a_hand_turns_the_stacks_while_it_holds_them(drawn):
+    before, (x, y), mouse = drawn.evaluate(f"Number({TURN}.value)"), drawn.evaluate(MIDDLE), drawn.mouse
+    mouse.move(x, y)
+    mouse.down()
+    for by in range(10, 50, 10):
+        mouse.move(x + by, y)
+    mouse.up()
+    assert drawn.evaluate(f"Number({TURN}.value)") == pytest.approx((before + 20) % 360, abs=1.1)
+    mouse.move(x, y)
+    assert drawn.evaluate(f"Number({TURN}.value)") == pytest.approx((before + 20) % 360, abs=1.1)
