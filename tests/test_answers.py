@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from ramanujan.answers import QUESTIONS, judge, machines, question
 from ramanujan.answers.grammar import MAX_WEIGHT, parse, typeset
-from ramanujan.answers.spelling import UnreadableError
+from ramanujan.answers.spelling import TEXTBOOK, UnreadableError
 from ramanujan.answers.values import agree, unit
 from ramanujan.derivation.elimination import eliminate, phi_ddot
 
@@ -73,6 +73,7 @@ UNSIMPLIFIED = [
     (RATIO, "m'/m*(√1729-1)/36/eps", "without m, m′ and ε"),
     (RATIO, "(√(1730+2√1729)-2)/36", "shorter"),
     (HOOP, "½m'v² + ½Iω²", "What is v in terms of X′ and φ′? What is ω? What is I?"),
+    (HOOP, "½m'v² + ½Iw²", "What is v in terms of X′ and φ′? What is ω? What is I?"),
     (POTENTIAL, "½kx²", "What is x in terms of φ?"),
     ("unit_quadratic", "7ε = 24(1+ε)²/(7+6ε)", "multiply by the denominator"),
     ("unit_quadratic", "18m'² + mm' = 24m²", "without m and m′"),
@@ -298,6 +299,14 @@ def test_an_unknown_question_is_refused(name):
 @pytest.mark.parametrize("text", [None, 3, b"m", ["m"], object(), float("nan"), "v", "ω²", "I/m"])
 def test_what_is_no_text_or_has_letters_without_use_is_unreadable(text):
     assert judge(OMEGA, text).kind == "unreadable"
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_a_question_takes_the_letters_that_it_lists_and_names_them_to_who_types_another(name):
+    listed = question(name).accepted
+    for letter in (*listed, *TEXTBOOK):
+        assert (judge(name, letter).kind == "unreadable") == (letter not in listed)
+    assert all(each in judge(name, "y").message for each in ("“y” is not known", *listed))
 
 
 # Near misses, and other machines

@@ -71,13 +71,23 @@ def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs
     assert [word for word in TELLING[2:] if word in after][-3:] == ["in step", "Period", "full turn apart"]
     assert f"{MACHINE.period:.4g}" in after
     assert "normalized" in page.evaluate(BUS)
+    # The clock is in view with the machine.
+    assert page.evaluate(f"{inside('stage_two-clocks_0')}.querySelector('.dial').getBoundingClientRect().bottom") < 720
     expect(page.locator(".st-key-library [role=status]")).to_contain_text("Your prediction was different.")
 
 
 def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
     page = visit("lesson")
-    for label in ("Exactly where the other hand is.", "Run the machine", "Show the answer"):
+    predict(page, "Exactly where the other hand is.")
+    # Who goes on without a check is asked once; the place that the page shows comes back.
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert heading(page) == f"1. {lesson.STOPS[0].heading}"
+    expect(page.get_by_text("You have not checked your prediction yet.").first).to_be_visible()
+    assert page.evaluate(f"{inside('turn')}.querySelector('input').value") == "1"
+    for label in ("Run the machine", "Show the answer", "Change it with the sliders"):
         predict(page, label)
+    expect(page.locator(".st-key-m_prime")).to_be_in_viewport(ratio=1)
     page.keyboard.press("ArrowRight")
     settle(page)
     assert heading(page) == f"2. {lesson.STOPS[1].heading}"

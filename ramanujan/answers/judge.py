@@ -11,7 +11,7 @@ from ramanujan.answers.formulas import leaves, length, replaced
 from ramanujan.answers.grammar import parse, parse_equation
 from ramanujan.answers.questions import EQUATION, QUESTIONS, Question
 from ramanujan.answers.questions import question as asked
-from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnreadableError, not_known
+from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnknownNameError, UnreadableError
 from ramanujan.translation import _, ngettext
 
 _OF_SLIPS, _OF_BODIES = 3, 5
@@ -42,10 +42,13 @@ def judge(question: str, text: str) -> Verdict:
     """
     if not isinstance(question, str) or question not in QUESTIONS:
         return Verdict("unreadable", _("There is no question of that name."))
+    it = asked(question)
     try:
-        it = asked(question)
         typed = _typed(it, text)
         return _verdict(it, _without_letters(it, typed), _letters_in(typed))
+    except UnknownNameError as error:
+        may_use = _("You may use {names} and sqrt( ).").format(names=", ".join(it.accepted) or _("numbers"))
+        return Verdict("unreadable", f"{error} {may_use}")
     except UnreadableError as error:
         return Verdict("unreadable", str(error))
     except values.NegativeRootError:
@@ -71,7 +74,7 @@ def _without_letters(it: Question, typed: sp.Expr) -> sp.Expr:
     for letter in _letters_in(typed):
         if letter not in it.letters:
             refusal = _("Type only the right side of the equation: a formula without Ω.")
-            raise UnreadableError(refusal if letter == TEXTBOOK["omega"] else not_known(letter.name))
+            raise UnreadableError(refusal) if letter == TEXTBOOK["omega"] else UnknownNameError(letter.name)
     return replaced(typed, {letter: meaning for letter, (meaning, _asks) in it.letters.items()})
 
 

@@ -102,6 +102,11 @@ class Question:
         return tuple(name for name, symbol in SYMBOLS.items() if symbol in allowed)
 
     @property
+    def accepted(self) -> tuple[str, ...]:
+        """The names and the textbook’s letters that the answer may contain, as typed."""
+        return (*self.names, *(letter.name for letter in self.letters))
+
+    @property
     def hints(self) -> tuple[str, ...]:
         """From the next question to ask to how it is done, Markdown with $…$; none contains the answer."""
         return (self.leads_on, *(_step(key).reason for key in self.steps))
@@ -223,6 +228,10 @@ def _body_question(name: str) -> Question:
         else _("How fast does {body} move relative to the ground?")
     )
     speed = _("What is v in terms of X′ and {rate}?") if rate else _("What is v in terms of X′?")
+    letters = {TEXTBOOK["v"]: (body.velocity, speed.format(rate=rate))}
+    if body.angle != 0:
+        letters[TEXTBOOK["I"]] = body.moment_of_inertia, _("What is I?")
+        letters[TEXTBOOK["omega"]] = body.angle.diff(t), _("What is ω?")
     return Question(
         f"kinetic_energy_{name}",
         _("the kinetic energy of {body}").format(body=called),
@@ -235,11 +244,7 @@ def _body_question(name: str) -> Question:
         ("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
         leads_on.format(body=called),
         {term: hint.format(body=called, rate=rate) for term, hint in hints.items()} if rate else {},
-        {
-            TEXTBOOK["v"]: (body.velocity, speed.format(rate=rate)),
-            TEXTBOOK["I"]: (body.moment_of_inertia, _("What is I?")),
-            TEXTBOOK["omega"]: (body.angle.diff(t), _("What is ω?")),
-        },
+        letters,
         MOTION,
     )
 

@@ -38,6 +38,13 @@ class UnreadableError(ValueError):
     """The text is not a formula of the grammar; the message tells the student why."""
 
 
+class UnknownNameError(UnreadableError):
+    """A formula contains a name that is not understood."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(_("“{name}” is not known here.").format(name=name))
+
+
 _FRACTIONS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 _SPELLINGS = str.maketrans(
     {
@@ -90,6 +97,8 @@ _TOKEN = re.compile(
 _ALIASES = {
     **{"epsilon": "eps", "varepsilon": "eps", "m_prime": "m'"},
     **{"varphi": "phi", "varphi'": "phi'", "varphi''": "phi''"},
+    # On a keyboard without Greek letters.
+    "w": "omega",
 }
 # Longest first, so that m' is not read as m.
 _NAME = re.compile("|".join(sorted(("sqrt", "frac", *_ALL, *_ALIASES), key=len, reverse=True)))
@@ -157,13 +166,7 @@ def _names(word: str) -> list[str]:
     while position < len(word):
         found = _NAME.match(word, position)
         if found is None:
-            raise UnreadableError(not_known(re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS]))
+            raise UnknownNameError(re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS])
         names.append(_ALIASES.get(found[0], found[0]))
         position = found.end()
     return names
-
-
-def not_known(name: str) -> str:
-    """Return the sentence that says which names may be used instead of this one."""
-    unknown = _("“{name}” is not known here. You may use {names} and sqrt( ).")
-    return unknown.format(name=name, names=", ".join(SYMBOLS))

@@ -29,7 +29,7 @@ TOO_FAST = 0.7
 def half_energy(setting: Setting) -> Verdict:
     """Judge the spring's share of the energy after a part of a period."""
     if setting.part is None or not 0 <= setting.part <= 1:
-        return missed(_("Type a number between 0 and 1, such as 0.3 or 1/3."))
+        return Verdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."), is_judged=False)
     stored = energies(setting.machine, *after(setting.part, setting.machine, setting.compression))
     share = float(stored["spring"]) / sum(map(float, stored.values()))
     sentences = (
@@ -46,7 +46,8 @@ def measured_period(setting: Setting) -> Verdict:
     if period < TOO_FAST:
         return missed(_("This machine is so fast that it is shown in slow motion. Make the spring softer."))
     if setting.seconds is None or setting.seconds <= 0:
-        return missed(_("Start the stopwatch at a turning point, and stop it after as many periods as you like."))
+        start = _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
+        return Verdict(False, start, is_judged=False)
     measured = setting.seconds / setting.periods
     sentences = (
         _("You measured {measured:4 s} for one period. Your error is {off}."),
@@ -59,7 +60,7 @@ def measured_period(setting: Setting) -> Verdict:
 def exact_ratio(setting: Setting) -> Verdict:
     """Judge a formula for the mass ratio, by the judge of the page Derivation."""
     if not setting.formula.strip():
-        return missed(_("Type a formula, such as (sqrt(5) − 1)/2."))
+        return Verdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."), is_judged=False)
     verdict = judge_formula("unit_mass_ratio", setting.formula)
     return Verdict(verdict.kind in ("right", "unsimplified"), verdict.message)
 

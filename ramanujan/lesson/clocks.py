@@ -170,8 +170,8 @@ STOPS = (
         id="stiffness",
         heading=_("A stiffer spring"),
         question=_(
-            "All masses are equal. In each period the hands of the machine and of the plain mass part by a small part "
-            "of a turn. Both springs are replaced by springs that are four times as stiff. How large is this part then?"
+            "All masses are equal. In each period of the plain mass the machine’s hand gains a small fraction of a "
+            "turn. Both springs are replaced by springs that are four times as stiff. How large is that fraction now?"
         ),
         options=dict(more=_("Larger than before."), less=_("Smaller than before."), same=_("The same as before.")),
         replies={

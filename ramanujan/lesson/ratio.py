@@ -179,12 +179,7 @@ STOPS = (
             "The machine is in step where {quadratic}. The number under the root is {number} = {first} = {second}. "
             "Which of these two sums can you read off the coefficients as b² plus −4ac?"
         ),
-        options=dict(
-            second=_("The second one."),
-            both=_("Both of them."),
-            neither=_("Neither of them."),
-            first=_("The first one."),
-        ),
+        options=dict(second="{second}", both=_("Both"), neither=_("Neither"), first="{first}"),
         replies={
             "second": _("Its terms are {terms[0]} and {terms[1]}, but b² is {square}. How large is −4ac?"),
             "both": _("b² is {square} and −4ac is {product}. Which two cubes are these, and which are left over?"),

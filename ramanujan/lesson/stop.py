@@ -130,6 +130,7 @@ class Stop:
         for name in ("heading", "question"):
             object.__setattr__(self, name, self._filled(getattr(self, name)))
         object.__setattr__(self, "hints", tuple(map(self._filled, self.hints)))
+        object.__setattr__(self, "options", {id: self._filled(label) for id, label in self.options.items()})
 
     @cached_property
     def right(self) -> str:

@@ -40,10 +40,14 @@ class Setting:
 
 @dataclass(frozen=True)
 class Verdict:
-    """Whether the task is done, and a sentence or two that say how far from the goal the student is."""
+    """Whether the task is done, and a sentence or two that say how far from the goal the student is.
+
+    As long as nothing has been typed or measured, nothing is judged, and the sentence says what to do.
+    """
 
     done: bool
     sentence: str
+    is_judged: bool = True
 
 
 def missed(sentence: str, **values: object) -> Verdict:

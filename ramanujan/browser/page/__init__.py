@@ -193,6 +193,7 @@ def turn(
     on_turned: Callable[[int], None],
     clicker: bool = True,
     place: str = _("Stop {now} of {count}: {heading}"),
+    held: str = "",
 ) -> Any:
     """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
 
@@ -203,8 +204,9 @@ def turn(
     now : the number of the stop that is drawn, from 1 on
     on_turned : called with the number of the stop that is asked for
     clicker : whether the page keys turn stops, too
+    held : changes when the server has refused a turn
     """
-    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker}
+    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "held": held}
     return _asks("turn", "turn", data, "to", on_turned)
 
 

@@ -1,6 +1,7 @@
 // On a narrow screen the sidebar is a sheet at the bottom (page.css): this is its handle, which opens and closes it. With the
 // sheet open, sliders and machine are seen together; choosing a page closes it.
 
+import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 import { deferSliders } from "./touch.js";
 
@@ -29,6 +30,7 @@ export default function ({ parentElement }, signal) {
   };
   // Who comes to a page wants to read it first.
   set(false, false);
+  bus.subscribe("sliders", () => set(true), { signal });
   const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });
   on(button, "pointerdown", (event) => (pulled = event.clientY));
   on(button, "pointerup", (event) => {

@@ -11,7 +11,7 @@ export default function (component, signal) {
   let asked = null;
 
   function turned(stop) {
-    asked = { stop, at: performance.now() };
+    asked = { stop, held: component.data.held, at: performance.now() };
     bus.publish("turned", stop);
     component.setTriggerValue("to", stop);
   }
@@ -22,9 +22,9 @@ export default function (component, signal) {
   }
 
   return () => {
-    const { now } = component.data;
-    // An older answer cannot take back what was asked for since.
-    if (asked && now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
+    const { now, held } = component.data;
+    // An older answer cannot take back what was asked for since; a refusal can.
+    if (asked && held === asked.held && now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
     asked = null;
     turner.show(now);
   };

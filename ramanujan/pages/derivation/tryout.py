@@ -7,7 +7,6 @@ from zoneinfo import ZoneInfo
 import streamlit as st
 
 from ramanujan.answers import QUESTIONS, question
-from ramanujan.answers.grammar import MOST_TYPED
 from ramanujan.answers.questions import EQUATION
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import address, widgets
@@ -20,6 +19,8 @@ VERDICTS = {
     "wrong": (st.warning, ":material/lightbulb:"),
     "unreadable": (st.error, ":material/help:"),
 }
+_LONGEST = 1000
+"""Characters of an answer that are kept."""
 _GIVEN = "answers_given"
 """Session state: question or task → its `Given`."""
 
@@ -61,7 +62,7 @@ def keep(name: str, answer: str, is_right: bool) -> None:
     before = given(name)
     if before is None or not before.right_since:
         now = datetime.now(_time_zone()) if is_right else None
-        st.session_state.setdefault(_GIVEN, {})[name] = Given(answer, now)
+        st.session_state.setdefault(_GIVEN, {})[name] = Given(answer[:_LONGEST], now)
 
 
 def given(name: str) -> Given | None:
@@ -81,15 +82,13 @@ def ask(name: str, with_step: bool = True) -> None:
     """Ask for one formula, with hints; the last one, where it is offered, shows the step."""
     asked = question(name)
     st.markdown(asked.prompt())
-    if asked.names:
-        names = " ".join(f"`{each}`" for each in asked.names)
-        st.markdown(_(":small[You may use] {names}").format(names=names))
+    names = " ".join(f"`{each}`" for each in (*asked.accepted, "sqrt( )"))
+    st.markdown(_(":small[You may use numbers and] {names}").format(names=names))
     with st.form("answer", border=False):
         text = st.text_input(
             _("Your equation") if asked.kind == EQUATION else _("Your formula"),
             key=f"answer_{name}",
             placeholder=_("For example {formula}").format(formula=asked.example),
-            max_chars=MOST_TYPED,
         )
         st.form_submit_button(_("Check"), type="primary")
     if text:

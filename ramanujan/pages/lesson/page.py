@@ -48,8 +48,8 @@ def lesson_parts() -> None:
 
 
 def uses_sidebar() -> bool:
-    """Tell whether the reader sets the machine, as the tasks ask."""
-    return address.held(progress.PART) == "tasks" or bool(address.held(exercise.EXERCISE))
+    """Tell whether the reader sets the machine, as the tasks ask, or wants to at a stop."""
+    return address.held(progress.PART) == "tasks" or bool(address.held(exercise.EXERCISE)) or stops.sliders_wanted()
 
 
 def withheld() -> tuple[str, ...]:
@@ -69,13 +69,19 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
     path = progress.path()
     places = [*(stop.id for stop in path), progress.END]
     number = places.index(address.held(progress.STOP)) + 1
+
+    def turned(to: int) -> None:
+        if not (number < to and number <= len(path) and stops.asks_first(path[number - 1])):
+            turn(places[to - 1])
+
     with head:
         # At the desk of a class a clicker presses the button of the next move.
         page.turn(
             [*(stop.heading for stop in path), ENDING],
             number,
-            lambda to: turn(places[to - 1]),
+            turned,
             clicker=not class_session.key_held(),
+            held=stops.asked_about(),
         )
     if number > len(path):
         ending(path)
@@ -85,6 +91,7 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
 
 def turn(place: str) -> None:
     """Go to a stop, or to the end, in a callback."""
+    stops.forget_question()
     st.session_state[progress.STOP.name] = place
     if place != progress.END:
         stop = lesson.stop(place)
@@ -92,7 +99,7 @@ def turn(place: str) -> None:
 
 
 def ending(path: tuple[lesson.Stop, ...]) -> None:
-    """Draw the end: the right answer of every stop that was answered."""
+    """Draw the end: of every stop that was answered the right answer, and what was predicted instead."""
     right, answered, lines = 0, 0, []
     for stop in path:
         chosen, phase = progress.prediction(stop)
@@ -100,8 +107,16 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
             lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
             continue
         answered, right = answered + 1, right + (chosen == stop.right)
-        sign = ":green[:material/check_circle:]" if chosen == stop.right else ":red[:material/cancel:]"
-        lines.append(f"- {sign} **{stop.heading}** – {stop.options[stop.right]}")
+        line = (
+            _("- **{heading}** – :green[:material/check_circle:] {right}")
+            if chosen == stop.right
+            else _(
+                "- **{heading}** – :red[:material/cancel:] You predicted: {chosen} :green[:material/check_circle:] "
+                "Right: {right}"
+            )
+        )
+        named = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
+        lines.append(line.format(heading=stop.heading, **named))
     said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     first = _LINES if is_projector() else len(lines)
     with sheet("seen", ENDING):

@@ -26,6 +26,10 @@ from ramanujan.translation import _
 _PLACES = ("hoop", "cylinder", "top")
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
+_ASKED = "lesson_asked"
+"""Session state: the stop whose reader wanted to go on without a check of the prediction, and was asked."""
+_SLIDERS = "lesson_sliders"
+"""Session state: how often the reader has asked for the sliders."""
 
 
 def load(stop: Stop, runs: bool) -> None:
@@ -51,8 +55,37 @@ def runs(phase: str) -> bool:
 
 def go_on(stop: Stop, option: str | None, phase: str) -> None:
     """Take a prediction, or take it back, or go on with it, in a callback."""
+    forget_question()
     progress.predict(stop, option, phase)
     load(stop, runs(phase))
+
+
+def asks_first(stop: Stop) -> bool:
+    """Ask once whoever wants to go on without a check of the prediction; return whether this is asked now."""
+    unchecked = progress.prediction(stop)[1] == progress.PREDICTED and class_session.phase_of(stop) is None
+    if not unchecked or asked_about() == stop.id:
+        return False
+    st.session_state[_ASKED] = stop.id
+    return True
+
+
+def asked_about() -> str:
+    """Return the stop whose reader was asked, empty if nobody was."""
+    return st.session_state.get(_ASKED, "")
+
+
+def forget_question() -> None:
+    """Let the reader be asked again."""
+    st.session_state.pop(_ASKED, None)
+
+
+def sliders_wanted() -> bool:
+    """Tell whether the reader has asked for the sliders."""
+    return _SLIDERS in st.session_state
+
+
+def _want_sliders() -> None:
+    st.session_state[_SLIDERS] = st.session_state.get(_SLIDERS, 0) + 1
 
 
 def is_answered(stop: Stop) -> bool:
@@ -72,9 +105,12 @@ def draw(stop: Stop, number: int) -> None:
     # On a projector the machine has a sheet of its own with the reason, once it runs.
     apart = display_mode.is_projector() and (running or seen is not None) and not stop.exhibit
     with sheet("question", stop.heading):
-        st.title(f"{number}. {stop.heading}", anchor=False)
-        st.markdown(stop.question)
+        # On a projector the question needs all of the width.
+        above = st.container() if display_mode.is_projector() else None
         words, picture, reason = (st.container(), None, None) if apart else places(stop, running)
+        with above or words, st.container(key="posed"):
+            st.title(f"{number}. {stop.heading}", anchor=False)
+            st.markdown(stop.question)
         with words:
             if seen is not None:
                 classroom.panel(stop, seen)
@@ -96,6 +132,10 @@ def draw(stop: Stop, number: int) -> None:
     if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
             st.markdown(f":small[{_caption(stop, running)}]")
+            if running and len(stop.runs) == 1:
+                st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_want_sliders)
+            if sliders_wanted():
+                page.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
     with picture:
         show(stop, running)
 
@@ -148,7 +188,10 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
     with st.container(key="judged"):
         if phase == progress.PREDICTED:
             said = own
-            st.markdown(said)
+            if asked_about() == stop.id:
+                said = _("You have not checked your prediction yet. Press “Next” again to go on without.")
+                st.info(said)
+            st.markdown(own)
             label = _("Check it") if stop.exhibit else _("Run the machine")
             _moves(stop, chosen, label, progress.ANSWERED if right else progress.MISSED)
             return
@@ -236,9 +279,8 @@ def _caption(stop: Stop, running: bool) -> str:
     machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):
         return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
-    if running:
-        return _("This machine has {machine}. Change it with the sliders and watch.").format(machine=_written(machine))
-    return _("The machine: {machine}.").format(machine=_written(machine))
+    said = _("This machine has {machine}.") if running else _("The machine: {machine}.")
+    return said.format(machine=_written(machine))
 
 
 def _written(machine: Oscillator) -> str:

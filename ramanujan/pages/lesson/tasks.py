@@ -27,18 +27,19 @@ PERIODS = address.Count("task_periods", 100, 10)
 WORDS = {body: BODY_WORDS[body] for body in BODIES}
 PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in other_bodies.PAPER.items()]
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
-_LONGEST = 200
+_EXAMPLE = _("For example {entry}")
 _WIDTH = 160
 
 
 def draw(task: Task) -> Verdict:
     """Draw a task, and return how far it is done."""
     with sheet("task", task.heading):
-        st.title(task.heading, anchor=False)
-        st.markdown(task.text)
         beside = task.stage and not is_projector()
         around = st.container(key="beside" if beside else None)
         words, picture = around.columns([1, 1], gap="medium") if beside else (around, around)
+        with words, st.container(key="posed"):
+            st.title(task.heading, anchor=False)
+            st.markdown(task.text)
         with words:
             places = st.columns(len(task.fields) or 1) if is_projector() else [st.container()] * len(task.fields)
             typed = {}
@@ -60,6 +61,9 @@ def draw(task: Task) -> Verdict:
 def verdict(task: Task, setting: Setting) -> Verdict:
     """Say whether the task is done, and how far away the goal is."""
     judged = task.judge(setting)
+    if not judged.is_judged:
+        st.markdown(f":small[{widgets.plain(judged.sentence)}]")
+        return judged
     done, not_yet = _("Done."), _("Not yet.")
     said = f":green[:material/check_circle: **{done}**]" if judged.done else f":orange[:material/flag: **{not_yet}**]"
     st.container(border=True).markdown(f"{said} {widgets.plain(judged.sentence)}")
@@ -93,10 +97,12 @@ FIELDS = {
     "release": lambda: widgets.page_slider(RELEASE),
     "glide": lambda: widgets.page_slider(GLIDE),
     "spin": lambda: widgets.page_slider(SPIN),
-    "part": lambda: read_number(st.text_input(_("Part of a period"), key="task_part", placeholder="1/3", max_chars=20)),
+    "part": lambda: read_number(
+        st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
+    ),
     "seconds": lambda: page.stopwatch("task_stopwatch"),
     "periods": lambda: widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH),
-    "formula": lambda: st.text_input("ε =", key="task_formula", placeholder="(sqrt(5) − 1)/2", max_chars=_LONGEST),
+    "formula": lambda: st.text_input("ε =", key="task_formula", placeholder=_EXAMPLE.format(entry="(sqrt(5) − 1)/2")),
     "method": lambda: widgets.menu(METHOD, _("Method")),
     "steps": lambda: widgets.count(STEPS, _("Steps per period"), width=_WIDTH),
     "bodies": _bodies,
