@@ -156,7 +156,7 @@ def test_a_preset_wins_over_what_was_typed_before_it(late, delay, link):
     page = late(delay, link)
     for preset in ("Equal masses", "Reset"):
         page.locator(BOX).fill("4.44")
-        page.get_by_text(preset, exact=True).click()
+        page.get_by_text(preset, exact=True).dblclick()
         settle(page)
         expect(page.locator(BOX)).to_have_value("1.0")
         assert page.locator(M_PRIME).input_value() == "1"

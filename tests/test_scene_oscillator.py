@@ -102,6 +102,21 @@ def test_heavy_rollers_let_m_give_way_where_m_prime_cannot_grow(app):
     assert not app.info
 
 
+@pytest.mark.parametrize(("moved", "kept"), [(1.0, 0.1), (3.0, 3.0)])
+def test_a_message_that_is_older_than_a_preset_takes_nothing_back(app, moved, kept):
+    """It carries the old m′, unless somebody has moved that slider meanwhile."""
+    app.run()
+    app.pills(key="preset").set_value("light").run()
+    heard = app.slider(key="update_seen").value
+    app.slider(key="update_seen").set_value(heard - 1)
+    app.slider(key="m_prime").set_value(moved)
+    app.slider(key="k").set_value(20.0).run()
+    assert (values(app)["m_prime"], values(app)["k"]) == (kept, 20.0)
+    # Negative control: a message that knows of the preset is believed.
+    app.slider(key="m_prime").set_value(moved).run()
+    assert values(app)["m_prime"] == moved
+
+
 def test_an_exact_entry_takes_numbers_and_fractions(app):
     app.run()
     for text, number in {"9/8": 1.125, " 2 ": 2.0, "1,5": 1.5, "1e0": 1.0, "4.5/3": 1.5}.items():

@@ -61,6 +61,7 @@ def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[st
                 format_func=PRESETS.__getitem__,
                 key=_PRESET,
                 on_change=_take_preset,
+                required=True,  # else the second press of a double click takes the first one back
                 label_visibility="collapsed",
             )
         folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
