@@ -238,13 +238,19 @@ def test_every_assumption_about_the_pages_of_streamlit_and_plotly_holds(visit):
     holds = page.evaluate(f"{module('page/streamlit_dom')}.then({HOLD})")
     assert len(holds) > 10
     assert [name for name, held in holds.items() if not held] == []
-    # A slider that is not found agrees with nothing, and the console names what is broken, once.
+    # A slider that is not found agrees with nothing, and the console names what is broken, once the page is complete.
     warned = []
     page.on("console", lambda message: warned.append(message.text))
     shows = page.evaluate(
         f"""async () => {{
           const {{ dom, reportBroken }} = await {module("page/streamlit_dom")}, slider = dom.slider;
+          const loading = document.createElement("p");
+          loading.dataset.testid = "stSkeleton";
+          document.body.append(loading);
           dom.slider = () => null;
+          reportBroken();
+          console.log("complete");
+          loading.remove();
           reportBroken();
           reportBroken();
           const shown = dom.shows(dom.slider("m"), 1);
@@ -253,14 +259,31 @@ def test_every_assumption_about_the_pages_of_streamlit_and_plotly_holds(visit):
         }}"""
     )
     assert shows is False
-    assert len(warned) == 1
-    assert "a slider with the key m" in warned[0]
+    assert len(warned) == 2
+    assert warned[0] == "complete"
+    assert "a slider with the key m" in warned[1]
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
     sent = len(page.frames_sent)
     page.evaluate(f"{module('page/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))")
     expect(page.locator(".st-key-compression [data-testid=stSliderThumbValue]")).to_have_text("5.0")
     page.wait_for_timeout(400)
     assert len(page.frames_sent) == sent
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])
+def test_before_the_first_words_a_sketch_keeps_their_places(chromium, server, width, height):
+    """The server does not answer; heading, words and picture have their places, and on a wide screen the sidebar."""
+    page = chromium.new_page(viewport={"width": width, "height": height})
+    page.route_web_socket(re.compile("_stcore"), lambda _silent: None)
+    page.goto(server)
+    page.wait_for_selector("[data-testid=stApp]", state="attached")
+    next_frame(page)
+    picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+    left = 340 if width == 1280 else 0
+    paper = picture.getpixel((left + 20, height - 20))
+    for x, y in [(left + 50, 80), (left + 50, 140), (left + 50, 300), *([(20, 300)] if left else [])]:
+        assert picture.getpixel((x, y)) != paper, (x, y)
+    page.close()
 
 
 # ---- the picture as a file

@@ -20,6 +20,7 @@ from ramanujan.lesson.classes import (
     DAY,
     MINUTE,
     NETWORK_SEATS,
+    PRESENT,
     STUDENTS,
     ClassError,
     CrowdError,

@@ -18,6 +18,7 @@ export async function begin(component) {
     const markup = document.createElement("template");
     markup.innerHTML = MARKUP[name] ?? "";
     parentElement.append(markup.content);
+    parentElement.host?.toggleAttribute("data-begun", true);
   }
   if (!lives.has(parentElement)) {
     const life = { component: { ...component }, stop: new AbortController(), calls: 0 };

@@ -245,10 +245,13 @@ export const ASSUMPTIONS = {
   ],
 };
 
+/** Whether all of the page is there: the sidebar's last widget, and nothing that Streamlit still loads. */
+const isComplete = () => one(".st-key-update_seen") && !one("[data-testid=stSkeleton]");
 const reported = new Set();
 
-/** Say in the console, once, which assumptions the present page breaks. */
+/** Say in the console, once, which assumptions the present page breaks; of a page that is still loading, nothing. */
 export function reportBroken() {
+  if (!isComplete()) return;
   for (const [name, [purpose, holds]] of Object.entries(ASSUMPTIONS)) {
     if (reported.has(name) || (holds() ?? true)) continue;
     reported.add(name);

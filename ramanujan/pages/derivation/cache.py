@@ -10,7 +10,7 @@ import sympy as sp
 from ramanujan import Oscillator
 from ramanujan.answers import Verdict, judge, shown_step
 from ramanujan.answers.grammar import UnreadableError, typeset
-from ramanujan.derivation import ROUTES
+from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
@@ -69,10 +69,15 @@ def step(
     return ShownStep(said.heading, said.reason, _aligned(shown, width) if shown else "", by_body)
 
 
+def all_routes() -> list[Route]:
+    """Return all routes."""
+    return [route(name) for name in ROUTES]
+
+
 @st.cache_resource(show_spinner=False)
 def all_agree() -> bool:
     """Tell whether every route ends in the same expression: each difference from the first is worked out and is 0."""
-    first, *others = (route(name).natural_frequency_squared for name in ROUTES)
+    first, *others = (each.natural_frequency_squared for each in all_routes())
     return all(sp.cancel(first - other) == 0 for other in others)
 
 
@@ -80,7 +85,7 @@ def all_agree() -> bool:
 def results(masses: tuple[float, float, float]) -> list[tuple[str, str, str, str]]:
     """Return for each route its title, the number of its steps, and its Ω² in symbols and with the present masses."""
     numbers, found = _values(masses), []
-    for way in map(route, ROUTES):
+    for way in all_routes():
         frequency = equation(Omega_squared, way.natural_frequency_squared)
         found.append((way.title, str(len(way.steps)), row(frequency).right, row(frequency, numbers).right))
     return found

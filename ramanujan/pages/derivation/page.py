@@ -27,6 +27,8 @@ STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION, *MODES)
 
 ASIDE = ("compression",)
+_STEP_HEIGHT = 368
+"""Pixels: of a step in a lecture, as page.css has it."""
 
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
@@ -80,11 +82,15 @@ def the_route() -> Setting:
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
             tell_beside()
+        place = steps if projector else st.container()
+        # The first visitor of a server waits for all routes: the choices name them.
+        with place, st.skeleton(height=_STEP_HEIGHT):
+            cache.all_routes()
         with head or steps:
             choose(picture if projector else None)
             if setting.is_lecture:
                 turn_pages(setting.route, [step.heading for step in cache.route(setting.route).steps])
-        with steps if projector else st.container():
+        with place:
             the_steps(setting, address.held(BODY))
     if not projector:
         explain(setting)

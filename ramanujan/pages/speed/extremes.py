@@ -71,7 +71,8 @@ def forms_at_extremes() -> list[Sweep]:
             "still look right."
         ).format(double=number(float(np.finfo(np.float64).max)), single=number(float(np.finfo(np.float32).max)))
     )
-    swept, _solvers = cache.sweeps()
+    with st.skeleton(height=480):
+        swept, _solvers = cache.sweeps()
     name = widgets.chips(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     along, _between, dtype = name.partition("_")
     shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]

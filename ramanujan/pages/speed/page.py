@@ -103,7 +103,8 @@ def _what_is_shown(run: downsampling.Run, first: int, last: int) -> str:
 def growing_errors(run: downsampling.Run) -> None:
     """Draw how the errors of all methods grow."""
     st.header(_("How the errors grow"), anchor=False)
-    runs = [cache.run(name, run.steps, run.periods, run.dtype) for name in METHODS]
+    with st.skeleton(height=480):
+        runs = [cache.run(name, run.steps, run.periods, run.dtype) for name in METHODS]
     machine = sidebar.oscillator()
     phases = cache.phases(machine.m, machine.m_prime, machine.k)
     exact = np.array([(p.periods, p.reduced) for p in phases if p.periods <= max(run.periods, 10)])

@@ -55,7 +55,9 @@ def exactly_in_step() -> None:
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )
-        for line in cache.unit_equations():
+        with st.skeleton(height=260):
+            equations = cache.unit_equations()
+        for line in equations:
             st.latex(line)
     with picture:
         other_targets.the_curve()
