@@ -6,7 +6,7 @@ if __name__ != "__main__":
     # The server loads this file once, under its own name, and runs it for each visitor as the main script.
     from ramanujan.shell import server
 
-    app = st.App(__file__, routes=server.routes(), middleware=server.MIDDLEWARE, lifespan=server.warmed_up)
+    app = st.App(__file__, middleware=server.MIDDLEWARE, lifespan=server.warmed_up)
 else:
     from ramanujan.shell import (
         address,

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import urllib.request
+from email.message import Message
 from pathlib import Path
 
 from playwright.sync_api import BrowserContext, Error, Page, WebSocket
@@ -85,6 +86,13 @@ def started(address: str) -> str:
             return address
         time.sleep(0.25)
     raise RuntimeError("the app did not start")
+
+
+def get(address: str, **headers: str) -> tuple[Message, bytes]:
+    """Ask for a file with some headers, and return those of the answer and its content."""
+    names = {name.replace("_", "-"): value for name, value in headers.items()}
+    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=60) as answer:
+        return answer.headers, answer.read()
 
 
 def listen(page: Page) -> None:

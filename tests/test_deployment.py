@@ -1,14 +1,10 @@
 """The recipe under .deploy, started as it is on the loopback address: two processes behind HAProxy, with a browser."""
 
 import asyncio
-import gzip
 import os
 import random
-import re
 import sqlite3
 import time
-import urllib.error
-import urllib.request
 from collections import Counter
 from collections.abc import Iterator
 
@@ -19,7 +15,7 @@ from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import network_of
-from tests.browser import CHROMIUM, listen, settle
+from tests.browser import CHROMIUM, get, listen, settle
 from tests.deployed import HAPROXY, deployed
 
 STORE = "ramanujan"
@@ -35,12 +31,6 @@ def hall() -> Iterator[deployed]:
             pytest.skip(f"no {package} on this system (on Debian: apt-get install {package})")
     with deployed() as running:
         yield running
-
-
-def get(address: str, **headers: str) -> tuple[object, bytes]:
-    names = {name.replace("_", "-"): value for name, value in headers.items()}
-    with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=10) as answer:
-        return answer.headers, answer.read()
 
 
 @pytest.fixture(scope="module")
@@ -85,27 +75,6 @@ def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
         assert all(cookie_of(hall, Cookie=cookie) is None for _ in range(4))
     # Negative control: one that names no process is replaced.
     assert cookie_of(hall, Cookie=f"{STORE}=third")
-
-
-def test_the_scripts_come_compressed_and_may_be_kept_for_good(hall: deployed) -> None:
-    _, page = get(hall.address)
-    scripts = re.findall(r"static/js/[^\"]+\.js", page.decode())
-    assert len(scripts) > 1
-    module, rules = (
-        re.search(end, page.decode())[0] for end in (r"modules/\w+/begin\.js", r"modules/\w+/page/page\.css")
-    )
-    for script in (*scripts[:3], module, rules):
-        headers, body = get(f"{hall.address}/{script}", Accept_Encoding="gzip")
-        _, plain = get(f"{hall.address}/{script}")
-        assert gzip.decompress(body) == plain
-        assert headers["Content-Encoding"] == "gzip"
-        assert "immutable" in headers["Cache-Control"]
-    # An address that is no file gets the page, which must not be kept.
-    assert "no-cache" in get(f"{hall.address}/static/js/nothing.js", Accept_Encoding="gzip")[0]["Cache-Control"]
-    # A module of another version of the app is not there.
-    for wrong in (re.sub(r"/\w+/", "/0000/", module), module.replace("begin", "nothing")):
-        with pytest.raises(urllib.error.HTTPError, match="404"):
-            get(f"{hall.address}/{wrong}")
 
 
 def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: deployed) -> None:

@@ -4,20 +4,25 @@ Then a later visit, which finds all scripts in the browser: seconds until the ma
 page shows its two sliders, also with a processor of a quarter of the speed.
 
     python -m tests.benchmarks.visit [--megabits 20] [--delay 40] [--processes 0]
+    python -m tests.benchmarks.visit --clients 60
 
 The browser is slowed down to so many megabits a second, and each request by so many milliseconds. "plain" is what
-Streamlit sends by itself, as to a browser that takes no compressed answer.
+Streamlit sends by itself, as to a browser that takes no compressed answer. With --clients, so many clients ask a fresh
+server for the twelve largest scripts at the same moment, and then again.
 """
 
 import argparse
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
 from time import perf_counter
 
+import streamlit
 from playwright.sync_api import Browser, BrowserContext, sync_playwright
 
-from tests.browser import CHROMIUM, FLAGS, ROOT, running
+from tests.benchmarks.classroom import processor_time
+from tests.browser import CHROMIUM, FLAGS, ROOT, get, running
 from tests.deployed import deployed
 
 DRAWN = """[...document.querySelectorAll('[data-testid=stBidiComponentIsolated]')].some(
@@ -35,7 +40,11 @@ def main() -> None:
     parser.add_argument("--megabits", type=float, default=20)
     parser.add_argument("--delay", type=float, default=40, help="milliseconds (default: 40)")
     parser.add_argument("--processes", type=int, default=0, help="1 or 2: behind HAProxy, by the recipe")
+    parser.add_argument("--clients", type=int, default=0, help="so many ask a fresh server at once")
     given = parser.parse_args()
+    if given.clients:
+        at_once(given.clients)
+        return
     plain = {"Accept-Encoding": "identity"}
     with deployed(given.processes) if given.processes else running(ROOT / "app.py") as started:
         address = started.address if given.processes else started
@@ -52,6 +61,21 @@ def main() -> None:
                 print(f"{name:<14}{size:>12}{requests:>10}{picture:>13.2f} s{curve:>8.2f} s")
             later_visits(browser, visits[1][1])
             browser.close()
+
+
+def at_once(clients: int) -> None:
+    """Print how long clients wait for the twelve largest scripts that all want at once, and the server's work."""
+    folder = Path(streamlit.__file__).parent / "static"
+    scripts = sorted(folder.glob("static/js/*.js"), key=lambda path: path.stat().st_size)[-12:]
+    for coding in ("gzip", "br"):
+        server = running(ROOT / "app.py")
+        with server as address, ThreadPoolExecutor(clients) as pool:
+            wanted = [f"{address}/{script.relative_to(folder).as_posix()}" for script in scripts] * clients
+            for words in ("fresh server", "once more"):
+                work, start = processor_time([server.process.pid]), perf_counter()
+                size = sum(pool.map(lambda script: len(get(script, Accept_Encoding=coding)[1]), wanted))  # noqa: B023
+                work, seconds = processor_time([server.process.pid]) - work, perf_counter() - start
+                print(f"{coding:<6}{words:<14}{size:>12} bytes{seconds:>8.2f} s, server’s processor {work:.2f} s")
 
 
 def later_visits(browser: Browser, address: str) -> None:
