@@ -163,8 +163,9 @@ def opened(page: str, parameters: Sequence[URLParameter]) -> list[str]:
 
 
 def held(parameter: URLParameter) -> Any:
-    """Return the value of a URL parameter that Streamlit does not bind."""
-    return st.session_state.get(parameter.name, parameter.default)
+    """Return the value of a URL parameter that Streamlit does not bind; its default where nothing is chosen."""
+    value = st.session_state.get(parameter.name)
+    return parameter.default if value is None else value
 
 
 def keep(*parameters: URLParameter) -> Any:

@@ -13,8 +13,9 @@ import ramanujan
 from ramanujan.browser import modules
 from ramanujan.shell.browser_cookie import NamedBrowser
 from ramanujan.shell.page_files import PageFiles
+from ramanujan.shell.widget_states import CheckedStates
 
-MIDDLEWARE = [Middleware(NamedBrowser), Middleware(PageFiles)]
+MIDDLEWARE = [Middleware(CheckedStates), Middleware(NamedBrowser), Middleware(PageFiles)]
 
 
 @asynccontextmanager

@@ -158,6 +158,7 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
 
 def _set_ratio(ratio: float, digits: int) -> None:
     rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
+    ratio = min(max(ratio, rollers.least / others.most), rollers.most / others.least)
     m = others.present
     m_prime = _times(ratio, m, digits)
     if rollers.least <= m_prime <= rollers.most:

@@ -22,6 +22,7 @@ The topics of the bus, where NAME is the name of a stage:
     say               {sentence, urgent}: news for the page's live region
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -158,7 +159,7 @@ def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) ->
     head : its symbol, unit and meaning; label and longest text of the box; default of the slider
     on_typed : called with what was typed
     """
-    return _asks("exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed)
+    return _asks("exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -169,7 +170,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    return _asks("pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked)
+    return _asks("pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
@@ -184,7 +185,12 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     on_turned : called with the route and the step, some time after the last change
     """
     data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
-    return _asks("steps", "lecture_turn", data, "at", lambda at: on_turned(at["route"], at["step"]))
+    example = {"route": route, "step": 1}
+
+    def act(at: dict[str, Any]) -> None:
+        on_turned(at["route"], min(max(at["step"], 1), len(headings)))
+
+    return _asks("steps", "lecture_turn", data, "at", act, example)
 
 
 def turn(
@@ -207,7 +213,7 @@ def turn(
     held : changes when the server has refused a turn
     """
     data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "held": held}
-    return _asks("turn", "turn", data, "to", on_turned)
+    return _asks("turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -219,7 +225,7 @@ def pager(on_turned: Callable[[str], None]) -> Any:
     ----------
     on_turned : called with the name of the sheet some time after the last turn, with "" for the first one
     """
-    return _asks("pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned)
+    return _asks("pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
 
 
 def stopwatch(key: str) -> float | None:
@@ -230,14 +236,27 @@ def stopwatch(key: str) -> float | None:
     key : of the element
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
-    return modules.component("page/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+    taken = modules.component("page/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+    return taken if _is_like(taken, 0.0) else None
 
 
-def _asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None]) -> Any:
-    """Put a component on the page; a function is called with each value that it sends by this event."""
+def _asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None], example: Any) -> Any:
+    """Put a component on the page; a function is called with each value like the example that it sends by this event.
+
+    What else comes, no page has sent.
+    """
 
     def sent() -> None:
-        if (value := getattr(st.session_state[key], event)) is not None:
+        if _is_like(value := getattr(st.session_state.get(key), event, None), example):
             act(value)
 
     return modules.component(f"page/{name}")(key=key, data=data, **{f"on_{event}_change": sent})
+
+
+def _is_like(value: Any, example: Any) -> bool:
+    """Tell whether a value has the type of an example; a number is finite, and a whole one may stand for any."""
+    if isinstance(example, dict):
+        return isinstance(value, dict) and all(_is_like(value.get(name), each) for name, each in example.items())
+    if isinstance(example, float):
+        return isinstance(value, int | float) and math.isfinite(value)
+    return isinstance(value, type(example)) and not isinstance(value, bool)
