@@ -144,15 +144,16 @@ def test_a_method_whose_error_falls_faster_than_its_order_says_why(app):
         states = islice(trajectory(METHODS["symplectic_euler"], lambda q: -q, 1.0, 0.0, 2 * math.pi / n), 30 * n)
         t = 2 * np.pi * np.arange(1, 30 * n + 1) / n
         largest.append(np.hypot(*(np.array([*states]).T - (np.cos(t), -np.sin(t)))).max())
-    slope = math.log2(largest[0] / largest[1])
-    assert slope > 1.3
-    assert f"symplectic Euler has order 1, but its error falls with slope {slope:.1f}:" in words(app)
+    factor = largest[0] / largest[1]
+    assert factor > 2.5
+    assert "symplectic Euler has order 1, so twice as many steps should divide its error by 2." in words(app)
+    assert f"They divide it by {factor:.1f}." in words(app)
     # One step turns by arccos(1 − z²/2), z = hΩ, so its phase error is of order 2.
-    assert "and that falls with slope 2.0." in words(app)
+    assert "They divide that part by 4.0." in words(app)
     # All other methods fall as their order says; in one period, so does this one.
     assert words(app).count("has order") == 2  # the other one is said of the method that is shown
     app.select_slider(key="periods").set_value(1).run()
-    assert "but its error falls" not in words(app)
+    assert "twice as many steps" not in words(app)
 
 
 def test_says_what_the_paper_form_returns_at_the_edge(app):

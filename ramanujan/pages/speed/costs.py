@@ -120,7 +120,8 @@ def _how_measured(periods: int, spread: float) -> str:
     ).format(n=periods)
     times = _(
         "Errors and evaluations are the same for every machine. Solid: float64; dotted: float32. Times were measured "
-        "on this server: medians of repeated runs, of which the middle half typically spans {spread} of the median."
+        "on this server: each is the median of repeated runs, and half of these lie within a range of typically "
+        "{spread} of the median."
     ).format(spread=percent(spread))
     return f"{points} {times}"
 

@@ -59,11 +59,13 @@ def errors_of(run: Run) -> str:
         return " ".join((evaluated, _("The energy has grown beyond the largest floating-point number.")))
     if worst > 1e6:
         return " ".join((evaluated, grown.format(factor=number(1 + worst))))
+    turns = abs(run.phase_at_end) / math.tau
+    off = (_("{turns} full turns") if turns > 1 else _("{turns} of a full turn")).format(turns=number(turns))
     phase = (
-        _("At the end the computed machine is **{turns} of a full turn ahead** ({phase} rad).")
+        _("At the end the computed machine is **{off} ahead** ({phase} rad).")
         if run.phase_at_end > 0
-        else _("At the end the computed machine is **{turns} of a full turn behind** ({phase} rad).")
-    ).format(phase=number(abs(run.phase_at_end)), turns=number(abs(run.phase_at_end) / math.tau))
+        else _("At the end the computed machine is **{off} behind** ({phase} rad).")
+    ).format(off=off, phase=number(abs(run.phase_at_end)))
     if worst > 1:
         energy = grown.format(factor=number(1 + worst))
     elif worst >= 1e-4:
@@ -121,14 +123,16 @@ def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, in
         # Errors as large as the motion, and those of rounding, have no slope.
         if not _ROUNDING < fine_error < coarse_error < _SMALL:
             continue
-        if (slope := math.log2(coarse_error / fine_error)) > method.order + _STEEPER:
+        if math.log2(coarse_error / fine_error) > method.order + _STEEPER:
             coarse, end = (run(curve.method, each, curve.periods, "float64").phase_at_end for each in (fine // 2, fine))
             sentence = _(
-                "The method {method} has order {order}, but its error falls with slope {slope}: a phase error grows "
-                "from period to period, and that falls with slope {phase}."
+                "The method {method} has order {order}, so twice as many steps should divide its error by {expected}. "
+                "They divide it by {factor}. A part of it, the phase error, grows from period to period. They divide "
+                "that part by {phase}."
             )
-            words = {"method": method.title, "order": method.order, "slope": f"{slope:.1f}"}
-            said.append(sentence.format(**words, phase=f"{math.log2(coarse / end):.1f}"))
+            factors = {"expected": 2**method.order, "factor": coarse_error / fine_error, "phase": coarse / end}
+            shown = {name: number(factor, 2) for name, factor in factors.items()}
+            said.append(sentence.format(method=method.title, order=method.order, **shown))
     return " ".join(said)
 
 

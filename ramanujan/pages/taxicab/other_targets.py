@@ -99,8 +99,10 @@ def open_question() -> None:
     with sheet("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
         sentence = _(
-            "The paper ends with a question: is there “a number theoretic reason for the appearance of the number "
-            "{number}”? This much can be said."
+            "**Known:** the machine’s bodies give {number} the form $x^2+3y^2$, and numbers of this form are often "
+            "sums of two cubes. **Not known:** why {number} is such a sum in two ways, and the smallest number that "
+            "is. **An answer would be** a property of the machine from which both sums follow. The paper leaves this "
+            "open: it asks for “a number theoretic reason for the appearance of the number {number}”."
         )
         st.markdown(sentence.format(number=PAPER.discriminant))
         what_has_a_reason()
@@ -113,7 +115,10 @@ def open_question() -> None:
         figure, words = st.columns([3, 2]) if display_mode.is_projector() else 2 * [st.container()]
         with words:
             st.markdown(
-                _("A count confirms that the paper’s lower rollers lead to such sums more often than any others.")
+                _(
+                    "**A count confirms it.** The paper’s lower rollers lead to sums of two cubes more often than any "
+                    "others."
+                )
             )
         with figure:
             count_of_cubes(tallies, paper)
@@ -123,18 +128,19 @@ def open_question() -> None:
 
 def what_has_a_reason() -> None:
     """Say why the discriminant is a norm."""
-    st.markdown(
-        _(
-            "**What has a reason.** For the target $p/q$, the discriminant of the paper’s machine is, up to a square "
-            "factor:"
-        )
+    x, y = number_theory.norm_form()
+    sentence = _(
+        "**Where the form comes from.** The discriminant of the paper’s machine is ${x}^2+3\\cdot{y}^2={number}$. A "
+        "hoop and a cylinder as lower rollers always lead to the form $x^2+3y^2$, whatever rolls on top."
     )
-    st.latex(cache.norm_identity())
+    st.markdown(sentence.format(x=x, y=y, number=PAPER.discriminant))
+    with st.expander(_("The same for any target, $\\Omega^2m/k=p/q$")):
+        st.markdown(_("The discriminant of the paper’s machine is, up to a square factor:"))
+        st.latex(cache.norm_identity())
     st.markdown(
         _(
-            "The discriminant always has the form $x^2+3y^2$. A hoop and a cylinder as lower rollers are enough for "
-            "this, whatever rolls on top. Such a number is the *norm* of $x+y\\sqrt{{-3}}$: multiply by the same "
-            "number with the other sign."
+            "**What the form means.** A number $x^2+3y^2$ is the *norm* of $x+y\\sqrt{{-3}}$: the product of this "
+            "number and the same number with the other sign."
         ).format()
     )
     st.latex(cache.norm_multiplied_out())
@@ -144,17 +150,16 @@ def what_has_a_reason() -> None:
 
 def the_number_as_a_norm() -> None:
     """Say what follows from the norm for the paper's number."""
-    x, y = number_theory.norm_form()
     ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
     primes = [prime for prime, _power in PAPER.factorization]
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
     written = " = ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
     sentence = ngettext(
-        "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There is {n} way to write it so: ${written}$.",
-        "For $p=q=1$ it is ${x}^2+3\\cdot{y}^2={number}$. There are {n} ways to write it so: ${written}$.",
+        "**What it says about {number}.** There is {n} way to write it in this form: ${written}$.",
+        "**What it says about {number}.** There are {n} ways to write it in this form: ${written}$.",
         len(ways),
     )
-    st.markdown(sentence.format(x=x, y=y, number=PAPER.discriminant, n=len(ways), written=written))
+    st.markdown(sentence.format(number=PAPER.discriminant, n=len(ways), written=written))
     factors = ",\\ ".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
     remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
     sentence = _(
@@ -164,8 +169,9 @@ def the_number_as_a_norm() -> None:
     )
     st.markdown(sentence.format(norms=factors, n=len(ways), remainder=remainder))
     sentence = _(
-        "Cubes belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the second factor is such a norm, too. "
-        "Here ${factored}$. So numbers of this form should be sums of two cubes more often than others."
+        "**What it has to do with cubes.** They belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the "
+        "second factor is such a norm, too. Here ${factored}$. So numbers of this form should be sums of two cubes "
+        "more often than others."
     )
     st.markdown(sentence.format(factored=cache.factored_cubes(PAPER.discriminant)))
 
@@ -210,7 +216,7 @@ def what_stays(paper: cache.Tally) -> None:
     sentence = _(
         "**What stays a coincidence.** The simplest target, 1, gives a number that is a sum of two cubes in *two* "
         "ways, even the smallest such number. Of the {count} discriminants, {taxicabs} are sums of two cubes in two "
-        "ways, and nothing known singles out $p=q=1$. If you change any one body you get {near}, and none of these is "
-        "such a sum. The norm explains the form of {number}, but not why it had to be {number}."
+        "ways, and nothing known singles out the target 1. If you change any one body you get {near}, and none of "
+        "these is such a sum. The norm explains the form of {number}, but not why it had to be {number}."
     )
     st.markdown(sentence.format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=PAPER.discriminant))
