@@ -1,23 +1,23 @@
 """What every step of every route has to be, and what is said about one machine."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import sympy as sp
 
-from ramanujan import derivation
+from ramanujan import UNIT_MASS_RATIO, derivation
 from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.rows import row, rows
+from ramanujan.derivation.rows import row
 from ramanujan.derivation.steps import Routes, equation
-from ramanujan.derivation.symbols import Omega_squared, k, m, m_prime, machine
+from ramanujan.derivation.symbols import Machine, Omega_squared, k, m, m_prime, machine
 from ramanujan.derivation.templates import template
-from tests.latex import Formula, sides
 
-UNIT_RATIO = (sp.sqrt(1729) - 1) / 36
-TWO_MASSES = {m: sp.Integer(2), m_prime: sp.Integer(3), k: sp.Integer(50)}
+TWO_MASSES = Numbers(2.0, 3.0, 50.0)
 STEPS = [(name, step.key) for name in ROUTES for step in ROUTES[name].steps]
 
 
@@ -65,15 +65,14 @@ def test_a_new_route_needs_one_file_and_one_line():
     routes = Routes()
 
     @routes.add("trivial")
-    def build() -> Route:
+    def build(_bodies: Machine) -> Route:
         step = Step("only", "Ask the others", "Another route knows.", (equation(Omega_squared, k / m),))
         return Route("trivial", "Trivial", (step,), k / m, {"only": "Omega_squared = k / m"})
 
     route = routes["trivial"]
     assert routes["trivial"] is route
     assert list(routes) == ["trivial"]
-    values = {m: sp.Integer(2), m_prime: sp.Integer(1), k: sp.Integer(3)}
-    assert r"\Omega^{2} = \frac{3}{2} = 1.5\,\mathrm{s^{-2}}" in to_markdown(route, values)
+    assert r"\Omega^{2} = \frac{3}{2} = 1.5\,\mathrm{s^{-2}}" in to_markdown(route, Numbers(2.0, 1.0, 3.0))
     assert r"\Omega^{2} &= \frac{k}{m}" in to_latex(route)
     assert "Omega_squared = k / m" in to_notebook(route)
     # In the package, a file that adds a route is named on one line of `ramanujan.derivation`.
@@ -85,53 +84,40 @@ def test_a_new_route_needs_one_file_and_one_line():
     assert len(files) == len(ROUTES)
 
 
-def test_every_reason_about_equal_masses_says_so():
-    for name, key in STEPS:
-        step = ROUTES[name][key]
-        assert (step.case is not None) == key.startswith("equal_")
-        if step.case is not None:
-            assert "masses are all equal" in step.reason
-            assert "stays in symbols" in step.about(TWO_MASSES).reason
-            same = TWO_MASSES | {m_prime: TWO_MASSES[m]}
-            assert "stays in symbols" not in step.about(same).reason
-            for each in rows(step, same):
-                assert {"m", "m'", "k"}.isdisjoint(Formula(sides(each.latex)[1]).names)
-
-
-def test_with_equal_masses_nothing_is_told_twice():
-    same = TWO_MASSES | {m_prime: TWO_MASSES[m]}
-    route = ROUTES["euler_lagrange"]
-    headings = [step.heading for step in route.steps]
-    assert len(set(headings)) == len(headings)
-    in_numbers = [tuple(each.latex for each in rows(step, same)) for step in route.steps]
-    assert len(set(in_numbers)) == len(in_numbers)
-    for step in route.steps:
-        if step.told is not None:
-            assert "said this already" in step.about(same).reason
-            assert "said this already" not in step.about(TWO_MASSES).reason
-            assert rows(step, same) == rows(step)
+@pytest.mark.parametrize("name", ROUTES)
+def test_equal_masses_are_put_into_every_line_of_the_same_steps(name):
+    """The general machine is the way: each step has its counterpart, up to the condition on ε, and no line has m′."""
+    general, equal = ROUTES[name], ROUTES.with_equal_masses(name)
+    ratio = ("ratio", "unit", "root")
+    assert [s.key for s in general.steps if s.key not in ratio] == [s.key for s in equal.steps if s.key != "close"]
+    for step in equal.steps:
+        assert not any(relation.has(m_prime) for relation in step.equations)
+        if step.key != "close":
+            assert step.heading == general[step.key].heading
+    at_equal = general.natural_frequency_squared.subs(m_prime, m)
+    assert sp.cancel(equal.natural_frequency_squared - at_equal) == 0
+    assert len(general.steps) <= 14
+    assert equal.title != general.title
 
 
 @pytest.mark.parametrize(
-    ("roller_mass", "word"), [(sp.Integer(2), "faster"), (UNIT_RATIO * 2, "in step"), (sp.Integer(3), "more slowly")]
+    ("roller_mass", "word"), [(2.0, "faster"), (UNIT_MASS_RATIO * 2, "in step"), (3.0, "more slowly")]
 )
 def test_the_condition_says_on_which_side_a_machine_is(roller_mass, word):
-    values = TWO_MASSES | {m_prime: roller_mass}
+    numbers = replace(TWO_MASSES, m_prime=roller_mass)
     step = ROUTES["euler_lagrange"]["unit"]
-    assert word in step.about(values).reason
-    signs = {number.evaluated(values)[0].numerator.compare(0) for number in map(template, residuals(step, values))}
+    said = step.about(numbers)
+    assert word in said.reason
+    residuals = [template(relation.rhs) for relation in said.equations]
+    signs = {residual.evaluated(numbers)[0].numerator.compare(0) for residual in residuals}
     assert signs == {{"faster": -1, "in step": 0, "more slowly": 1}[word]}
-
-
-def residuals(step: Step, values: dict) -> list[sp.Expr]:
-    return [relation.rhs for relation in step.about(values).equations]
 
 
 @pytest.mark.parametrize("name", ROUTES)
 def test_at_the_unit_ratio_alone_the_frequency_is_that_of_the_plain_mass(name):
-    for mass, stiffness in ((sp.Rational(2, 3), sp.Rational(9, 4)), (sp.Integer(5), sp.Rational(1, 7))):
-        values = {m: mass, m_prime: UNIT_RATIO * mass, k: stiffness}
+    for mass, stiffness in ((2 / 3, 2.25), (5.0, 1 / 7)):
+        numbers = Numbers(mass, UNIT_MASS_RATIO * mass, stiffness)
         frequency = equation(Omega_squared, ROUTES[name].natural_frequency_squared)
-        plain = row(equation(Omega_squared, k / m), values).latex
-        assert row(frequency, values).latex == plain
-        assert row(frequency, values | {m_prime: values[m_prime] * sp.Rational(999, 1000)}).latex != plain
+        plain = row(equation(Omega_squared, k / m), numbers).latex
+        assert row(frequency, numbers).latex == plain
+        assert row(frequency, replace(numbers, m_prime=numbers.m_prime * 0.999)).latex != plain

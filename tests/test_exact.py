@@ -8,16 +8,17 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import Number, rounded, truncated
 from ramanujan.derivation.rows import side_terms
-from ramanujan.derivation.symbols import k, m, m_prime
+from ramanujan.derivation.symbols import m
 
 ROOT, HALF = sp.sqrt(1729), sp.Rational(1, 2)
 
 
 def shown(number: sp.Expr) -> str:
-    """Return a number as it stands alone, in place of a symbol."""
-    return "".join(side_terms(m_prime, {m: 1, m_prime: number, k: 1}))
+    """Return a number as it stands alone, in a formula whose only number it is."""
+    return "".join(side_terms(number * m, Numbers(1.0, 1.0, 1.0)))
 
 
 @settings(deadline=None, max_examples=40)

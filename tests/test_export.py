@@ -18,20 +18,20 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_notebook
 from ramanujan.derivation.nomenclature import nomenclature
-from ramanujan.derivation.numbers import exact_values
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.pages.derivation import cache as page
 from ramanujan.shell import theme
 
-VALUES = {m: sp.Integer(2), m_prime: (sp.sqrt(1729) - 1) / 18, k: sp.Rational(7, 3)}
+NUMBERS = Numbers(2.0, 2 * UNIT_MASS_RATIO, 7 / 3)
 ENGINE = shutil.which("pdflatex")
 PICTURE = machine_tikz(Oscillator(), 0.08, theme.on_paper())
 
 
 def values_if(numbers: bool):
-    return VALUES if numbers else None
+    return NUMBERS if numbers else None
 
 
 def typeset(document: str, folder: Path) -> str:
@@ -109,7 +109,7 @@ def test_the_environment_check_sees_what_is_wrong():
 @pytest.mark.skipif(ENGINE is None, reason="no pdflatex is installed")
 @pytest.mark.parametrize("name", ROUTES)
 def test_latex_compiles_and_nothing_sticks_out(name, tmp_path):
-    longest = exact_values(*OFF_THE_STEPS)
+    longest = OFF_THE_STEPS
     documents = [to_latex(ROUTES[name], values) for values in (None, longest)]
     for document in (*documents, to_beamer(ROUTES[name], longest, PICTURE)):
         assert not re.findall("Overfull.*|Missing character.*", typeset(document, tmp_path)), document[:40]
@@ -136,7 +136,7 @@ def test_a_notebook_needs_sympy_alone_and_no_cell_holds_a_result(name):
     assert {int(digits) for digits in re.findall(r"(?<![\w.])\d+", source)} <= {0, 1, 2, 3, 4, 13}
 
 
-OFF_THE_STEPS, IN_STEP = MACHINES = (1.2345678, 0.86, 33.5), (1.0, UNIT_MASS_RATIO, 10.0)
+OFF_THE_STEPS, IN_STEP = MACHINES = Numbers(1.2345678, 0.86, 33.5), Numbers(1.0, UNIT_MASS_RATIO, 10.0)
 
 
 @pytest.fixture(scope="module")
@@ -163,18 +163,18 @@ def result(notebook: nbformat.NotebookNode, key: str) -> str:
     return cell.outputs[0].data["text/plain"]
 
 
-@pytest.mark.parametrize(("name", "masses"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
-def test_the_notebook_of_the_download_button_runs(name, masses, kernel):
+@pytest.mark.parametrize(("name", "numbers"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
+def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     """In symbols and for a machine: what the button hands over ends in the Ω² that the page shows."""
     found = result(executed(page.document.__wrapped__(name, None, "notebook"), kernel), "check")
     found = sp.sympify(found.replace("m'", "m_prime"), locals={"m": m, "m_prime": m_prime, "k": k})
     assert sp.cancel(found - ROUTES[name].natural_frequency_squared) == 0
-    notebook = executed(page.document.__wrapped__(name, masses, "notebook"), kernel)
-    expected = sp.radsimp(ROUTES[name].natural_frequency_squared.subs(exact_values(*masses)))
+    notebook = executed(page.document.__wrapped__(name, numbers, "notebook"), kernel)
+    expected = sp.radsimp(ROUTES[name].natural_frequency_squared.subs(numbers.exact))
     assert sp.sympify(result(notebook, "numbers")) == expected
     distance = result(notebook, "distance")
-    assert ("'distance from the root': (0, 0)" in distance) == (masses == IN_STEP)
-    assert ("'Omega^2 m/k': 1," in distance) == (masses == IN_STEP)
+    assert ("'distance from the root': (0, 0)" in distance) == (numbers == IN_STEP)
+    assert ("'Omega^2 m/k': 1," in distance) == (numbers == IN_STEP)
 
 
 def test_a_notebook_refuses_a_wrong_frequency(kernel):
@@ -192,8 +192,8 @@ def test_a_notebook_refuses_a_wrong_frequency(kernel):
 @pytest.mark.parametrize("kind", ["latex", "markdown", "notebook"])
 @pytest.mark.parametrize("name", ROUTES)
 def test_every_file_carries_its_steps_and_the_list_of_symbols(name, kind):
-    for masses in (None, OFF_THE_STEPS):
-        text = page.document.__wrapped__(name, masses, kind)
+    for numbers in (None, OFF_THE_STEPS):
+        text = page.document.__wrapped__(name, numbers, kind)
         text = "\n".join(cell["source"] for cell in json.loads(text)["cells"]) if kind == "notebook" else text
         written = prose_to_latex if kind == "latex" else str
         assert kind == "notebook" or all(written(step.heading) in text for step in ROUTES[name].steps)

@@ -10,8 +10,10 @@ from ramanujan.answers import QUESTIONS
 from ramanujan.answers import question as question_of
 from ramanujan.derivation import ROUTES, rayleigh
 from ramanujan.derivation.energies import PARTS, terms
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.remarks import remarks
+from ramanujan.derivation.symbols import machine
 from ramanujan.pages.derivation import cache
 
 PAGE = "ramanujan/pages/derivation/page.py"
@@ -96,7 +98,7 @@ def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
     choose(page, m=3.33)
     # Negative control: deriving does meet the trap.
     with pytest.raises(AssertionError):
-        rayleigh.build()
+        rayleigh.build(machine())
 
 
 def test_all_routes_meet_in_one_table(page):
@@ -122,13 +124,13 @@ def test_the_terms_of_all_parts_add_up_to_the_equation(name):
 
 
 @pytest.mark.parametrize("part", PARTS)
-@pytest.mark.parametrize("masses", [None, (1.0, 1.0, 10.0)], ids=["symbols", "numbers"])
-def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, masses):
+@pytest.mark.parametrize("numbers", [None, Numbers(1.0, 1.0, 10.0)], ids=["symbols", "numbers"])
+def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, numbers):
     colored = [
         (step.key, shown)
         for name in ROUTES
         for number, step in enumerate(ROUTES[name].steps)
-        if COLOR in (shown := cache.step(name, number, masses, part, COLOR)).equations + shown.by_body
+        if COLOR in (shown := cache.step(name, number, numbers, part, COLOR)).equations + shown.by_body
     ]
     assert "lagrangian" in [key for key, _ in colored]
     assert "ratio" not in [key for key, _ in colored]
@@ -140,7 +142,7 @@ def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, mas
             or f"\\textcolor{{{COLOR}}}{{\\text{{{PARTS[part]}}}}}" in shown.by_body
             or part == "spring"
         )
-    assert COLOR not in cache.step("matrix", 0, masses, None, None).by_body
+    assert COLOR not in cache.step("matrix", 0, numbers, None, None).by_body
 
 
 @pytest.mark.parametrize("part", ["top", "spring"])

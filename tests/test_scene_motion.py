@@ -33,10 +33,10 @@ def charts(app):
     return {chart.proto.alt: json.loads(chart.proto.spec) for chart in app.get("plotly_chart")}
 
 
-def figures(view, *setting, finer=1):
+def figures(view, m, m_prime, k, radius, *start, finer=1):
     """The figures of a view as the browser gets them, from so many times as many points."""
     with mock.patch.object(cache, "POINTS", finer * (cache.POINTS - 1) + 1):
-        motion = cache.record.__wrapped__(*setting)
+        motion = cache.record.__wrapped__(Oscillator(m, m_prime, k, radius), *start)
     colors = defaultdict(lambda: "#808080")
     return [json.loads(draw(motion, colors).to_json()) for draw in cache.VIEWS[view]]
 

@@ -1,6 +1,6 @@
-"""Euler–Lagrange, the paper's route: Ω² for equal masses, then for any masses, then the condition that leads to 1729.
+"""Euler–Lagrange, the paper's route: Ω² from Lagrange's equations, then the condition that leads to 1729.
 
-The paper derives Ω² twice. Here one computation does both: with roller mass m, then with roller mass m′.
+The paper derives Ω² twice, first for equal masses. Here one computation does both: with roller mass m′ or m.
 """
 
 import sympy as sp
@@ -9,40 +9,24 @@ from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, elim
 from ramanujan.derivation.energies import bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation
-from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, gather, k, m, m_prime, machine, phi, t
+from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
+from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Machine, Omega_squared, gather, k, m, m_prime, phi, t
 from ramanujan.translation import _
-
-EQUAL_MASSES = equation(m_prime, m)
-"""The special case with which the paper begins."""
 
 
 @ROUTES.add("euler_lagrange")
-def build() -> Route:
-    """Return the route in the paper's order."""
-    bodies = machine()
-    equal, general = eliminate(machine(roller_mass=m)), eliminate(bodies)
-    steps = (
-        *bodies_steps(bodies),
-        *_elimination_steps("equal_", equal, EQUAL_MASSES),
-        close_to_one_step(equal.natural_frequency_squared * m / k, EQUAL_MASSES),
-        *_elimination_steps("", general, None),
-        *unit_steps(general),
-    )
-    return Route("euler_lagrange", _("Euler–Lagrange"), steps, general.natural_frequency_squared, CELLS)
+def build(bodies: Machine) -> Route:
+    """Return the route in the paper's order; at equal masses it ends close to the plain mass, not at a condition."""
+    result = eliminate(bodies)
+    frequency = result.natural_frequency_squared
+    ending = unit_steps(result) if frequency.has(m_prime) else (close_to_one_step(frequency * m / k),)
+    steps = (*bodies_steps(bodies), *_elimination_steps(result), *ending)
+    return Route("euler_lagrange", _("Euler–Lagrange"), steps, frequency, CELLS)
 
 
-def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> tuple[Step, ...]:
-    """Return the steps from ℒ to Ω², the same for equal masses and for any."""
+def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
+    """Return the steps from ℒ to Ω²."""
     zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
-    named = "{heading}" if case is None else _("{heading}: equal masses")
-    here = "" if case is None else " " + _("This step is about machines whose masses are all equal, $m'=m$.")
-
-    def step(key: str, heading: str, reason: str, *equations: sp.Eq, labels: tuple[str, ...] = ()) -> Step:
-        told = EQUAL_MASSES if case is None else None
-        heading = named.format(heading=heading)
-        return Step(f"{prefix}{key}", heading, reason + here, equations, case, told=told, labels=labels)
-
     cancelled = ", ".join(
         _("${factor}$ from the equation of ${coordinate}$").format(factor=latex(factor), coordinate=latex(q))
         for q, factor in result.common.items()
@@ -50,7 +34,6 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> 
     )
     oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
     numerator, terms = result.quotient
-    in_parts = () if case is not None else (equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),)
     return (
         step(
             "lagrangian",
@@ -101,7 +84,7 @@ def _elimination_steps(prefix: str, result: Elimination, case: sp.Eq | None) -> 
             _("Insert the block’s acceleration"),
             _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
             equation(result.inserted, zero),
-            *in_parts,
+            equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
         ),
         step(

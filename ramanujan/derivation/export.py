@@ -5,13 +5,12 @@ LaTeX and Markdown contain the route in symbols or with the numbers of one machi
 
 import json
 import re
-from collections.abc import Mapping
 
 import sympy as sp
 
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
-from ramanujan.derivation.numbers import stated
+from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.rows import Row, rows, widest
 from ramanujan.derivation.steps import Route, Step
 from ramanujan.translation import _
@@ -60,67 +59,65 @@ _SLIDE_WIDTH, _SLIDE_LINES = 50, 5
 """Characters of a formula that fit on one line of a slide, and such lines on a slide."""
 _MATH = re.compile(r"(\$[^$]*\$)")
 
-Values = Mapping[sp.Symbol, sp.Expr]
-"""Exact m, m′ and k, such as `numbers.exact_values` returns."""
 
-
-def to_latex(route: Route, values: Values | None = None) -> str:
+def to_latex(route: Route, numbers: Numbers | None = None) -> str:
     """Return the route as a LaTeX document that needs amsmath and nothing else; it is plain ASCII.
 
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    values : the machine whose numbers are put in; none for the symbols
+    numbers : of the machine; none for the symbols
     """
     listed = nomenclature(route).items()
     entries = "".join(f"\\item ${symbol}$: {prose_to_latex(meaning)}\n" for symbol, meaning in listed)
     heading = prose_to_latex(_SYMBOLS)
     symbols = f"\\section*{{{heading}}}\n\\begin{{itemize}}\n{entries}\\end{{itemize}}\n{prose_to_latex(DOTS)}\n"
-    body = "".join(_latex_section(step, values) for step in route.steps)
+    body = "".join(_latex_section(step, numbers) for step in route.steps)
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\author{{}}\n\\date{{}}\n"
-    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(values))}{symbols}"
+    opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(numbers))}{symbols}"
     return f"{_PREAMBLE}{title}{opening}{body}\\end{{document}}\n"
 
 
-def to_beamer(route: Route, values: Values | None = None, picture: str = "", step: int | None = None) -> str:
+def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", step: int | None = None) -> str:
     """Return the route as slides for LaTeX's beamer, in ASCII: the machine, then a frame or more for each step.
 
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    values : the machine whose numbers are put in; none for the symbols
+    numbers : of the machine; none for the symbols
     picture : of the machine, as TikZ
     step : the one that is wanted, counted from 1; none for all
     """
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\date{{}}\n"
-    said = f"\n{prose_to_latex(stated(values))}\n" if values else ""
+    said = f"\n{prose_to_latex(stated(numbers))}\n" if numbers else ""
     machine = f"\\centering\n% {_ANY_PICTURE}\n{picture}{said}"
     frames = [("title", "", "\\titlepage\n"), ("machine", prose_to_latex(_MACHINE), machine)]
     for each in route.steps if step is None else route.steps[step - 1 : step]:
-        frames += _slides(each, values)
+        frames += _slides(each, numbers)
     body = "".join(f"\\begin{{frame}}[label={label}]{{{head}}}\n{text}\\end{{frame}}\n" for label, head, text in frames)
     return f"{_SLIDES}{title}\\begin{{document}}\n{body}\\end{{document}}\n"
 
 
-def to_markdown(route: Route, values: Values | None = None) -> str:
+def to_markdown(route: Route, numbers: Numbers | None = None) -> str:
     """Return the route as Markdown with $…$ and $$…$$.
 
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    values : the machine whose numbers are put in; none for the symbols
+    numbers : of the machine; none for the symbols
     """
-    opening = f"# {TITLE.format(route=route.title)}\n\n{_numbers_stated(values)}{_symbols(route)}"
-    return "\n\n".join([opening, *(_markdown_section(n, s, values) for n, s in enumerate(route.steps, start=1))]) + "\n"
+    opening = f"# {TITLE.format(route=route.title)}\n\n{_numbers_stated(numbers)}{_symbols(route)}"
+    sections = (_markdown_section(n, step, numbers) for n, step in enumerate(route.steps, start=1))
+    return "\n\n".join([opening, *sections]) + "\n"
 
 
-def to_notebook(route: Route, values: Values | None = None) -> str:
+def to_notebook(route: Route, numbers: Numbers | None = None) -> str:
     """Return a Jupyter notebook (format 4.5, JSON) that derives the route's Ω² from the bodies with plain SymPy.
 
     Parameters
     ----------
     route : one of `ROUTES`, in symbols
-    values : the machine whose numbers the last cells put in; none for the symbols
+    numbers : of the machine that the last cells put in; none for the symbols
     """
     cells = [
         _cell("title", "markdown", f"# {TITLE.format(route=route.title)}\n\n{_BODIES}"),
@@ -129,12 +126,12 @@ def to_notebook(route: Route, values: Values | None = None) -> str:
     ]
     parts = [(key, f"## {route[key].heading}\n\n{route[key].reason}", code) for key, code in route.cells.items()]
     parts.append(("check", f"## {_CHECKED}\n\n{_CHECK}", CHECK))
-    if values:
-        parts.append(("values", f"## {_WITH_NUMBERS}\n\n{stated(values)}", _assigned(values)))
+    if numbers:
+        parts.append(("values", f"## {_WITH_NUMBERS}\n\n{stated(numbers)}", _assigned(numbers)))
         parts.append(("distance", _DISTANCE, DISTANCE))
     for key, text, code in parts:
         cells += [_cell(key, "markdown", text), _cell(key, "code", code)]
-    if values:
+    if numbers:
         cells.append(_cell("numbers", "code", FREQUENCY))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     notebook = {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
@@ -149,15 +146,15 @@ def prose_to_latex(text: str) -> str:
     )
 
 
-def _latex_section(step: Step, values: Values | None) -> str:
-    said, shown = step.about(values) if values else step, rows(step, values)
+def _latex_section(step: Step, numbers: Numbers | None) -> str:
+    said, shown = step.about(numbers), rows(step, numbers)
     heading, reason = prose_to_latex(said.heading), prose_to_latex(said.reason)
     return f"\\section{{{heading}}}\n{reason}\n{_display(_broken(shown, _LINE_WIDTH))}"
 
 
-def _slides(step: Step, values: Values | None) -> list[tuple[str, str, str]]:
+def _slides(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
     """Return the frames of a step, each with its label, heading and content: its reason, then its equations."""
-    said, shown = step.about(values) if values else step, rows(step, values)
+    said, shown = step.about(numbers), rows(step, numbers)
     broken = _broken(shown, _SLIDE_WIDTH)
     total = sum(len(lines) for _row, lines in broken)
     most = -(-total // max(1, -(-total // _SLIDE_LINES)))
@@ -184,9 +181,9 @@ def _display(broken: list[tuple[Row, list[str]]]) -> str:
     return f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
 
 
-def _markdown_section(number: int, step: Step, values: Values | None) -> str:
-    said = step.about(values) if values else step
-    equations = (f"$$\n{row.latex}\n$$" for row in rows(step, values))
+def _markdown_section(number: int, step: Step, numbers: Numbers | None) -> str:
+    said = step.about(numbers)
+    equations = (f"$$\n{row.latex}\n$$" for row in rows(step, numbers))
     return "\n\n".join([f"## {number}. {said.heading}", said.reason, *equations])
 
 
@@ -196,13 +193,13 @@ def _symbols(route: Route) -> str:
     return "\n".join([f"**{_SYMBOLS}**", "", *entries, "", DOTS])
 
 
-def _numbers_stated(values: Values | None) -> str:
-    return f"{stated(values)}\n\n" if values else ""
+def _numbers_stated(numbers: Numbers | None) -> str:
+    return f"{stated(numbers)}\n\n" if numbers else ""
 
 
-def _assigned(values: Values) -> str:
+def _assigned(numbers: Numbers) -> str:
     """Return the line of a notebook that gives m, m′ and k their exact values, by the names that `BODIES` uses."""
-    pairs = ", ".join(f'{symbol.name}: sp.sympify("{sp.sstr(value)}")' for symbol, value in values.items())
+    pairs = ", ".join(f'{symbol.name}: sp.sympify("{sp.sstr(value)}")' for symbol, value in numbers.exact.items())
     return f"values = {{{pairs}}}\nvalues"
 
 

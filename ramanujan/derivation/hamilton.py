@@ -11,7 +11,7 @@ import sympy as sp
 
 from ramanujan.derivation import symbols
 from ramanujan.derivation.steps import ROUTES, Route, equation, step
-from ramanujan.derivation.symbols import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, machine, phi, t
+from ramanujan.derivation.symbols import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, phi, t
 from ramanujan.translation import _
 
 p_phi = MOMENTA[COORDINATES.index(phi)]
@@ -31,6 +31,7 @@ class Legendre:
 def legendre_transform(bodies: Machine) -> Legendre:
     """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ.
 
+    >>> from ramanujan.derivation.symbols import machine
     >>> legendre_transform(machine()).momenta[MOMENTA[2]]
     3*R**2*m*Derivative(Phi(t), t)/2 - R*m*Derivative(X(t), t)
     """
@@ -63,6 +64,7 @@ class Reduction:
 def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
     """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ.
 
+    >>> from ramanujan.derivation.symbols import machine
     >>> reduce_to_one_degree(legendre_transform(machine()).hamiltonian).effective_mass
     (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
     """
@@ -76,9 +78,8 @@ def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
 
 
 @ROUTES.add("hamilton")
-def build() -> Route:
+def build(bodies: Machine) -> Route:
     """Return the route: Legendre transform, Hamilton's equations, one degree of freedom, Ω²."""
-    bodies = machine()
     transform = legendre_transform(bodies)
     rates = rates_of_momenta(transform.hamiltonian)
     reduced = reduce_to_one_degree(transform.hamiltonian)

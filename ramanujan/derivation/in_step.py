@@ -1,7 +1,9 @@
 """From Ω² to 1729: the mass ratio at which the machine is in step with a plain mass on the same spring, Ω² = k/m."""
 
-from collections.abc import Mapping
+from __future__ import annotations
+
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -12,21 +14,23 @@ from ramanujan.derivation.steps import Step, equation, step
 from ramanujan.derivation.symbols import Omega_squared, epsilon, epsilon_star, k, m, m_prime
 from ramanujan.translation import _
 
+if TYPE_CHECKING:
+    from ramanujan.derivation.numbers import Numbers
 
-def close_to_one_step(normalized: sp.Expr, equal_masses: sp.Eq) -> Step:
+
+def close_to_one_step(normalized: sp.Expr) -> Step:
     """Return the paper's remark on equal masses: Ω²m/k is close to 1."""
     compared = step(
-        "equal_close",
+        "close",
         _("Compare with the plain mass"),
         _(
-            "A plain mass $m$ on the same spring has $\\Omega^2=k/m$. For machines whose masses are all equal, $m'=m$, "
-            "the value is close to this one. Which mass ratio makes the two exactly equal?"
+            "A plain mass $m$ on the same spring has $\\Omega^2=k/m$. With equal masses, $m'=m$, the machine comes "
+            "close to it. Which mass ratio makes the two exactly equal?"
         ),
         equation(Omega_squared * m / k, normalized),
-        case=equal_masses,
     )
-    present = replace(compared, equations=(equation(symbols.normalized_frequency_squared, normalized),), case=None)
-    return replace(compared, present=lambda _values: present)
+    present = replace(compared, equations=(equation(symbols.normalized_frequency_squared, normalized),))
+    return replace(compared, present=lambda _numbers: present)
 
 
 def unit_steps(general: Elimination) -> tuple[Step, ...]:
@@ -85,9 +89,9 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
 
     leaves = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in (two_terms, quadratic))
 
-    def residual(values: Mapping[sp.Symbol, sp.Expr]) -> Step:
+    def residual(numbers: Numbers) -> Step:
         """Return the condition with what its left side leaves for one machine."""
-        present = values[m_prime] / values[m]
+        present = numbers.exact[m_prime] / numbers.exact[m]
         difference = unit.quadratic.eval(present) if present.is_Rational else (present - unit.root).expand()
         if difference == 0:
             reason = _(
@@ -114,7 +118,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equations=(normalized[0], normalized[2], equation(epsilon - epsilon_star, ratio - unit.root)),
     )
     return (
-        replace(only_ratio, present=lambda _values: replace(only_ratio, equations=normalized)),
+        replace(only_ratio, present=lambda _numbers: replace(only_ratio, equations=normalized)),
         replace(exactly_one, present=residual),
-        replace(root, present=lambda _values: distance),
+        replace(root, present=lambda _numbers: distance),
     )

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ramanujan.derivation.energies import energies
 from ramanujan.derivation.steps import ROUTES, Route, equation, step
-from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, gather, machine
+from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, gather
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)
@@ -44,6 +44,7 @@ class Modes:
 def modes(bodies: Machine) -> Modes:
     """Return the matrices as second derivatives of the energies, and the modes that follow.
 
+    >>> from ramanujan.derivation.symbols import machine
     >>> modes(machine()).eigenvalues[sp.S.Zero]
     2
     """
@@ -67,9 +68,8 @@ def modes(bodies: Machine) -> Modes:
 
 
 @ROUTES.add("matrix")
-def build() -> Route:
+def build(bodies: Machine) -> Route:
     """Return the route: matrices, determinant, spectrum, rank-one shortcut, mode shapes."""
-    bodies = machine()
     result = modes(bodies)
     (oscillating,) = (root for root in result.eigenvalues if root != 0)
     q_ddot = sp.ImmutableMatrix(ACCELERATIONS)

@@ -184,12 +184,12 @@ def floor_lever(bodies: Machine, g: sp.Expr) -> sp.Expr:
 
 
 @ROUTES.add("newton")
-def build() -> Route:
+def build(bodies: Machine) -> Route:
     """Return the route: balances, rolling, solution, contact forces, Ω²."""
-    cut = free_bodies(machine())
+    cut = free_bodies(bodies)
     roller = angular_acceleration("hoop")
     frequency = sp.factor(-cut.solution[roller] / phi)
-    centres = {acceleration(body.name): body.displacement.diff(t, 2) for body in machine().bodies}
+    centres = {acceleration(body.name): body.displacement.diff(t, 2) for body in bodies.bodies}
     of_coordinates = centres | {angular_acceleration(body.name): body.angle.diff(t, 2) for body in cut.rollers}
     of_rollers = [e for e in cut.forces if e.lhs.has(*map(acceleration, ("hoop", "cylinder")))]
     left_over = [e for e in cut.forces if e not in of_rollers]

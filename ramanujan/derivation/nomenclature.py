@@ -4,6 +4,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ramanujan.derivation import symbols
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Route
 from ramanujan.translation import _
@@ -68,8 +69,7 @@ def nomenclature(route: Route) -> dict[str, str]:
     >>> list(nomenclature(ROUTES["energy"]))[:4]
     ['X', '\\\\varphi', '\\\\Phi', 'm']
     """
-    one_machine = dict.fromkeys((symbols.m, symbols.m_prime, symbols.k), sp.S.One)
-    said = (*route.steps, *(step.present(one_machine) for step in route.steps if step.present))
+    said = (*route.steps, *(step.about(Numbers(1.0, 1.0, 1.0)) for step in route.steps))
     kinds = (sp.Symbol, AppliedUndef, sp.MatrixSymbol)
     present = {_name(atom) for step in said for equation in step.equations for atom in equation.atoms(*kinds)}
     others = {symbol: meaning for symbol, meaning in _OTHERS.items() if _name(symbol) in present}

@@ -4,14 +4,18 @@ A float is read as what a person has entered: 0.1 is 1/10, and the float nearest
 nearest to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
 """
 
-from collections.abc import Mapping
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
 from decimal import Decimal
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from itertools import count
+from typing import Any
 
 import sympy as sp
 
+from ramanujan.derivation import symbols
 from ramanujan.derivation.elimination import UnitCondition, unit_condition
 from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
 from ramanujan.derivation.steps import ROUTES
@@ -24,24 +28,41 @@ _SIMPLE = 10_000
 """The largest denominator of a fraction that a person would enter."""
 
 
-def exact_values(mass: float, roller_mass: float, stiffness: float) -> dict[sp.Symbol, sp.Expr]:
-    """Return m, m′ and k as exact SymPy numbers.
+@dataclass(frozen=True)
+class Numbers:
+    """The numbers of one machine as a person has entered them, by the names of their symbols.
 
     Parameters
     ----------
-    mass, roller_mass : m, m′ [kg]
-    stiffness : k [N/m]
-
-    >>> exact_values(1.85, 5 / 6, 33.5)
-    {m: 37/20, m_prime: 5/6, k: 67/2}
+    m, m_prime : masses [kg]
+    k : stiffness [N/m]
     """
-    exact_mass = _entered(mass)
-    is_root = stands_for_the_root(mass, roller_mass)
-    return {
-        m: exact_mass,
-        m_prime: unit_frequency_condition().root * exact_mass if is_root else _entered(roller_mass),
-        k: _entered(stiffness),
-    }
+
+    m: float
+    m_prime: float
+    k: float
+
+    @classmethod
+    def of(cls, machine: Any) -> Numbers:
+        """Return the numbers of a machine that has them as attributes, such as an `Oscillator`."""
+        return cls(*(getattr(machine, field.name) for field in fields(cls)))
+
+    @property
+    def with_equal_masses(self) -> Numbers:
+        """The same with m′ = m."""
+        return replace(self, m_prime=self.m)
+
+    @cached_property
+    def exact(self) -> dict[sp.Symbol, sp.Expr]:
+        """The same as exact SymPy numbers: symbol → number.
+
+        >>> Numbers(1.85, 5 / 6, 33.5).exact
+        {m: 37/20, m_prime: 5/6, k: 67/2}
+        """
+        read = {getattr(symbols, field.name): _entered(getattr(self, field.name)) for field in fields(self)}
+        if stands_for_the_root(self.m, self.m_prime):
+            read[m_prime] = unit_frequency_condition().root * read[m]
+        return read
 
 
 def stands_for_the_root(mass: float, roller_mass: float) -> bool:
@@ -68,19 +89,19 @@ def _root() -> Fraction:
     return Fraction(str(sp.N(unit_frequency_condition().root, 50)))
 
 
-def stated(values: Mapping[sp.Symbol, sp.Expr]) -> str:
+def stated(numbers: Numbers) -> str:
     """Return the sentence that names the masses and the stiffness of a derivation with numbers; Markdown with $…$.
 
-    >>> print(stated(exact_values(1.85, 0.86, 33.5)))
+    >>> print(stated(Numbers(1.85, 0.86, 33.5)))
     The numbers are for $m=1.85\\,\\mathrm{kg}$, $m'=0.86\\,\\mathrm{kg}$ and $k=33.5\\,\\mathrm{N/m}$, in SI units.
     """
-    mass, roller_mass, stiffness = (_short(values[symbol]) for symbol in (m, m_prime, k))
+    mass, roller_mass, stiffness = (_short(numbers.exact[symbol]) for symbol in (m, m_prime, k))
     sentence = _("The numbers are for {mass}, {roller_mass} and {stiffness}, in SI units.").format(
         mass=rf"$m={mass}\,\mathrm{{kg}}$",
         roller_mass=rf"$m'={roller_mass}\,\mathrm{{kg}}$",
         stiffness=rf"$k={stiffness}\,\mathrm{{N/m}}$",
     )
-    if values[m_prime].is_Rational:
+    if numbers.exact[m_prime].is_Rational:
         return sentence
     nearest = _("The computer stores $m'$ as the floating-point number nearest to this value.")
     return f"{sentence} {nearest}"

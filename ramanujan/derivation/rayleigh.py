@@ -14,7 +14,7 @@ import sympy as sp
 from ramanujan.derivation import symbols
 from ramanujan.derivation.energies import energies
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
-from ramanujan.derivation.symbols import M_e, M_x, Machine, Omega_squared, Phi, R, X, gather, machine, phi, t
+from ramanujan.derivation.symbols import M_e, M_x, Machine, Omega_squared, Phi, R, X, gather, m_prime, phi, t
 from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)
@@ -34,6 +34,7 @@ class LeastInertia:
 def least_inertia(bodies: Machine) -> LeastInertia:
     """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0.
 
+    >>> from ramanujan.derivation.symbols import machine
     >>> least_inertia(machine()).shares[eta]
     4*(m + m_prime)/(7*m + 6*m_prime)
     """
@@ -52,6 +53,7 @@ def least_inertia(bodies: Machine) -> LeastInertia:
 def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
     """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇.
 
+    >>> from ramanujan.derivation.symbols import machine
     >>> spin_of_lower_rollers(machine())
     3*m_prime/8
     """
@@ -60,9 +62,8 @@ def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
 
 
 @ROUTES.add("energy")
-def build() -> Route:
+def build(bodies: Machine) -> Route:
     """Return the route: energies, Rayleigh's quotient, its least inertia, Ω², and the clamped block's bound."""
-    bodies = machine()
     result = least_inertia(bodies)
     stiffness = sp.cancel(2 * bodies.potential_energy / (R * phi) ** 2)
     frequency = sp.factor(stiffness / result.least)
@@ -131,19 +132,21 @@ def build() -> Route:
 
 
 def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -> Step:
-    """Return the step to M_x; with numbers its two terms merge, so the sentence about one of them is left out."""
+    """Return the step to M_x; where its two terms merge, the sentence about one of them is left out."""
     lever, spin = sp.cancel(bodies.deformation / (R * phi)) ** 2, spin_of_lower_rollers(bodies)
     spring_mass = sp.factor(result.least / lever)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")
     spins = _("The term that contains $m'$ alone comes from the rotation of the lower rollers.")
-    with_both = step(
+    merged = step(
         "spring_mass",
         _("Find the mass that the spring feels"),
-        f"{reason} {spins}",
+        reason,
         equation(M_x, spin + sp.factor(spring_mass - spin)),
         equation(Omega_squared, stiffness / lever / M_x),
     )
-    return replace(with_both, present=lambda _values: replace(with_both, reason=reason))
+    if not spin.has(m_prime):
+        return merged
+    return replace(merged, reason=f"{reason} {spins}", present=lambda _numbers: merged)
 
 
 CELLS = {

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import decimal_of, number_to_latex
 from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
-from ramanujan.derivation.templates import Highlight, Values, template
+from ramanujan.derivation.templates import Highlight, template
 
 _UNITS = {
     **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
@@ -71,52 +72,51 @@ class Row:
 
 
 def rows(
-    step: Step, values: Values | None = None, make: Callable[[sp.Eq, Values | None, str], Row | None] | None = None
+    step: Step, numbers: Numbers | None = None, make: Callable[[sp.Eq, str], Row | None] | None = None
 ) -> list[Row]:
-    """Return the equations of a step as rows, with the numbers of a machine if its values are given, none twice.
+    """Return the equations of a step as rows, with the numbers of a machine if they are given, none twice.
 
     Parameters
     ----------
     step : one step of a route, in symbols
-    values : exact m, m′ and k, such as `numbers.exact_values` returns; none for the symbols
-    make : equation, its values and its label → a row, or None to leave it out; `row` by itself
+    numbers : of the machine; none for the symbols
+    make : equation and its label → a row, or None to leave it out; `row` by itself
 
     >>> from ramanujan.derivation import ROUTES
-    >>> from ramanujan.derivation.numbers import exact_values
-    >>> [row.latex for row in rows(ROUTES["energy"]["frequency"], exact_values(1, 1, 10))][0]
+    >>> from ramanujan.derivation.numbers import Numbers
+    >>> [row.latex for row in rows(ROUTES["energy"]["frequency"], Numbers(1, 1, 10))][0]
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
-    said = step.about(values) if values else step
+    said = step.about(numbers)
     labels = said.labels or [""] * len(said.equations)
-    numbers = values if said.case is None else None
     found = (
-        make(equation, numbers, label) if make else row(equation, numbers, label=label)
+        make(equation, label) if make else row(equation, numbers, label=label)
         for equation, label in zip(said.equations, labels, strict=True)
     )
     return [each for each in dict.fromkeys(found) if each]
 
 
-def row(equation: sp.Eq, values: Values | None = None, highlight: Highlight = (), label: str = "") -> Row:
+def row(equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = (), label: str = "") -> Row:
     """Return one equation as a row.
 
     Parameters
     ----------
     equation : in symbols
-    values : exact m, m′ and k; none for the symbols
+    numbers : of the machine; none for the symbols
     highlight : symbols in a colour
     label : LaTeX before the equation
     """
-    left, right = (side_terms(side, values, highlight) for side in equation.args)
+    left, right = (side_terms(side, numbers, highlight) for side in equation.args)
     labelled = [rf"{label}:\quad ", *left] if label else left
-    return Row("".join(labelled), tuple(right), _value(equation, values) if values else "")
+    return Row("".join(labelled), tuple(right), _value(equation, numbers) if numbers else "")
 
 
-def side_terms(side: sp.Basic, values: Values | None = None, highlight: Highlight = ()) -> list[str]:
+def side_terms(side: sp.Basic, numbers: Numbers | None = None, highlight: Highlight = ()) -> list[str]:
     """Return the terms of one side as LaTeX, each with its sign."""
-    return template(side, highlight, values is not None).filled(values)
+    return template(side, highlight, numbers is not None).filled(numbers)
 
 
-def _value(equation: sp.Eq, values: Values) -> str:
+def _value(equation: sp.Eq, numbers: Numbers) -> str:
     """Return the decimal of a right side that is a number, and the unit of the quantity at the left.
 
     The mass ratio itself is what was set; its decimal would add nothing.
@@ -124,7 +124,7 @@ def _value(equation: sp.Eq, values: Values) -> str:
     made = template(equation.rhs)
     if len(made.numbers) != 1 or equation.rhs != made.numbers[0] or equation.lhs == epsilon:
         return ""
-    (number,), unit = made.evaluated(values), _UNITS.get(equation.lhs, "")
+    (number,), unit = made.evaluated(numbers), _UNITS.get(equation.lhs, "")
     return unit if number_to_latex(number).says_all else f" {decimal_of(number)}{unit}"
 
 

@@ -9,12 +9,16 @@ from collections import UserDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from ramanujan.derivation.printers import latex
+from ramanujan.derivation.symbols import Machine, m, machine
 from ramanujan.translation import _
+
+if TYPE_CHECKING:
+    from ramanujan.derivation.numbers import Numbers
 
 
 @dataclass(frozen=True)
@@ -26,11 +30,9 @@ class Step:
     key : short name, unique in its route, by which pages and tests find the step
     heading : what is done
     reason : why the step is allowed, in one sentence or a few, Markdown with $…$
-    equations : relations that hold for every machine or for those of the case, or state a condition on ε
-    case : a relation such as m′ = m if the step is about special machines only, else None
-    present : values → what the step says about one given machine, still in symbols, where its own equations state a
+    equations : relations that hold for every machine, or state a condition on ε
+    present : numbers → what the step says about one given machine, still in symbols, where its own equations state a
         condition. None where numbers can be put into the equations themselves.
-    told : a relation; for machines that satisfy it, a step before has said the same with numbers
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     """
 
@@ -38,23 +40,12 @@ class Step:
     heading: str
     reason: str
     equations: tuple[sp.Eq, ...]
-    case: sp.Eq | None = None
-    present: Callable[[Mapping[sp.Symbol, sp.Expr]], Step] | None = None
-    told: sp.Eq | None = None
+    present: Callable[[Numbers], Step] | None = None
     labels: tuple[str, ...] = ()
 
-    def about(self, values: Mapping[sp.Symbol, sp.Expr]) -> Step:
-        """Return what the step says, still in symbols, about the machine with those masses and that stiffness.
-
-        The result has a `case` only if no numbers may be put in: the machine is another one, or the step has been told.
-        """
-        if self.told is not None and _holds(self.told, values):
-            before = _("Your masses are all equal: with your numbers, the step for equal masses has said this already.")
-            return replace(self, reason=f"{self.reason} {before}", case=self.told)
-        if self.case is None or _holds(self.case, values):
-            return self.present(values) if self.present else replace(self, case=None)
-        other_case = _("Your masses are not all equal, so this step stays in symbols.")
-        return replace(self, reason=f"{self.reason} {other_case}")
+    def about(self, numbers: Numbers | None) -> Step:
+        """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
+        return self.present(numbers) if numbers and self.present else self
 
     def _repr_markdown_(self) -> str:
         """Show the step in a notebook."""
@@ -107,22 +98,22 @@ class Route:
 class Routes(UserDict[str, Route]):
     """Routes by name, in the order in which they were added; each is derived when it is first asked for, then kept."""
 
-    def add(self, name: str) -> Callable[[Callable[[], Route]], Callable[[], Route]]:
-        """Return a decorator that enters a function without parameters, which derives a route, under a name."""
+    def add(self, name: str) -> Callable[[Callable[[Machine], Route]], Callable[[Machine], Route]]:
+        """Return a decorator that enters a function, which derives a route from the bodies, under a name."""
 
-        def enter(build: Callable[[], Route]) -> Callable[[], Route]:
+        def enter(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
             self.data[name] = cache(build)
             return build
 
         return enter
 
     def __getitem__(self, name: str) -> Route:
-        return self.data[name]()
+        return self.data[name](machine())
 
-
-def _holds(relation: sp.Eq, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    left, right = (side.xreplace(dict(values)) for side in relation.args)
-    return left == right
+    def with_equal_masses(self, name: str) -> Route:
+        """Return the route for m′ = m, with which the paper begins."""
+        route = self.data[name](machine(roller_mass=m))
+        return replace(route, title=_("{route}, equal masses").format(route=route.title))
 
 
 ROUTES = Routes()

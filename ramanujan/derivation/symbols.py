@@ -9,6 +9,7 @@ A body has a mass, a shape factor and a position. Its position follows from the 
 """
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
@@ -128,6 +129,7 @@ class Machine:
         return gather(self.kinetic_energy - self.potential_energy)
 
 
+@cache
 def machine(
     roller_mass: sp.Expr = m_prime, hoop: Any = HOOP, cylinder: Any = SOLID_CYLINDER, top: Any = SOLID_CYLINDER
 ) -> Machine:

@@ -18,15 +18,12 @@ from math import lcm
 import sympy as sp
 from sympy.utilities.iterables import sift
 
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import InOrder, LatexPrinter, Number, Printed, in_order, number_to_latex
 from ramanujan.derivation.symbols import k, m, m_prime
-from ramanujan.translation import _
 
 GIVEN = (m, m_prime, k)
 """What has a value."""
-
-Values = Mapping[sp.Symbol, sp.Expr]
-"""m, m′ and k as exact numbers, such as `numbers.exact_values` returns; m′/m may carry a square root."""
 
 Highlight = tuple[tuple[sp.Basic, str], ...]
 """Symbols, or functions of time, and their colours."""
@@ -46,9 +43,9 @@ class Template:
     numbers: tuple[sp.Expr, ...]
     highlight: Highlight
 
-    def filled(self, values: Values | None = None) -> list[str]:
-        """Return the terms as LaTeX, each with its sign; without values there must be no slot."""
-        found = [number_to_latex(number) for number in self.evaluated(values)] if self.numbers else []
+    def filled(self, given: Numbers | None = None) -> list[str]:
+        """Return the terms as LaTeX, each with its sign; without numbers there must be no slot."""
+        found = [number_to_latex(number) for number in self.evaluated(given)] if self.numbers else []
         digits = dict(enumerate((part for number in found for part in (number.above, number.below)), _PRIVATE))
         texts = []
         for term in self.terms:
@@ -57,16 +54,9 @@ class Template:
         first, *others = [text for text in texts if text != "0"] or ["0"]
         return [first, *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in others)]
 
-    def evaluated(self, values: Values) -> list[Number]:
-        """Return the numbers for exact values.
-
-        Raises
-        ------
-        ValueError : values contain other roots than multiples of one square root, in m′ alone.
-        """
-        mass, roller_mass, stiffness = (sp.sympify(values[symbol]) for symbol in GIVEN)
-        if not (mass.is_Rational and stiffness.is_Rational):
-            raise ValueError(_("values must give m and k as fractions"))
+    def evaluated(self, given: Numbers) -> list[Number]:
+        """Return the numbers in the formula, exactly; m′/m may carry a square root."""
+        mass, roller_mass, stiffness = (given.exact[symbol] for symbol in GIVEN)
         p, r, q, n = _ratio(mass, roller_mass, _root_in(*self.numbers))
         of_mass, of_spring = Fraction(mass.p, mass.q), Fraction(stiffness.p, stiffness.q)
         found = []
@@ -267,13 +257,6 @@ def _ratio(mass: sp.Rational, roller_mass: sp.Expr, other: sp.Pow | None) -> tup
 
 @lru_cache(maxsize=4096)
 def _root_in(*values: sp.Expr) -> sp.Pow | None:
-    """Return the one square root in some numbers, or None if all are fractions.
-
-    Raises
-    ------
-    ValueError : values contain other roots, or more than one.
-    """
-    roots = {power for value in values for power in value.atoms(sp.Pow) if not power.exp.is_Integer}
-    if len(roots) > 1 or any(root.exp != sp.S.Half or not root.base.is_Integer for root in roots):
-        raise ValueError(_("values must contain no roots except multiples of one square root"))
-    return next(iter(roots), None)
+    """Return the square root in some numbers, or None if all are fractions."""
+    roots = (power for value in values for power in value.atoms(sp.Pow) if not power.exp.is_Integer)
+    return next(roots, None)

@@ -13,7 +13,7 @@ from fractions import Fraction
 import sympy as sp
 
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.numbers import exact_values, unit_frequency_condition, with_decimal
+from ramanujan.derivation.numbers import Numbers, unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import epsilon, k, m, m_prime
@@ -117,7 +117,7 @@ def _predicted(stop: Stop, draw: random.Random) -> Question:
 
 def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]:
     """Return the questions about this machine, with exact answers."""
-    values = exact_values(machine.m, machine.m_prime, machine.k)
+    values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])
     formula = unit_frequency_condition().normalized_frequency_squared
     above, below = (sp.expand(part.subs(epsilon, ratio)) for part in sp.fraction(formula))

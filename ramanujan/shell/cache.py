@@ -14,7 +14,7 @@ import streamlit as st
 
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
-from ramanujan.derivation.numbers import exact_values, stated
+from ramanujan.derivation.numbers import Numbers, stated
 
 _USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
 """Seconds after which Python lets another thread run."""
@@ -52,7 +52,7 @@ def warm_up() -> bool:
     from ramanujan.shell import theme
 
     cache.curve()
-    cache.summary((1.0, 1.0, 1.0))
+    cache.summary(Numbers(1.0, 1.0, 1.0))
     cache.figure(theme.current())
     gc.collect()
     gc.freeze()
@@ -61,15 +61,15 @@ def warm_up() -> bool:
 
 @st.cache_resource(show_spinner=False)
 @giving_way()
-def route(name: str) -> Route:
-    """Return a route of the derivation."""
-    return ROUTES[name]
+def route(name: str, equal_masses: bool = False) -> Route:
+    """Return a route of the derivation, for any masses or for m′ = m."""
+    return ROUTES.with_equal_masses(name) if equal_masses else ROUTES[name]
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def numbers_stated(m: float, m_prime: float, k: float) -> str:
+def numbers_stated(numbers: Numbers) -> str:
     """Return the sentence that says whose numbers the steps of a derivation show."""
-    return stated(exact_values(m, m_prime, k))
+    return stated(numbers)
 
 
 @st.cache_data(show_spinner=False)

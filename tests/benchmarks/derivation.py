@@ -9,17 +9,16 @@ import time
 from collections.abc import Callable
 from statistics import median
 
-import sympy as sp
-
+from ramanujan import UNIT_MASS_RATIO
 from ramanujan.answers import QUESTIONS, judge, question
 from ramanujan.derivation import ROUTES, Step
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.rows import rows
-from ramanujan.derivation.symbols import k, m, m_prime
 
 MACHINES = {
-    "on the steps": lambda n: (sp.Rational(100 + n, 97), sp.Rational(113, 100)),
-    "off the steps": lambda n: (sp.Rational(12345678901 + n, 10**10), sp.Rational(1234567, 10**6)),
-    "with √1729": lambda n: (sp.Rational(100 + n, 97), sp.Rational(100 + n, 97) * (sp.sqrt(1729) - 1) / 36),
+    "on the steps": lambda n: (1 + n / 100, 1.13),
+    "off the steps": lambda n: (1.2345678901 + n / 1e10, 1.234567),
+    "with √1729": lambda n: (1 + n / 100, (1 + n / 100) * UNIT_MASS_RATIO),
 }
 FIRST_PAGE = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
 
@@ -36,9 +35,9 @@ def times(steps: list[Step], machine: Callable[..., tuple]) -> list[float]:
     durations = []
     for n in range(10):
         mass, roller_mass = machine(n)
-        values = {m: mass, m_prime: roller_mass, k: 50 * mass}
+        numbers = Numbers(mass, roller_mass, 50 * mass)
         durations.append(
-            milliseconds(lambda values=values: [row.latex for step in steps for row in rows(step, values)])
+            milliseconds(lambda numbers=numbers: [row.latex for step in steps for row in rows(step, numbers)])
         )
     return durations[1:]
 

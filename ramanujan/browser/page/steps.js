@@ -33,7 +33,7 @@ export default function (component, signal) {
       turner.now = route ? 1 : named(data.headings);
       route = data.route;
     }
-    turner.show(turner.now);
+    turner.show(Math.min(turner.now, data.headings.length));
     reveal();
   };
 }

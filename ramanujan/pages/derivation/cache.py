@@ -14,13 +14,12 @@ from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
-from ramanujan.derivation.numbers import exact_values
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import InOrder, colored, latex
 from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms, widest
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
-from ramanujan.derivation.templates import Values
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way, route
@@ -35,9 +34,6 @@ _MANY = 6
 _HALF_WIDTH = 40
 """Characters of a formula that leave room for another beside it; a fraction counts above and below its bar."""
 
-Masses = tuple[float, float, float] | None
-"""m, m′ [kg] and k [N/m]; None for the derivation in symbols."""
-
 
 @dataclass(frozen=True)
 class ShownStep:
@@ -51,21 +47,27 @@ class ShownStep:
 
 @st.cache_data(show_spinner=False, max_entries=1024)
 def step(
-    name: str, number: int, masses: Masses, part: str | None, color: str | None, width: int = LINE_WIDTH
+    name: str,
+    number: int,
+    numbers: Numbers | None,
+    part: str | None,
+    color: str | None,
+    width: int = LINE_WIDTH,
+    *,
+    equal_masses: bool = False,
 ) -> ShownStep:
     """Return a step of a route, counted from 0, with the terms of one part of the machine in its colour."""
-    symbolic = route(name).steps[number]
-    values = _values(masses)
-    said = symbolic.about(values) if values else symbolic
+    symbolic = route(name, equal_masses).steps[number]
+    said = symbolic.about(numbers)
     split = next((e for e in said.equations if part and terms(e)), None)
-    by_body = _by_body(split, values if said.case is None else None, part, color) if split is not None else ""
+    by_body = _by_body(split, numbers, part, color) if split is not None else ""
 
-    def written(symbolic: sp.Eq, numbers: Values | None, label: str) -> Row | None:
+    def written(symbolic: sp.Eq, label: str) -> Row | None:
         # Line by line, the sum over the bodies says what the sum in one line says.
         is_sum = symbolic == split and isinstance(symbolic.rhs, InOrder)
         return None if is_sum else _row(symbolic, numbers, part, color, label)
 
-    shown = rows(symbolic, values, written)
+    shown = rows(symbolic, numbers, written)
     return ShownStep(said.heading, said.reason, _aligned(shown, width) if shown else "", by_body)
 
 
@@ -82,9 +84,9 @@ def all_agree() -> bool:
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def results(masses: tuple[float, float, float]) -> list[tuple[str, str, str, str]]:
-    """Return for each route its title, the number of its steps, and its Ω² in symbols and with the present masses."""
-    numbers, found = _values(masses), []
+def results(numbers: Numbers) -> list[tuple[str, str, str, str]]:
+    """Return for each route its title, the number of its steps, and its Ω² in symbols and with these numbers."""
+    found = []
     for way in all_routes():
         frequency = equation(Omega_squared, way.natural_frequency_squared)
         found.append((way.title, str(len(way.steps)), row(frequency).right, row(frequency, numbers).right))
@@ -92,9 +94,9 @@ def results(masses: tuple[float, float, float]) -> list[tuple[str, str, str, str
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def spectrum(masses: Masses) -> tuple[list[str], str]:
+def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     """Return the shapes of the three modes, the oscillating one first, and the momenta that the others conserve."""
-    numbers, found = _values(masses), _modes()
+    found = _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
     shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
@@ -125,22 +127,25 @@ def as_read(text: str, is_equation: bool = False) -> str | None:
 
 @st.cache_data(show_spinner=False, max_entries=64)
 def document(
-    name: str, masses: Masses, kind: str, drawn: tuple[float, float] | None = None, step: int | None = None
+    name: str,
+    numbers: Numbers | None,
+    kind: str,
+    drawn: tuple[float, float] | None = None,
+    step: int | None = None,
+    *,
+    equal_masses: bool = False,
 ) -> str:
-    """Return the route as LaTeX, Markdown or a notebook, or it or one step as slides, in symbols or with masses.
+    """Return the route as LaTeX, Markdown or a notebook, or it or one step as slides, in symbols or with numbers.
 
-    Slides show the machine that is `drawn`, of a radius and with a compression [m].
+    Slides show the machine that is `drawn`, of a radius and with a compression [m]. A notebook takes any masses.
     """
+    way = route(name, equal_masses and kind != "notebook")
     if drawn and kind in ("slides", "step"):
         radius, compression = drawn
         picture = machine_tikz(Oscillator(radius=radius), compression, theme.on_paper())
-        return to_beamer(route(name), _values(masses), picture, step)
+        return to_beamer(way, numbers, picture, step)
     write = {"latex": to_latex, "markdown": to_markdown, "notebook": to_notebook}[kind]
-    return write(route(name), _values(masses))
-
-
-def _values(masses: Masses) -> Values | None:
-    return exact_values(*masses) if masses else None
+    return write(way, numbers)
 
 
 @st.cache_resource(show_spinner=False)
@@ -149,7 +154,7 @@ def _modes() -> Modes:
     return modes(machine())
 
 
-def _row(symbolic: sp.Eq, numbers: Values | None, part: str | None, color: str | None, label: str) -> Row:
+def _row(symbolic: sp.Eq, numbers: Numbers | None, part: str | None, color: str | None, label: str) -> Row:
     """Return an equation; one about the chosen part is in its colour, in any other only what names the part."""
     if not part:
         return row(symbolic, numbers, label=label)
@@ -180,7 +185,7 @@ def _block(rows: Iterable[str], gap: str) -> str:
     return r"\begin{aligned}" + rf" \\[{gap}] ".join(rows) + r"\end{aligned}"
 
 
-def _by_body(stated: sp.Eq, numbers: Values | None, part: str, color: str) -> str:
+def _by_body(stated: sp.Eq, numbers: Numbers | None, part: str, color: str) -> str:
     """Return T or ℒ with a line for each part of the machine, the chosen one in its colour."""
     lines: list[str] = []
     for name, own in terms(stated).items():

@@ -3,6 +3,7 @@
 import streamlit as st
 
 from ramanujan.browser import stage
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.motion import InitialState
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import sidebar, stages
@@ -13,7 +14,7 @@ MODES = stages.url_parameters("modes_")
 """What the address keeps of the three machines."""
 
 
-def three_modes(masses: cache.Masses) -> None:
+def three_modes(numbers: Numbers | None) -> None:
     """Draw the three modes side by side, each moving by itself."""
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
     st.markdown(
@@ -23,7 +24,7 @@ def three_modes(masses: cache.Masses) -> None:
             "called a zero mode, and it conserves a momentum."
         )
     )
-    shapes, momenta = cache.spectrum(masses)
+    shapes, momenta = cache.spectrum(numbers)
     shown = (
         (
             "swing",

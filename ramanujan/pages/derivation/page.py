@@ -6,9 +6,10 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan.browser import page, stage
-from ramanujan.derivation import ROUTES
+from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
@@ -22,9 +23,10 @@ LONGEST_ROUTE = 99
 ROUTE = address.Choice("route", tuple(ROUTES), "euler_lagrange")
 VIEW = address.Choice("show", {"lecture": _("One step"), "reading": _("All steps")}, "lecture")
 VALUES = address.Choice("values", {"symbols": _("Symbols"), "numbers": _("Numbers")}, "symbols")
+MASSES = address.Choice("masses", {"any": _("Any masses"), "equal": _("Equal masses, m′ = m")}, "any")
 BODY = address.Choice("body", PARTS)
 STEP = address.Count("step", LONGEST_ROUTE)
-URL_PARAMETERS = (ROUTE, VIEW, VALUES, STEP, BODY, QUESTION, *MODES)
+URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, BODY, QUESTION, *MODES)
 
 ASIDE = ("compression",)
 _STEP_HEIGHT = 368
@@ -41,11 +43,17 @@ FILES = {
 
 @dataclass(frozen=True)
 class Setting:
-    """How a route is shown: one step at a time or all, with the present m, m′ [kg] and k [N/m] or in symbols."""
+    """How a route is shown: one step at a time or all, for any masses or m′ = m, with numbers or in symbols."""
 
     route: str
     is_lecture: bool
-    masses: cache.Masses
+    equal_masses: bool
+    numbers: Numbers | None
+
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """The steps of the route."""
+        return cache.route(self.route, self.equal_masses).steps
 
 
 def show() -> None:
@@ -54,13 +62,13 @@ def show() -> None:
     with sheet("results", _("The results")):
         compare()
     with sheet("modes", _("The modes")):
-        three_modes(setting.masses)
+        three_modes(present() if setting.numbers else None)
     if not display_mode.is_projector():
         margin()
     with sheet("try", _("Try it yourself")):
         try_it()
-    page.give_back("route", "show", "values", "body")
-    if not setting.masses:
+    page.give_back("route", "show", "values", "masses", "body")
+    if not setting.numbers:
         sidebar.follow("beside", "results", "modes")
 
 
@@ -89,7 +97,7 @@ def the_route() -> Setting:
         with head or steps:
             choose(picture if projector else None)
             if setting.is_lecture:
-                turn_pages(setting.route, [step.heading for step in cache.route(setting.route).steps])
+                turn_pages(setting.route, [step.heading for step in setting.steps])
         with place:
             the_steps(setting, address.held(BODY))
     if not projector:
@@ -102,13 +110,15 @@ def the_setting() -> Setting:
     """Return what the choices hold; on a projector there is one step at a time."""
     in_numbers = address.held(VALUES) == "numbers" and not display_mode.hides("numbers")
     is_lecture = address.held(VIEW) == "lecture" or display_mode.is_projector()
-    return Setting(address.held(ROUTE), is_lecture, present() if in_numbers else None)
+    equal_masses, numbers = address.held(MASSES) == "equal", present() if in_numbers else None
+    if numbers and equal_masses:
+        numbers = numbers.with_equal_masses
+    return Setting(address.held(ROUTE), is_lecture, equal_masses, numbers)
 
 
-def present() -> tuple[float, float, float]:
-    """Return m, m′ [kg] and k [N/m] of the sidebar."""
-    machine = sidebar.oscillator()
-    return machine.m, machine.m_prime, machine.k
+def present() -> Numbers:
+    """Return the numbers of the sidebar."""
+    return Numbers.of(sidebar.oscillator())
 
 
 def choose(beside: DeltaGenerator | None) -> None:
@@ -124,6 +134,7 @@ def choose(beside: DeltaGenerator | None) -> None:
             widgets.chips(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):
             widgets.chips(VALUES, _("Symbols or numbers"), **hidden)
+        widgets.chips(MASSES, _("For which masses"), on_change=stay, **hidden)
 
 
 @st.fragment(key="beside")
@@ -139,6 +150,12 @@ def tell_beside() -> None:
 def start_over() -> None:
     """Begin the route that was chosen at its first step."""
     st.session_state[STEP.name] = 1
+
+
+def stay() -> None:
+    """Stay at the same step for other masses, or at the last one where they have fewer."""
+    steps = cache.route(address.held(ROUTE), address.held(MASSES) == "equal").steps
+    st.session_state[STEP.name] = min(address.held(STEP), len(steps))
 
 
 def turned(route: str, step: int) -> None:
@@ -159,7 +176,7 @@ def turn_pages(route: str, headings: list[str]) -> None:
 
 def the_steps(setting: Setting, part: str | None) -> None:
     """Draw the steps of the route; of a lecture the page shows one."""
-    steps = len(cache.route(setting.route).steps)
+    steps = len(setting.steps)
     if address.held(STEP) > steps:
         messages.warn(address.Count(STEP.name, steps).message())
         start_over()
@@ -179,7 +196,7 @@ def draw(setting: Setting, number: int, part: str | None) -> None:
     """Draw a step, counted from 1."""
     ink = theme.colors()[f"{part}_ink"] if part else None
     width = cache.BESIDE_MACHINE if display_mode.is_projector() else cache.LINE_WIDTH
-    step = cache.step(setting.route, number - 1, setting.masses, part, ink, width)
+    step = cache.step(setting.route, number - 1, setting.numbers, part, ink, width, equal_masses=setting.equal_masses)
     reason = step.reason
     if part and ink not in step.by_body + step.equations:
         nothing = _("Nothing is highlighted in this step: it does not list the {part} separately.")
@@ -193,8 +210,8 @@ def draw(setting: Setting, number: int, part: str | None) -> None:
 
 def explain(setting: Setting) -> None:
     """Say whose numbers the steps show, and what their symbols mean."""
-    if setting.masses:
-        st.caption(numbers_stated(*setting.masses))
+    if setting.numbers:
+        st.caption(numbers_stated(setting.numbers))
     meanings = "; ".join(symbols(setting.route))
     st.expander(_("What the symbols of this route mean")).caption(f"{meanings}. {DOTS}")
 
@@ -211,8 +228,10 @@ def take_home(setting: Setting) -> None:
             step = address.held(STEP) if kind == "step" else None
             widgets.download(
                 label,
-                cache.document(setting.route, setting.masses, kind, drawn, step) if files.open else "",
-                f"ramanujan-{setting.route}{'-numbers' if setting.masses else ''}.{suffix}",
+                cache.document(setting.route, setting.numbers, kind, drawn, step, equal_masses=setting.equal_masses)
+                if files.open
+                else "",
+                f"ramanujan-{setting.route}{'-numbers' if setting.numbers else ''}.{suffix}",
                 mime,
                 key=f"file_{kind}",
                 disabled=not files.open,

@@ -37,21 +37,21 @@ _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation
 
 
 @st.cache_resource(show_spinner=False, max_entries=128)
-def record(m: float, m_prime: float, k: float, radius: float, compression: float, glide: float, spin: float) -> Record:
+def record(machine: Oscillator, compression: float, glide: float, spin: float) -> Record:
     """Return the motion after a release with a push, as densely as the figures need it; parameters in SI units."""
     return take_record(
-        Oscillator(m, m_prime, k, radius),
+        machine,
         compression,
         glide=glide,
         spin=spin,
-        spacing=drawn_spacing(radius),
+        spacing=drawn_spacing(machine.radius),
         periods=PERIODS,
         points=POINTS,
     )
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
-def figures(view: str, light_or_dark: str, *setting: float) -> tuple[Drawn, ...]:
+def figures(view: str, light_or_dark: str, *setting: Oscillator | float) -> tuple[Drawn, ...]:
     """Return the figures of a view, a key of `VIEWS`, in the present theme; the setting is that of `record`."""
     motion, colors = record(*setting), theme.colors()
     return tuple(draw(motion, colors) for draw in VIEWS[view])

@@ -5,6 +5,7 @@ from functools import partial
 import numpy as np
 import streamlit as st
 
+from ramanujan import Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.numerals import quantity
@@ -42,7 +43,7 @@ def show() -> None:
         )
         scene = st.container(key="without_dials")
         glide, spin, mu = widgets.beside(3, *(partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)))
-        setting = (machine.m, machine.m_prime, machine.k, machine.radius, compression, glide, spin)
+        setting = (machine, compression, glide, spin)
         motion = cache.record(*setting)
         largest = largest_compression(machine, mu, spacing=motion.spacing)
         friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
@@ -124,7 +125,7 @@ def cursor_and_download(motion: Record, mu: float) -> None:
         )
 
 
-def the_figures(motion: Record, friction: Friction, setting: tuple[float, ...]) -> None:
+def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | float, ...]) -> None:
     """Draw the figures of the view that is open, or on a projector a sheet for each."""
     projector = display_mode.is_projector()
     shows = {"displacements": plots.show_displacements, "energy": plots.show_energy, "momentum": plots.show_momentum}

@@ -1,6 +1,6 @@
 """What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import streamlit as st
@@ -8,7 +8,7 @@ import sympy as sp
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
-from ramanujan.derivation.numbers import exact_values, unit_frequency_condition
+from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
 from ramanujan.derivation.rows import Row, aligned, rows
 from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures import Drawn
@@ -95,21 +95,19 @@ _SUMMARY = ("velocities", "lagrangian", "rates", "elimination", "frequency", "ro
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def summary(present: tuple[float, float, float] | None) -> list[SummaryStep]:
-    """Return the derivation in six steps, in symbols, and with the present m, m′ and k where these are given."""
-    values = exact_values(*present) if present else None
-    return [_with_numbers(step, symbols, values) for step, symbols in _in_symbols()]
+def summary(numbers: Numbers | None) -> list[SummaryStep]:
+    """Return the derivation in six steps, in symbols, and with the present numbers where these are given."""
+    return [_with_numbers(step, symbols, numbers) for step, symbols in _in_symbols()]
 
 
 @st.cache_resource(show_spinner=False)
 def _in_symbols() -> list[tuple[Step, list[Row]]]:
-    # Here no step before has told the same for equal masses.
-    steps = (replace(route("euler_lagrange")[key], told=None) for key in _SUMMARY)
+    steps = (route("euler_lagrange")[key] for key in _SUMMARY)
     return [(step, rows(step)) for step in steps]
 
 
-def _with_numbers(step: Step, symbols: list[Row], values: dict[sp.Symbol, sp.Expr] | None) -> SummaryStep:
-    numbers = rows(step, values) if values else symbols
+def _with_numbers(step: Step, symbols: list[Row], given: Numbers | None) -> SummaryStep:
+    numbers = rows(step, given) if given else symbols
     blocks = [symbols] if numbers == symbols else [symbols, numbers]
     parts = tuple(aligned([block], _LINE_WIDTH) for block in blocks) if sum(map(len, blocks)) > _HIGH else ()
     return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH), parts)

@@ -8,6 +8,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO
 from ramanujan.browser import page, stage
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.numerals import number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
@@ -162,7 +163,7 @@ def take_clicked(point: dict[str, float]) -> None:
 def six_steps() -> None:
     """Draw the derivation in short, a line for each step; one that is open has symbols and the present numbers."""
     machine = sidebar.oscillator()
-    numbers = None if display_mode.hides("numbers") else (machine.m, machine.m_prime, machine.k)
+    numbers = None if display_mode.hides("numbers") else Numbers.of(machine)
     steps = cache.summary(numbers)
     shown = display_mode.is_projector()
     if shown:
@@ -173,7 +174,7 @@ def six_steps() -> None:
             with st.expander(heading, key=key, type="compact", on_change="rerun") as line:
                 if line.open:
                     shown = True
-                    stated = f"\n\n:small[{numbers_stated(*numbers)}]" if numbers else ""
+                    stated = f"\n\n:small[{numbers_stated(numbers)}]" if numbers else ""
                     st.markdown(f"{step.reason}\n\n$$\n{step.equations}\n$${stated}")
     sidebar.follow("machine", *(["steps"] if shown else []))
 

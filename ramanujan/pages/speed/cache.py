@@ -130,9 +130,9 @@ def choices() -> tuple[list[ClosedForm], list[CurveSampling], list[Arithmetic], 
 
 
 @st.cache_data(show_spinner=False, max_entries=64)
-def phases(m: float, m_prime: float, k: float) -> list[PhaseErrors]:
+def phases(machine: Oscillator) -> list[PhaseErrors]:
     """Return the phase errors after 1 … 1e15 periods; some hundredths of a second."""
-    return phase_errors(Oscillator(m=m, m_prime=m_prime, k=k))
+    return phase_errors(machine)
 
 
 @st.cache_resource(show_spinner=False, max_entries=4 * len(ALONG))
@@ -143,9 +143,9 @@ def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> 
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)
-def phases_figure(m: float, m_prime: float, k: float, colors: dict[str, str]) -> Drawn:
+def phases_figure(machine: Oscillator, colors: dict[str, str]) -> Drawn:
     """Return the figure of the phase errors in the given colours."""
-    found = phases(m, m_prime, k)
+    found = phases(machine)
     curves = {
         _("Ω·<i>t</i> in float32"): [p.float32 for p in found],
         _("Ω·<i>t</i> in float64"): [p.float64 for p in found],

@@ -101,10 +101,9 @@ def where_forms_fail(shown: Sequence[Sweep]) -> None:
 def many_periods(machine: Oscillator) -> None:
     """Draw the phase error after very many periods."""
     st.header(_("Extreme times: very many periods"), anchor=False)
-    parameters = machine.m, machine.m_prime, machine.k
-    sentence = verdicts.how_phases_grow(cache.phases(*parameters))
+    sentence = verdicts.how_phases_grow(cache.phases(machine))
     drawings.plot(
-        cache.phases_figure(*parameters, theme.colors()),
+        cache.phases_figure(machine, theme.colors()),
         "phase_errors",
         _("Phase error over the number of periods. {findings}").format(findings=sentence.replace("**", "")),
     )

@@ -106,7 +106,7 @@ def growing_errors(run: downsampling.Run) -> None:
     with st.skeleton(height=480):
         runs = [cache.run(name, run.steps, run.periods, run.dtype) for name in METHODS]
     machine = sidebar.oscillator()
-    phases = cache.phases(machine.m, machine.m_prime, machine.k)
+    phases = cache.phases(machine)
     exact = np.array([(p.periods, p.reduced) for p in phases if p.periods <= max(run.periods, 10)])
     curves = {METHODS[each.method].title: (each.reach, each.energy, each.phase) for each in runs}
     figure = figures.error_growth(curves, METHODS[run.method].title, (exact[:, 0], exact[:, 1]), theme.colors())
