@@ -43,7 +43,7 @@ class Bare:
 
     def stage(self, machine: Oscillator | None = None, compression: float = 0.08, **options: object) -> None:
         """Put a stage on the page, as the first page has it unless the options of `stage.mount` say otherwise."""
-        payload = stage.payload(machine or Oscillator(), compression)
+        payload = stage.payload(machine or Oscillator(1.0, 1.0, 10.0), compression)
         options = {"limits": COMPRESSION.limits, "watch": WATCH, "name": "oscillator"} | options
         self.put(lambda: stage.mount(payload, **options))
         next_frame(self.page)

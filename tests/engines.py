@@ -105,4 +105,5 @@ def bare(window: Callable, bare_address: str) -> Iterator[Callable[..., Bare]]:
         return opened[-1]
 
     yield open_bare
-    assert [error for each in opened for error in each.page.evaluate("errors")] == []
+    errors = [error for each in opened for error in each.page.evaluate("errors")]
+    assert errors == [], errors

@@ -1,8 +1,10 @@
 """Sliders, boxes and presets under a hand; what a slow network does to them is in test_browser_lost."""
 
+import pytest
 from playwright.sync_api import expect
 
-from tests.browser import settle, thumb
+from ramanujan import Oscillator
+from tests.browser import inside, next_frame, settle, thumb
 
 
 def box(page, key: str):
@@ -11,6 +13,54 @@ def box(page, key: str):
 
 def slider(page, key: str):
     return page.locator(f".st-key-{key} input[type=range]")
+
+
+def normalized(page) -> float:
+    return float(inside(page, "root.querySelector('[data-read=normalized]').textContent"))
+
+
+def test_a_slider_dragged_away_and_back_to_its_start_ends_where_it_began(visit):
+    page = visit("?hide=curve,steps")
+    before = normalized(page)
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 80, y, steps=8)
+    next_frame(page)
+    assert normalized(page) < before - 0.1
+    page.mouse.move(x, y, steps=8)
+    next_frame(page)
+    assert normalized(page) == before
+    page.mouse.up()
+    settle(page)
+    assert normalized(page) == before
+    # Where the start is off the slider's steps, it is not rounded as long as no hand is on that slider.
+    page.get_by_text("In step (1729)", exact=True).click()
+    settle(page)
+    page.locator(".st-key-k input[type=range]").press("ArrowRight")
+    settle(page)
+    assert normalized(page) == 1
+    assert page.locator(".st-key-m_prime input[type=range]").input_value() == "1.13"
+    assert "m_prime=1.1272568270162107" in page.url
+    x, y = thumb(page, "m_prime")
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 60, y, steps=6)
+    page.mouse.move(x, y, steps=6)
+    next_frame(page)
+    # Away and back, the thumb is on a step of its own: that is what is drawn, and what letting go sends.
+    stepped = Oscillator(m_prime=1.13).normalized_frequency_squared
+    box = page.locator(".st-key-m_prime_exact input")
+    for let_go in (lambda: None, page.mouse.up):
+        let_go()
+        assert normalized(page) == pytest.approx(stepped, abs=1e-6)
+        assert box.input_value() == "1.13"
+        settle(page)
+    assert "m_prime=1.13" in page.url
+    assert page.evaluate("ramanujan.last('machine/oscillator').parameters")["m_prime"] == 1.13
+    page.get_by_text("In step (1729)", exact=True).click()
+    settle(page)
+    assert normalized(page) == 1
 
 
 def test_the_box_follows_the_thumb_without_the_server(visit):

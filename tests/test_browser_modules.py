@@ -2,24 +2,21 @@
 
 import pytest
 
+from tests.bare import Bare
 from tests.browser import module
 
 MACHINE = {"m": 1.3, "m_prime": 4.7, "k": 21.0, "radius": 0.07}
 PARAMETERS = {**MACHINE, "compression": 0.06, "beta_hoop": 1.0, "beta_cylinder": 0.5, "beta_top": 0.5}
 
 
-@pytest.fixture(scope="module")
-def page(profile: object, server: str) -> object:
-    """A page of the server that holds nothing."""
-    page = profile.new_page()
-    page.goto(f"{server}/_stcore/health")
-    yield page
-    page.close()
+@pytest.fixture
+def page(bare) -> Bare:
+    return bare()
 
 
-def run(page: object, name: str, body: str, argument: object = None) -> object:
+def run(bare: Bare, name: str, body: str, argument: object = None) -> object:
     """Return what a function's body returns, to which `it` is the module of this name and `given` the argument."""
-    return page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
+    return bare.page.evaluate(f"async (given) => {{ const it = await {module(name)}; {body} }}", argument)
 
 
 def test_the_bus(page):
@@ -81,7 +78,9 @@ def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
         it.bus.subscribe("b", (value) => heard.push(value), { signal });
         it.bus.publish("b", 7);
         stop.abort();
-        return [heard, await errors];
+        const said = await errors;
+        window.errors.length = 0;
+        return [heard, said];
         """,
     )
     assert heard[0] == [7]

@@ -376,7 +376,7 @@ def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
             expected = f"The machine is {turns:.2f} turns {side} after {periods / ratio:.1f} periods"
             assert expected in verdict(periods)
         before = verdict(-1.5)
-        assert "before the release" in before
+        assert f"{1.5 / ratio:.1f} periods before they meet" in before
         assert "ahead" not in before
         assert "behind" not in before
 

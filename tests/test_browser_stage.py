@@ -9,7 +9,8 @@ from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from tests.browser import STAGE, WATCH_LAG, inside, next_frame, settle, thumb
+from tests.browser import WATCH_LAG, inside, next_frame, settle, thumb
+from tests.picture import Picture
 from tests.test_browser_speed import CUT
 
 
@@ -31,27 +32,31 @@ def text(page, selector: str) -> str:
     return inside(page, f"root.querySelector({json.dumps(selector)}).textContent")
 
 
-def slab(page) -> dict[str, float]:
-    return page.locator(".st-key-stage .moving .body.slab rect:not(.grip)").first.bounding_box()
+@pytest.fixture
+def picture(bare) -> Picture:
+    return Picture(bare())
 
 
-def test_the_readouts_are_the_core_s_numbers_and_the_link_holds_the_machine(visit):
-    page = visit()
+def slab(picture) -> float:
+    return picture.find("root.querySelector('.moving .body.slab .form').getBoundingClientRect().x")
+
+
+def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_so(picture):
     for m, m_prime, k in [(0.5, 10.0, 1.0), (0.5, 0.05, 200.0), (0.77, 1.3, 33.5)]:
-        for key, value in (("m", m), ("m_prime", m_prime), ("k", k)):
-            entry = page.locator(f".st-key-{key}_exact input")
-            entry.fill(str(value))
-            entry.press("Enter")
-            settle(page)
         machine = Oscillator(m, m_prime, k)
+        picture.show(machine, 0.08)
         for name, value, accuracy in (
             ("normalized", machine.normalized_frequency_squared, 1e-6),
             ("omega", machine.natural_frequency, 1e-4),
             ("period", machine.period, 1e-3),
         ):
-            assert float(text(page, f"[data-read={name}]").split()[0]) == pytest.approx(value, rel=accuracy)
-        # Fast motion is slowed, and says so.
-        assert ("times its real speed" in text(page, ".note")) == (k == 200)
+            said = picture.find(f"root.querySelector('[data-read={name}]').textContent")
+            assert float(said.split()[0]) == pytest.approx(value, rel=accuracy)
+        assert ("times its real speed" in picture.find("root.querySelector('.note').textContent")) == (k == 200)
+
+
+def test_a_copied_link_holds_the_machine(visit):
+    page = visit("?m=0.77&k=33.5")
     page.locator(".st-key-link button").click()
     expect(page.locator(".st-key-link .told")).not_to_be_empty()
     said = page.locator(".st-key-link .told").inner_text()
@@ -84,120 +89,117 @@ def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(
     page.evaluate("delete window.lags")  # the watch ends
 
 
-def test_nothing_jumps_when_a_parameter_changes(visit):
+def test_nothing_jumps_when_a_parameter_changes(picture):
     """The machine moves at once, frame by frame across a preset never further than twice its greatest speed allows."""
-    page = visit(motion="no-preference")
-    page.evaluate(
-        f"""() => {{
-          const rect = {STAGE}.querySelector('.moving .body.slab rect:not(.grip)');
-          window.places = [];
-          const watch = (now) => {{
-            window.places?.push([now, rect.getBoundingClientRect().x]);
-            if (window.places) requestAnimationFrame(watch);
-          }};
-          requestAnimationFrame(watch);
-        }}"""
-    )
-    page.wait_for_timeout(700)
-    page.get_by_text("Light rollers", exact=True).click()
-    settle(page)
-    page.get_by_text("Heavy rollers", exact=True).click()
-    settle(page)
+    page = picture.page
+    page.evaluate("wish(false)")
+    picture.find("""(() => {
+      const rect = root.querySelector(".moving .body.slab .form");
+      window.places = [];
+      const watch = (now) => {
+        window.places.push([now, rect.getBoundingClientRect().x]);
+        requestAnimationFrame(watch);
+      };
+      requestAnimationFrame(watch);
+    })()""")
+    for m_prime in (1, 0.1, 10):
+        picture.show(Oscillator(1, m_prime, 10), 0.08)
+        page.wait_for_timeout(700)
     places = page.evaluate("window.places")
-    scale = inside(page, "root.querySelector('.machine').getScreenCTM().a") * 100  # pixels per metre
+    scale = picture.find("root.querySelector('.machine').getScreenCTM().a") * 100  # pixels per metre
     fastest = 0.08 * Oscillator(1, 0.1, 10).natural_frequency * scale  # x₀Ω of the fastest of the three
     steps = [(t1 - t0, abs(x1 - x0)) for (t0, x0), (t1, x1) in pairwise(places)]
     # A change of shape by Δ fades with 70 ms: Δ is at most the difference of the two couplings times x₀, 3 cm.
     fading = 0.03 / 0.07 * scale
     assert max(moved - 2 * (fastest + fading) * ms / 1000 for ms, moved in steps) < 2
     assert sum(moved for _, moved in steps) > 20
-    page.evaluate("delete window.places")  # the watch ends
-    page.get_by_role("button", name="Pause", exact=True).click()
+    picture.find("root.querySelector('[data-do=play]').click()")
     page.wait_for_timeout(500)  # what fades has faded
-    still = slab(page)["x"]
+    still = slab(picture)
     page.wait_for_timeout(300)
-    assert slab(page)["x"] == still
+    assert slab(picture) == still
 
 
-def test_buttons_layers_and_keys_have_their_names(visit):
-    """What they do to the picture, and how far, is measured in test_browser_picture."""
-    page = visit()
-    scrub = page.locator(".st-key-stage .scrub input")
-    for name, expected in [
-        ("Release again", 0),
-        ("Step forward", 1 / 24),
-        ("Step forward", 2 / 24),
-        ("Step back", 1 / 24),
-    ]:
-        page.get_by_role("button", name=name).click()
+def test_buttons_layers_and_keys_do_as_much(picture):
+    """How far they move the picture is measured in test_browser_picture."""
+    page, press = picture.page, picture.page.keyboard.press
+    share = "Number(root.querySelector('.scrub input').value)"
+    for action, expected in (("restart", 0), ("forward", 1 / 24), ("forward", 2 / 24), ("back", 1 / 24)):
+        picture.find(f"root.querySelector('[data-do={action}]').click()")
         next_frame(page)
-        assert float(scrub.input_value()) == pytest.approx(expected, abs=1e-9)
-    # The keyboard does as much.
-    page.locator(".st-key-stage .stage").evaluate("node => node.focus()")
+        assert picture.find(share) == pytest.approx(expected, abs=1e-9)
+    picture.find("root.querySelector('.stage').focus()")
     for shown in ("Pause", "Play"):
-        page.keyboard.press(" ")
-        page.get_by_role("button", name=shown, exact=True).wait_for()
-    page.keyboard.press("Home")
-    page.keyboard.press("ArrowRight")
+        press(" ")
+        assert picture.find("root.querySelector('[data-do=play]').ariaLabel") == shown
+    press("Home")
+    press("ArrowRight")
     next_frame(page)
-    assert float(scrub.input_value()) == pytest.approx(1 / 24)
-    page.get_by_role("button", name="Show", exact=True).click()
+    assert picture.find(share) == pytest.approx(1 / 24)
     # At a turning point an arrow has no length.
-    for layer, selector in [("Velocities", ".arrows"), ("Forces", ".forces"), ("Traces", ".traces")]:
-        assert inside(page, f"root.querySelector('{selector}').style.display") == "none"
-        page.get_by_role("checkbox", name=layer).check()
-        page.wait_for_function(
-            f"[...{STAGE}.querySelectorAll('{selector} path')].some((path) => path.getAttribute('d')?.length > 3)"
-        )
-        assert inside(page, f"root.querySelector('{selector}').style.display") == ""
+    for layer in ("arrows", "forces", "traces"):
+        display = f"root.querySelector('.{layer}').style.display"
+        assert picture.find(display) == "none"
+        picture.layers(layer)
+        assert picture.find(display) == ""
+        drawn = f"[...root.querySelectorAll('.{layer} path')].map((path) => path.getAttribute('d')?.length ?? 0)"
+        assert max(picture.find(drawn)) > 3
     # A click elsewhere closes what was opened.
-    page.locator(".stMain h1").click()
-    expect(page.get_by_role("checkbox", name="Energy")).to_be_hidden()
+    opened = "root.querySelector('[popover]').matches(':popover-open')"
+    box = picture.find("root.querySelector('.show').getBoundingClientRect()")
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    assert picture.find(opened)
+    page.mouse.click(3, 3)
+    assert not picture.find(opened)
 
 
-def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_once(visit):
-    page = visit(motion="reduce", anew=True)
-    live = page.locator(".st-key-library [role=status]")
-    expect(live).to_contain_text(f"{Oscillator(1, 1, 10).period:.2f}")
+def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_once(bare):
+    here = bare()
+    here.sliders(m=1, m_prime=1, k=10, compression=8, radius=10)
+    here.page.evaluate("() => bus.subscribe('say', ({ sentence }) => (window.said ??= []).push(sentence))")
+    picture = Picture(here)
+    page = picture.page
     turns = 1 / (math.sqrt(Oscillator().normalized_frequency_squared) - 1)
-    expect(live).to_contain_text(f"{turns:.1f}")
-    play, pause = (page.get_by_role("button", name=name, exact=True) for name in ("Play", "Pause"))
-    play.wait_for()
+    (said,) = page.evaluate("said")
+    assert f"{Oscillator(1, 1, 10).period:.2f}" in said
+    assert f"{turns:.1f}" in said
+    play = "root.querySelector('[data-do=play]').ariaLabel"
+    assert picture.find(play) == "Play"
     ghosts = "root.querySelectorAll('.ghosts > g').length"
-    page.wait_for_function(f"{STAGE}.querySelectorAll('.ghosts > g').length === 5")
+    assert picture.find(ghosts) == 5
     # Another machine has exposures of its own, in place of those that were there, and they are silent.
-    drawn = inside(page, "root.querySelector('.ghosts').innerHTML")
-    page.locator(".st-key-m_prime input[type=range]").press("PageUp")
+    drawn = picture.find("root.querySelector('.ghosts').innerHTML")
+    page.evaluate("document.querySelector('.st-key-m_prime input').focus()")
+    page.keyboard.press("PageUp")
     next_frame(page)
-    assert inside(page, "root.querySelector('.ghosts').innerHTML") != drawn
-    assert inside(page, ghosts) == 5
-    assert inside(page, "root.querySelectorAll('.ghosts :is([role], [tabindex], [aria-valuenow])').length") == 0
+    assert picture.find("root.querySelector('.ghosts').innerHTML") != drawn
+    assert picture.find(ghosts) == 5
+    assert picture.find("root.querySelectorAll('.ghosts :is([role], [tabindex], [aria-valuenow])').length") == 0
     # The last exposure is half a period on: the slab as far on the other side.
     x = "(ghost, name) => ghost.querySelector(name).transform.baseVal[0].matrix.e"
-    first, last = inside(
-        page,
+    first, last = picture.find(
         f"[0, 4].map((i) => root.querySelectorAll('.ghosts > g')[i])"
         f".map((ghost) => ({x})(ghost, '.slab') - ({x})(ghost, '.block'))",
     )
     assert (first, last) == (pytest.approx(8, abs=1e-3), pytest.approx(-8, abs=1e-3))
-    place = slab(page)["x"]
+    place = slab(picture)
     page.wait_for_timeout(300)
-    assert slab(page)["x"] == place
+    assert slab(picture) == place
     # Percentages are written for a machine that stands: nobody can read those that run.
-    share = page.locator(".st-key-stage .legend b").first
-    expect(share).to_be_visible()
-    page.emulate_media(reduced_motion="no-preference")
-    pause.wait_for()
-    expect(share).to_be_hidden()
-    assert inside(page, ghosts) == 0
-    page.wait_for_timeout(200)
-    assert slab(page)["x"] != place
-    page.emulate_media(reduced_motion="reduce")
-    play.wait_for()
+    share = "getComputedStyle(root.querySelector('.legend b')).visibility"
+    assert picture.find(share) == "visible"
+    page.evaluate("wish(false)")
     next_frame(page)
-    assert inside(page, ghosts) == 5
-    page.get_by_text("In step (1729)", exact=True).click()
-    expect(live).to_contain_text("in step")
+    assert (picture.find(play), picture.find(share), picture.find(ghosts)) == ("Pause", "hidden", 0)
+    page.wait_for_timeout(200)
+    assert slab(picture) != place
+    page.evaluate("wish(true)")
+    next_frame(page)
+    assert (picture.find(play), picture.find(ghosts)) == ("Play", 5)
+    picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
+    page.evaluate("document.querySelectorAll('.stSlider').forEach((each) => each.remove())")
+    picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
+    assert "in step" in page.evaluate("said.at(-1)")
 
 
 def test_a_click_on_the_curve_takes_its_ratio(visit):
