@@ -1,13 +1,13 @@
-"""Five routes, one Ω², for other bodies too."""
+"""All routes, one Ω², for other bodies too."""
 
 import pytest
 import sympy as sp
 
 from ramanujan.derivation import ROUTES, newton
 from ramanujan.derivation.elimination import eliminate
+from ramanujan.derivation.energy import least_inertia
 from ramanujan.derivation.hamilton import legendre_transform, reduce_to_one_degree
 from ramanujan.derivation.matrix import modes
-from ramanujan.derivation.rayleigh import least_inertia
 from ramanujan.derivation.symbols import (
     Omega_squared,
     R,

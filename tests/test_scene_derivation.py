@@ -1,19 +1,22 @@
 """Page 2 under AppTest: every route, shown either way, and what a student may type."""
 
 import json
+import re
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 import sympy as sp
 
 from ramanujan.answers import QUESTIONS
 from ramanujan.answers import question as question_of
-from ramanujan.derivation import ROUTES, rayleigh
+from ramanujan.derivation import ROUTES, Route, Step, energy
 from ramanujan.derivation.energies import PARTS, terms
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.remarks import remarks
-from ramanujan.derivation.symbols import machine
+from ramanujan.derivation.steps import equation
+from ramanujan.derivation.symbols import Omega_squared, k, m, machine
 from ramanujan.pages.derivation import cache
 
 PAGE = "ramanujan/pages/derivation/page.py"
@@ -29,7 +32,7 @@ def page(app):
 
 def sound(app):
     assert not app.exception
-    assert app.title[0].value == "Five ways to one frequency"
+    assert app.title[0].value == "Many ways to one frequency"
     return app
 
 
@@ -98,7 +101,7 @@ def test_moving_a_slider_derives_nothing_again(page, monkeypatch):
     choose(page, m=3.33)
     # Negative control: deriving does meet the trap.
     with pytest.raises(AssertionError):
-        rayleigh.build(machine())
+        energy.build(machine())
 
 
 def test_all_routes_meet_in_one_table(page):
@@ -110,6 +113,21 @@ def test_all_routes_meet_in_one_table(page):
     assert cache.all_agree()
 
 
+def test_a_new_route_is_on_the_page_and_no_sentence_counts_without_it(monkeypatch):
+    def build(_bodies):
+        step = Step("only", "Ask the others", "Another route knows.", (equation(Omega_squared, k / m),))
+        return Route("toy", "Toy", (step,), k / m)
+
+    monkeypatch.setitem(ROUTES.data, "toy", build)
+    numbers = Numbers(2.5, 1.0, 7.0)
+    assert r"\frac{14}{5} = 2.8" in cache.step("toy", 0, numbers, None, None).equations
+    assert cache.results.__wrapped__(numbers)[-1][:2] == ("Toy", "1")
+    pages = Path(cache.__file__).parent.parent
+    files = (*pages.rglob("*.py"), pages.parent.parent / "README.md")
+    said = "".join(file.read_text(encoding="utf-8") for file in files)
+    assert not re.search(r"\b(four|five|six|\d)\s(\w+ )?(routes|ways)\b", said, re.IGNORECASE)
+
+
 # Whose terms
 
 
@@ -117,10 +135,10 @@ def test_all_routes_meet_in_one_table(page):
 def test_the_terms_of_all_parts_add_up_to_the_equation(name):
     stated = [e for step in ROUTES[name].steps for e in step.equations if terms(e)]
     assert bool(stated) == (name != "newton")
-    for equation in stated:
-        own = terms(equation)
+    for relation in stated:
+        own = terms(relation)
         assert set(own) <= set(PARTS)
-        assert sp.expand(sum(sum(part) for part in own.values()) - equation.rhs) == 0
+        assert sp.expand(sum(sum(part) for part in own.values()) - relation.rhs) == 0
 
 
 @pytest.mark.parametrize("part", PARTS)

@@ -4,8 +4,6 @@
 show themselves in a notebook.
 
 >>> from ramanujan.derivation import ROUTES
->>> list(ROUTES)
-['euler_lagrange', 'hamilton', 'newton', 'energy', 'matrix']
 >>> ROUTES["matrix"].natural_frequency_squared
 8*k*(7*m + 6*m_prime)/(32*m**2 + 49*m*m_prime + 18*m_prime**2)
 """
@@ -14,5 +12,5 @@ from ramanujan.derivation.steps import ROUTES, Route, Step
 
 # Each file adds its route to `ROUTES`, in the order in which a course would take them.
 # isort: off
-from ramanujan.derivation import euler_lagrange, hamilton, newton, rayleigh, matrix
+from ramanujan.derivation import euler_lagrange, hamilton, newton, energy, matrix
 # isort: on

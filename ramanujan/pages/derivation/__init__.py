@@ -1,1 +1,1 @@
-"""Page 2: five routes to Ω²."""
+"""Page 2: the routes to Ω²."""

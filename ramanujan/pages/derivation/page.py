@@ -1,4 +1,4 @@
-"""Page 2: five routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
+"""Page 2: the routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
 
 from dataclasses import dataclass
 
@@ -86,7 +86,7 @@ def the_route() -> Setting:
             head = st.container(horizontal=True, vertical_alignment="center") if projector else None
             steps, picture = st.columns([3, 1], vertical_alignment="bottom" if beside else "top")
         with steps if beside else above:
-            st.title(_("Five ways to one frequency"), anchor=False)
+            st.title(_("Many ways to one frequency"), anchor=False)
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
             tell_beside()

@@ -68,7 +68,7 @@ def the_steps() -> None:
         return
     st.header(_("The derivation in six steps"), anchor=False)
     lines, derivation = st.container(key="steps"), navigation.PAGES["derivation"]
-    st.page_link(derivation.file, label=_("The whole derivation, in five ways"), icon=f":material/{derivation.icon}:")
+    st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
     with lines:
         six_steps()
 
