@@ -160,10 +160,13 @@ WRONG = [
     ("block_equation", "X''=Rφ''", "centres of the lower rollers do not accelerate"),
     ("block_equation", "(2m+3m')X'' = 2(m+m')Rφ'' + mRΦ''", "coefficient of X″ m and m′ are interchanged"),
     ("block_momentum", "mX'", "the momentum of the block alone"),
-    ("block_momentum", "(3m+m')X' - (2m+m')Rφ' - mRΦ'", "Your coefficient of X′ is wrong"),
+    ("block_momentum", "(3m+2m')X' - 2mRφ' - mRΦ'", "The term with m′Rφ′ is missing"),
+    ("block_momentum", "(3m+2m')X' - 2(m'-m)Rφ' - mRΦ'", "coefficient of mRφ′ should be negative"),
+    ("block_momentum", "(3m+m')X' - (2m+m')Rφ' - mRΦ'", "coefficient of m′X′ is half of the right one"),
     (OMEGA, "2k/m", "block and the slab alone"),
     ("top_coupling", "(7m+6m')/(4(m+m'))", "reciprocal of the right answer. Which acceleration is"),
-    (HOOP, "½m'(Rφ'-X')² - ½m'R²φ'²", "subtract one energy from the other"),
+    (CYLINDER, "½m'(Rφ'-X')² - ¼m'R²φ'²", "subtract one energy from the other"),
+    (HOOP, "½m'(Rφ'-X')² - ½m'R²φ'²", "The term with φ′² is missing"),
     (HOOP, "½m'v²", "leave out the rotation of the hoop"),
     (OMEGA, "k/m", "plain mass"),
     (OMEGA, "7k/(4m)", "right for m′ = 0"),
@@ -344,7 +347,7 @@ def test_mistakes_about_bodies_change_something_and_have_a_sentence_and_a_questi
     assert len({each.id for each in machines.MISTAKES}) == len(machines.MISTAKES)
     for each in machines.altered():
         assert each.machine != machines.right()
-        assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", each.hint())
+        assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", each.hint)
 
 
 @pytest.mark.parametrize("name", QUESTIONS)

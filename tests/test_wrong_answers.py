@@ -151,12 +151,7 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
     return Fraction(str(by_the_inverse_matrix(machine, at_point)[name]))
 
 
-HINTED = {each.hint(): each.machine for each in machines.altered()}
-HINTED |= {
-    each.hint("one of the lower rollers"): each.machine
-    for each in machines.altered()
-    if each.group in ("hoop", "cylinder")
-}
+HINTED = {each.hint: each.machine for each in machines.altered()}
 SPELLED = dict(zip((*symbols.VELOCITIES, symbols.m, symbols.m_prime, symbols.k, symbols.R, *symbols.COORDINATES),
                    ("X'", "phi'", "Phi'", "m", "m'", "k", "R", "X", "phi", "Phi"), strict=True))  # fmt: skip
 

@@ -78,11 +78,12 @@ class Altered:
         """The names of the bodies that are different."""
         return frozenset(self.group.split())
 
-    def hint(self, called: str = "") -> str:
-        """Return the hint at the mistake, with another name of the bodies if one is given."""
+    @property
+    def hint(self) -> str:
+        """The hint at the mistake."""
         body = self.machine[self.group.split()[-1]]
         return self.mistake.hint.format(
-            body=called or _GROUPS[self.group],
+            body=_GROUPS[self.group],
             mass="m" if body.mass == m else "m′",
             angle="φ" if body.displacement.has(phi) else "Φ",
             shape=_SHAPES.get(body.shape_factor, ""),
@@ -184,14 +185,12 @@ def named(same: Sequence[Altered]) -> str | None:
 
     Of groups that contain each other the smallest is named: the rest of the mistake has no effect on the result.
     """
-    least, lower = min(same, key=lambda each: len(each.bodies)), {*_LOWER.split()}
-    if any(each.mistake is not least.mistake for each in same):
-        of_inertia = all(each.mistake.is_of_inertia and each.bodies <= lower for each in same)
-        hint = _("You get this result with other moments of inertia of the lower rollers. What are they?")
-        return hint if of_inertia else None
-    if all(least.bodies <= each.bodies for each in same):
-        return least.hint()
-    return least.hint(_("one of the lower rollers")) if {each.group for each in same} == lower else None
+    least = min(same, key=lambda each: len(each.bodies))
+    if all(each.mistake is least.mistake and least.bodies <= each.bodies for each in same):
+        return least.hint
+    if all(each.mistake.is_of_inertia and each.bodies <= {*_LOWER.split()} for each in same):
+        return _("You get this result with other moments of inertia of the lower rollers. What are they?")
+    return None
 
 
 # The elimination

@@ -49,8 +49,10 @@ def energy(name: str) -> Slips:
     # The ½ of ½Iω² may be missing, or that of a cylinder's moment of inertia.
     yield _("In your answer the energy of rotation is twice the right one. What is I, and what is ½Iω²?"), whole + spin
     hint = _("You get this result if you subtract one energy from the other. Which sign does each kinetic energy have?")
-    yield hint, travel - spin
-    yield hint, spin - travel
+    # Of a hoop, what is left has no φ′², as if that term had been forgotten.
+    if body.shape_factor != 1:
+        yield hint, travel - spin
+        yield hint, spin - travel
     alone = _("This is only the energy of rotation of {body}. How fast does its centre move?")
     yield alone.format(body=machines.CALLED[name]), spin
 
@@ -191,7 +193,8 @@ def frequency(right: sp.Expr) -> Slips:
 def _of_masses(right: sp.Expr) -> Slips:
     """Yield an answer for equal masses, and answers with m and m′ interchanged."""
     hint = _("This is the answer for equal masses, m′ = m. What changes if the lower rollers have another mass?")
-    yield hint, right.subs(m_prime, m)
+    for wrong in {right.subs(m_prime, m), right.subs(m, m_prime)}:
+        yield hint, wrong
     hint = _("Somewhere in your answer m and m′ are interchanged. Which bodies have the mass m′?")
     above, below = sp.fraction(right)
     above_off, below_off = (part.xreplace({m: m_prime, m_prime: m}) for part in (above, below))

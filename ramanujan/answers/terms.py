@@ -194,7 +194,7 @@ def term_by_term(
 ) -> Differences | None:
     """Return the products of names whose coefficients differ, and a sentence about each.
 
-    None if the answer is not a polynomial in the variables.
+    None if one of them is not a polynomial in the variables.
 
     Parameters
     ----------
@@ -203,13 +203,16 @@ def term_by_term(
     place : a template that says where these terms are, such as "{term} in the numerator"
     """
     yours, theirs = (_coefficients(formula, variables) for formula in (given, right))
-    if yours is None:
+    if yours is None or theirs is None:
         return None
     found = []
     for powers in sorted(yours.keys() | theirs.keys(), reverse=True):
         term, pair = _shown_product(powers), [each.get(powers, FIELD.zero) for each in (yours, theirs)]
         if sentence := _coefficient(term and place.format(term=term), *pair):
-            found.append(Difference(term, sentence, _is_slip(*pair)))
+            # Of a sum of masses, one may be wrong.
+            within = term_by_term(*pair, NAMES, f"{{term}}{term}") if all(pair) and variables != NAMES else None
+            only = within[0] if within and len(within) == 1 and len(pair[1].numer) > 1 else None
+            found.append(Difference(term, *(only[1:] if only else (sentence, _is_slip(*pair)))))
     return found
 
 
