@@ -217,8 +217,10 @@ def displayed(given: Masses | None, part: str) -> Iterator[tuple[str, str, bool,
             yield from ((name, key, True, line) for key, line in of_route(name, True, equal, part))
     (shape, *_), momenta = page.spectrum.__wrapped__(numbers)
     yield from (("matrix", "", False, line) for line in (shape, *equations(momenta)))
-    for key, step in zip(first_page._SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
-        yield from (("euler_lagrange", key, False, line) for line in equations(step.equations))
+    for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
+        blocks = [*(between for _reason, between in step.ways), step.in_full, step.numbers]
+        of_blocks = [line for block in filter(None, blocks) for line in equations(block)]
+        yield from (("euler_lagrange", key, False, line) for line in (*step.results, *of_blocks))
     for *_, symbols, result in page.results.__wrapped__(numbers or Numbers(1.0, 1.0, 1.0)):
         for right in (symbols, *([result] if given else [])):
             yield "matrix", "", False, rf"\Omega^{{2}} = {right}"

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from functools import partial
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.sidebar import PRESETS, take_exact
+from tests.latex import equations
 
 KEYS = list(PARAMETERS)
 
@@ -40,14 +42,18 @@ def type_in(app, key: str, text: str):
 DEFAULTS = {key: parameter.default for key, parameter in PARAMETERS.items()}
 
 
+def lines(app) -> list[str]:
+    """The six steps as they are seen while they are folded."""
+    return [each.label for each in app.expander if (each.key or "").startswith("summary_")]
+
+
 def steps(app):
-    """Open the six steps and return them as the page's text has them, each behind its heading."""
+    """Open the six steps and return what they say then, each below its line."""
     for number in range(1, 7):
         app.session_state[f"summary_{number}"] = True
     app.run()
-    folded = [each for each in app.expander if each.label[0].isdigit()]
-    assert len(folded) == 6
-    return "\n".join(text.value for each in folded for text in each.markdown)
+    folded = [app.expander(key=f"summary_{number}") for number in range(1, 7)]
+    return "\n".join("\n".join([each.label, *(text.value for text in each.markdown)]) for each in folded)
 
 
 def test_the_first_run_shows_the_defaults(app):
@@ -55,7 +61,42 @@ def test_the_first_run_shows_the_defaults(app):
     assert not app.warning
     assert not any("$$" in each.value for each in app.markdown)
     assert "derivation" in [each.proto.page for each in app.get("page_link")]
-    assert steps(app).count("$$") == 12
+
+
+def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
+    folded = lines(sound(app.run()))
+    folded = [line.replace("dfrac", "frac") for line in folded]
+    assert [line[2:4] for line in folded] == [f"{n}." for n in range(1, 7)]
+    lagrangian, acceleration, inserted, ratio = (folded[n] for n in (1, 3, 4, 5))
+    assert r"\mathcal{L} = - 2\,R^{2}\,k\,\varphi^{2} + " in lagrangian
+    assert r"\ddot{X} = \frac{6\,R\,\left(m + m'\right)\,\ddot{\varphi}}{7\,m + 6\,m'}" in acceleration
+    assert r"- \frac{12\,R\,\left(m + m'\right)^{2}\,\ddot{\varphi}}{7\,m + 6\,m'} = 0" in inserted
+    assert r"\Omega^{2} = \frac{8\,k\,\left(7\,m + 6\,m'\right)}" in inserted
+    quadratic = [r"18\,\varepsilon^{2} + \varepsilon - 24 = 0", r"\left(36\,\varepsilon + 1\right)^{2} = 1729"]
+    assert 0 < ratio.index(quadratic[0]) < ratio.index(quadratic[1]) < ratio.index(r"\frac{\sqrt{1729} - 1}{36}")
+    told = steps(app)
+    written = re.findall(r"[^$]+ = [^$]+", "".join(folded))
+    written += [line for display in re.findall(r"\$\$\n(.*?)\n\$\$", told) for line in equations(display)]
+    assert len(written) == len(set(written)) > 30
+    # Numbers stand below a heading of their own, with the sentence that says whose they are.
+    for opened in told.split("**")[2::2]:
+        way, _heading, numbers = opened.partition("#### Your machine")
+        assert "The numbers are for" not in way
+        assert ("The numbers are for" in numbers) == ("$$" in numbers)
+    assert told.index(r"\varepsilon &= 1 ") > told.rindex("#### Your machine")
+
+
+def test_the_page_says_in_words_whether_the_machine_is_in_step(app):
+    app.run()
+    for key, value in (("m", 2.3), ("m_prime", 5.0), ("k", 37.0)):
+        app.slider(key=key).set_value(value)
+    said = app.run().get_by_key("your_machine").markdown[0].value
+    squared = 8 * 37 * (7 * 2.3 + 6 * 5) / (32 * 2.3**2 + 49 * 2.3 * 5 + 18 * 5**2)
+    omega, normalized = math.sqrt(squared), squared * 2.3 / 37
+    assert f"Ω²m/k = {normalized:.7f}, Ω = {omega:.4f}\u202frad/s, period {2 * math.pi / omega:.3f}\u202fs" in said
+    assert f"loses one full turn in {1 / (1 - math.sqrt(normalized)):.2f} periods" in said
+    app.pills(key="preset").set_value("unit").run()
+    assert "in step with the plain mass" in app.get_by_key("your_machine").markdown[0].value
 
 
 def test_every_slider_at_its_ends_and_between_its_steps(app):

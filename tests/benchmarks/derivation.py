@@ -14,13 +14,14 @@ from ramanujan.answers import QUESTIONS, judge, question
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.rows import rows
+from ramanujan.pages.oscillator.cache import SUMMARY
 
 MACHINES = {
     "on the steps": lambda n: (1 + n / 100, 1.13),
     "off the steps": lambda n: (1.2345678901 + n / 1e10, 1.234567),
     "with √1729": lambda n: (1 + n / 100, (1 + n / 100) * UNIT_MASS_RATIO),
 }
-FIRST_PAGE = ("velocities", "lagrangian", "motion", "elimination", "frequency", "root")
+FIRST_PAGE = [key for line in SUMMARY for key in line]
 
 
 def milliseconds(action: Callable[[], object]) -> float:

@@ -79,9 +79,10 @@ def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words:
     stage : the name of the stage
     slider : key of the slider of m′
     ratio : ε = m′/m of the machine in step
-    told : stories, each a list of scenes {sentence, ratios, periods}; pace, the seconds that a period of the plain mass
-        lasts; stills, {label, turns} of each clock for someone who asked for less motion; marked, whether the slider
-        marks the ratio from the start
+    told : openings, each a list of scenes {sentence, ratios, periods}, the first of which that the slider can show is
+        taken; rest, the scenes that follow; pace, the seconds that a period of the plain mass lasts; stills, {label,
+        turns} of each clock for someone who asked for less motion; marked, whether the slider marks the ratio from the
+        start
     words : ratio, a template for ε; there, what is said in step; mark, begin, again, stop, hint
     """
     data = {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **told}

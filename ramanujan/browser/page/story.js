@@ -10,7 +10,7 @@ const SAME = 1e-12; // relative: the floats of ε* lie closer
 let found = false; // whether the ratio has been found since the page was loaded: only then does the slider mark it
 let ended = false; // whether the story has been told to its end
 
-export default function ({ data: { stage, slider, ratio, stories, pace, stills: told, marked, said }, parentElement }, signal) {
+export default function ({ data: { stage, slider, ratio, openings, rest, pace, stills: told, marked, said }, parentElement }, signal) {
   const find = (selector) => parentElement.querySelector(selector);
   const button = find("button"), output = find(".said"), stills = find(".stills");
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -50,7 +50,7 @@ export default function ({ data: { stage, slider, ratio, stories, pace, stills: 
     if (!machine || !input || input.disabled) return;
     stills.hidden = !calm.matches;
     if (calm.matches) return finish();
-    const story = stories.find(([{ ratios }]) => ratios[0] * machine.m <= input.max);
+    const story = [...openings.find(([{ ratios }]) => ratios[0] * machine.m <= input.max), ...rest];
     dom.moveSlider(input, story[0].ratios[0] * machine.m);
     before = 0;
     tell(story);

@@ -1,5 +1,6 @@
 """What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -75,39 +76,66 @@ def figure(light_or_dark: str) -> Drawn:
 
 @dataclass(frozen=True)
 class SummaryStep:
-    """A step as the page shows it: words, and one block of LaTeX, in symbols, then with the present numbers.
+    """A line of the derivation in short; all formulas are LaTeX.
 
-    A step of many equations also has its two parts, which stand side by side on a projector.
+    Parameters
+    ----------
+    heading : what is done
+    results : the equations that are seen while the line is folded
+    ways : how they are found: reasons, each with the equations between, or ""
+    in_full : the results and, before the last of them, the equations of the last reason
+    numbers : the same with the present numbers; "" where there are none
     """
 
     heading: str
-    reason: str
-    equations: str
-    parts: tuple[str, ...] = ()
+    results: tuple[str, ...]
+    ways: tuple[tuple[str, str], ...]
+    in_full: str
+    numbers: str
 
 
 _LINE_WIDTH = 60
 """Characters of a formula that fit beside the sidebar in a window of 1280 points."""
-
-_HIGH = 8
-"""Equations that fit below one another on a projector."""
-_SUMMARY = ("velocities", "lagrangian", "rates", "elimination", "frequency", "root")
+_NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
+SUMMARY: tuple[Mapping[str, slice], ...] = (
+    {"velocities": _ALL},
+    {"lagrangian": _ALL},
+    {"rates": _ALL},
+    {"elimination": slice(-2, None)},
+    {"insertion": _FIRST, "frequency": _LAST},
+    {"ratio": _NONE, "unit": _LAST, "root": _ALL},
+)
+"""For each line: steps of the route, the last of which gives the heading, and which of their equations are results."""
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
 def summary(numbers: Numbers | None) -> list[SummaryStep]:
-    """Return the derivation in six steps, in symbols, and with the present numbers where these are given."""
-    return [_with_numbers(step, symbols, numbers) for step, symbols in _in_symbols()]
+    """Return the derivation in six steps, with the present numbers where these are given."""
+    return [_line(wanted, numbers) for wanted in SUMMARY]
 
 
 @st.cache_resource(show_spinner=False)
-def _in_symbols() -> list[tuple[Step, list[Row]]]:
-    steps = (route("euler_lagrange")[key] for key in _SUMMARY)
-    return [(step, rows(step)) for step in steps]
+def _in_symbols(key: str) -> tuple[Step, list[Row]]:
+    step = route("euler_lagrange")[key]
+    return step, rows(step)
 
 
-def _with_numbers(step: Step, symbols: list[Row], given: Numbers | None) -> SummaryStep:
-    numbers = rows(step, given) if given else symbols
-    blocks = [symbols] if numbers == symbols else [symbols, numbers]
-    parts = tuple(aligned([block], _LINE_WIDTH) for block in blocks) if sum(map(len, blocks)) > _HIGH else ()
-    return SummaryStep(step.heading, step.reason, aligned(blocks, _LINE_WIDTH), parts)
+def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
+    steps = {key: _in_symbols(key) for key in wanted}
+    *_before, last = wanted
+    in_full = {**wanted, last: _ALL}
+    results = [row for key, part in wanted.items() for row in steps[key][1][part]]
+    symbols = [row for key, part in in_full.items() for row in steps[key][1][part]]
+    numbers = [row for key, part in in_full.items() for row in rows(steps[key][0], given)[part]]
+    return SummaryStep(
+        steps[last][0].heading,
+        tuple(row.latex for row in results),
+        tuple((step.reason, _display(row for row in found if row not in results)) for step, found in steps.values()),
+        _display(symbols),
+        _display(row for row in numbers if row not in symbols),
+    )
+
+
+def _display(shown: Iterable[Row]) -> str:
+    found = list(shown)
+    return aligned([found], _LINE_WIDTH) if found else ""

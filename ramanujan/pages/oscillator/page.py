@@ -6,10 +6,10 @@ from dataclasses import asdict
 
 import streamlit as st
 
-from ramanujan import UNIT_MASS_RATIO
+from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import page, stage
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.numerals import number
+from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
 from ramanujan.shell import address, display_mode, drawings, navigation, sidebar, stages, theme
@@ -20,6 +20,8 @@ from ramanujan.translation import _
 FOUND = address.Choice("found", ("on",))
 """Whether the slider of m′ marks the ratio before it has been found."""
 URL_PARAMETERS = (FOUND,)
+_SAME = 1e-12
+"""Frequencies that differ by a smaller share are the same but for rounding."""
 
 
 def lead() -> Collection[str]:
@@ -49,9 +51,14 @@ def show() -> None:
         with sheet("curve", _("The curve")):
             the_curve()
     if display_mode.hides("steps"):
-        sidebar.follow("machine")
+        sidebar.follow(*followers())
     else:
         the_steps()
+
+
+def followers() -> list[str]:
+    """Return the keys of the fragments above the six steps that depend on the machine."""
+    return ["machine"] if display_mode.hides("curve", "numbers") else ["machine", "present"]
 
 
 @st.fragment(key="machine")
@@ -97,8 +104,10 @@ def opening() -> None:
 
 def tell_story() -> None:
     """Offer the story that ends at the one mass ratio at which both hands turn together."""
+    stories = [story.story(start) for start in story.STARTS]
     told = {
-        "stories": [[asdict(scene) for scene in story.story(start)] for start in story.STARTS],
+        "openings": [list(map(asdict, scenes[: story.OPENING])) for scenes in stories],
+        "rest": list(map(asdict, stories[0][story.OPENING :])),
         "pace": story.PACE,
         "stills": story.stills(),
         "marked": address.keep(FOUND) == "on",
@@ -144,8 +153,39 @@ def the_curve() -> None:
     )
     sees = sees.format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value())
     drawings.plot(cache.figure(theme.current()), "curve", sees)
+    if not display_mode.hides("numbers"):
+        present()
     with st.container(key="click_curve"):
         st.caption(_("Click on the curve to build the machine with that mass ratio."))
+
+
+@st.fragment(key="present")
+def present() -> None:
+    """Say in numbers where the present machine lies on the curve, and how it compares with the plain mass."""
+    machine = sidebar.oscillator()
+    sentence = _("**Your machine**: ε = {ratio}, Ω²m/k = {normalized:7}, Ω = {omega:5 rad/s}, period {period:4 s}.")
+    numbers = filled(
+        sentence,
+        ratio=number(machine.mass_ratio, 5, strip=True),
+        normalized=machine.normalized_frequency_squared,
+        omega=machine.natural_frequency,
+        period=machine.period,
+    )
+    with st.container(key="your_machine"):
+        st.markdown(numbers if display_mode.hides("clocks") else f"{numbers} {compared(machine)}")
+
+
+def compared(machine: Oscillator) -> str:
+    """Say whether a machine is in step with the plain mass, and if not, how soon the two are a full turn apart."""
+    faster = float(gained(machine.mass_ratio))
+    if abs(faster) < _SAME:
+        return _("It is in step with the plain mass.")
+    sentence = (
+        _("It is faster than the plain mass: its clock hand gains one full turn in {turns:3} periods.")
+        if faster > 0
+        else _("It is slower than the plain mass: its clock hand loses one full turn in {turns:3} periods.")
+    )
+    return filled(sentence, turns=1 / abs(faster))
 
 
 def take_clicked(point: dict[str, float]) -> None:
@@ -161,7 +201,7 @@ def take_clicked(point: dict[str, float]) -> None:
 
 @st.fragment(key="steps")
 def six_steps() -> None:
-    """Draw the derivation in short, a line for each step; one that is open has symbols and the present numbers."""
+    """Draw the derivation in short, a line for each step; one that is open says how, and has the present numbers."""
     machine = sidebar.oscillator()
     numbers = None if display_mode.hides("numbers") else Numbers.of(machine)
     steps = cache.summary(numbers)
@@ -169,26 +209,46 @@ def six_steps() -> None:
     if shown:
         on_sheets(steps)
     else:
-        for number, step in enumerate(steps, start=1):
-            heading, key = f"{number}. {step.heading}", f"summary_{number}"
-            with st.expander(heading, key=key, type="compact", on_change="rerun") as line:
-                if line.open:
-                    shown = True
-                    stated = f"\n\n:small[{numbers_stated(numbers)}]" if numbers else ""
-                    st.markdown(f"{step.reason}\n\n$$\n{step.equations}\n$${stated}")
-    sidebar.follow("machine", *(["steps"] if shown else []))
+        for n, step in enumerate(steps, start=1):
+            results = " ".join(f"${result}$" for result in step.results).replace(r"\frac", r"\dfrac")
+            line = st.expander(
+                f"**{n}. {step.heading}** {results}", key=f"summary_{n}", type="compact", on_change="rerun"
+            )
+            if line.open:
+                shown = True
+                with line:
+                    one_step(step, numbers)
+    sidebar.follow(*followers(), *(["steps"] if shown else []))
+
+
+def one_step(step: cache.SummaryStep, numbers: Numbers | None) -> None:
+    """Say how a step of the derivation finds its results, and what they are for the present machine."""
+    st.markdown("\n\n".join(part for reason, between in step.ways for part in (reason, in_display(between))))
+    with_numbers(step, f"{numbers_stated(numbers)}\n\n" if numbers else "")
+
+
+def with_numbers(step: cache.SummaryStep, stated: str = "") -> None:
+    """Draw the equations of a step with the present numbers, if there are any, below a heading of their own."""
+    if step.numbers:
+        heading = _("Your machine")
+        st.markdown(f"#### {heading}\n{stated}{in_display(step.numbers)}")
+
+
+def in_display(formula: str) -> str:
+    """Return a block of LaTeX as Markdown has it; nothing of nothing."""
+    return formula and f"$$\n{formula}\n$$"
 
 
 def on_sheets(steps: list[cache.SummaryStep]) -> None:
-    """Draw the steps on sheets of the projector: the first two share one, and long equations stand in two columns."""
+    """Draw the steps on sheets of the projector, the first two on one; what has no room below stands beside."""
     starts = (0, 2, 3, 4, 5)
     for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
         with sheet(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
-            for number, step in enumerate(steps[first:end], start=first + 1):
-                with st.container(horizontal=True, vertical_alignment="top", key=f"spread_{number}"):
-                    st.markdown(f"### {number}. {step.heading}\n{step.reason}")
-                    for part in step.parts or (step.equations,):
-                        st.latex(part)
+            for n, step in enumerate(steps[first:end], start=first + 1):
+                with st.container(horizontal=True, vertical_alignment="top", key=f"spread_{n}"):
+                    st.markdown(f"### {n}. {step.heading}\n{step.ways[-1][0]}")
+                    st.latex(step.in_full)
+                    with_numbers(step)
 
 
 if __name__ == "__main__":

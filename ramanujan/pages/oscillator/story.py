@@ -19,13 +19,15 @@ from ramanujan.translation import _
 
 STARTS = (5.0, 2.0)
 """Mass ratios with which a story may begin: where 5m is more than a roller's largest mass, 2m is not."""
+OPENING = 2
+"""Scenes before the first at ε*; those that follow are the same in every story."""
 PACE = 0.6
 """Seconds that a period of the plain mass lasts in the story."""
 _OVER = 2 * UNIT_MASS_RATIO - 1
 """As far above ε* as equal masses are below."""
 STILL_PERIODS = 2
 """Periods of the plain mass after which the still clocks are drawn."""
-_KNOTS = 16
+_KNOTS = 10
 """Straight pieces of a move, which begins and ends slowly."""
 
 
@@ -82,7 +84,9 @@ def story(start: float) -> tuple[Scene, ...]:
 def stills() -> list[dict[str, str | float]]:
     """Return clocks for someone who asked for less motion: labels, and by how many turns the hands are apart."""
     ratios = {"ε = 5": 5.0, "ε = 2": 2.0, "ε = 1.127…": UNIT_MASS_RATIO, "ε = 1": 1.0, "ε = 0.5": 0.5}
-    return [{"label": label, "turns": STILL_PERIODS * float(gained(ratio))} for label, ratio in ratios.items()]
+    return [
+        {"label": label, "turns": round(STILL_PERIODS * float(gained(ratio)), 6)} for label, ratio in ratios.items()
+    ]
 
 
 def turns_in(scene: Scene) -> float:
@@ -100,5 +104,7 @@ def _stay(sentence: str, ratio: float, periods: float) -> Scene:
 
 
 def _moved(start: float, end: float) -> tuple[float, ...]:
-    share = np.linspace(0, 1, _KNOTS + 1)
-    return tuple(float(ratio) for ratio in start * (end / start) ** (share**2 * (3 - 2 * share)))
+    share = np.linspace(0, 1, _KNOTS + 1)[1:-1]
+    # The story is sent with every run of the page: short numbers.
+    between = np.round(start * (end / start) ** (share**2 * (3 - 2 * share)), 3)
+    return (start, *map(float, between), end)
