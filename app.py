@@ -10,7 +10,6 @@ if __name__ != "__main__":
 else:
     from ramanujan.shell import (
         address,
-        cache,
         class_keys,
         display_mode,
         messages,
@@ -38,7 +37,6 @@ else:
     address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
     shown = 340 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
-    cache.warm_up()
     if display_mode.is_projector():
         display_mode.pager()
     sidebar.take_wishes()

@@ -1,5 +1,7 @@
 """Which room may import which, and what the first page may load: the table of the README, held."""
 
+import asyncio
+import gc
 import re
 import subprocess
 import sys
@@ -7,6 +9,8 @@ import sys
 import grimp
 import pytest
 
+import ramanujan.pages
+from ramanujan.shell import navigation, server
 from tests.browser import ROOT
 
 LANGUAGE = {"translation", "numerals"}
@@ -91,3 +95,25 @@ assert "ramanujan.browser.stage" in sys.modules and "plotly" in sys.modules
 """
     done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr[-2000:]
+
+
+def test_every_page_of_the_list_is_warmed_up_also_one_that_is_no_package(tmp_path, monkeypatch):
+    (tmp_path / "another").mkdir()
+    (tmp_path / "another" / "page.py").write_text("warm = []\n\n\ndef warm_up():\n    warm.append(True)\n")
+    monkeypatch.setattr(ramanujan.pages, "__path__", [*ramanujan.pages.__path__, str(tmp_path)])
+    monkeypatch.setitem(navigation.PAGES, "another", navigation.Page("another", "Another", "waves", "another"))
+    monkeypatch.setattr(gc, "freeze", lambda: None)
+
+    async def start() -> None:
+        async with server.warmed_up(None):
+            pass
+
+    asyncio.run(start())
+    assert sys.modules["ramanujan.pages.another.page"].warm == [True]
+
+
+def test_what_all_pages_share_imports_no_page(graph):
+    """A page names what it shows; the shell knows pages by their list alone."""
+    importers = {module for module in graph.modules if module.startswith("ramanujan.shell")}
+    imported = {each for module in importers for each in graph.find_modules_directly_imported_by(module)}
+    assert not any(each.startswith("ramanujan.pages") for each in imported)

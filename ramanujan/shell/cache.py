@@ -4,7 +4,6 @@ A page asks here for anything that costs more than a moment. Keys are plain numb
 imported in that page's file, so that the first page does not pay for the others.
 """
 
-import gc
 import sys
 import threading
 from collections.abc import Iterator
@@ -39,24 +38,6 @@ def giving_way() -> Iterator[None]:
             _computing.pop()
             if not _computing:
                 sys.setswitchinterval(_USUALLY)
-
-
-@st.cache_resource(show_spinner=False)
-def warm_up() -> bool:
-    """Import and derive what every page needs, then take it out of the garbage collector's rounds.
-
-    With SymPy and Plotly loaded, walking through what never changes would be most of the collector's work.
-    """
-    # Imported here, because page 1's caches themselves stand on this file.
-    from ramanujan.pages.oscillator import cache
-    from ramanujan.shell import theme
-
-    cache.curve()
-    cache.summary(Numbers(1.0, 1.0, 1.0))
-    cache.figure(theme.current())
-    gc.collect()
-    gc.freeze()
-    return True
 
 
 @st.cache_resource(show_spinner=False)

@@ -66,6 +66,10 @@ class Page:
         """Draw what stands above the page's machine with sliders in it, and return their keys."""
         return self._says("lead", tuple)()
 
+    def warm_up(self) -> None:
+        """Import the page, and let it derive what its first visitor would wait for."""
+        self._says("warm_up", lambda: None)()
+
     def _says(self, name: str, *otherwise: Any) -> Any:
         return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, *otherwise)
 

@@ -1,16 +1,14 @@
 """What the server does before any visitor comes, and for all of them alike: warm up, offer the page's files."""
 
 import gc
-import importlib
-import pkgutil
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 import streamlit as st
 from starlette.middleware import Middleware
 
-import ramanujan
 from ramanujan.browser import modules
+from ramanujan.shell import navigation
 from ramanujan.shell.browser_cookie import NamedBrowser
 from ramanujan.shell.page_files import PageFiles
 from ramanujan.shell.widget_states import CheckedStates
@@ -25,9 +23,8 @@ async def warmed_up(_: st.App) -> AsyncIterator[None]:
     A page imports what it shows when it is opened, which takes seconds; a class opens all of them at once. What has
     been imported never changes, and the collector need not walk through it again and again.
     """
-    for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan."):
-        if not module.name.endswith("__main__"):
-            importlib.import_module(module.name)
+    for page in navigation.PAGES.values():
+        page.warm_up()
     modules.place()
     gc.collect()
     gc.freeze()

@@ -24,6 +24,12 @@ _SAME = 1e-12
 """Frequencies that differ by a smaller share are the same but for rounding."""
 
 
+def warm_up() -> None:
+    """Derive what the first visitor would wait for."""
+    cache.curve()
+    cache.summary(Numbers(1.0, 1.0, 1.0))
+
+
 def lead() -> Collection[str]:
     """Draw the opening with the slider that its question names, and return that slider's key."""
     if display_mode.is_projector():
