@@ -12,7 +12,6 @@ else:
         address,
         class_keys,
         display_mode,
-        messages,
         navigation,
         parameters,
         sidebar,
@@ -21,8 +20,8 @@ else:
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
-    stages.begin()
-    page, runner = navigation.navigate(hidden=stages.alone())
+    alone = stages.begin()
+    page, runner = navigation.navigate(hidden=alone)
     said = address.opened(
         page.name,
         (
@@ -39,7 +38,6 @@ else:
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
     if display_mode.is_projector():
         display_mode.pager()
-    sidebar.take_wishes()
-    messages.begin(said)
+    sidebar.begin(said)
     sidebar.draw(page.withheld(), page.lead(), page.aside())
     runner.run()

@@ -1,9 +1,9 @@
-// Begins the components of the app: a component has the name of its module, and this one finds it and its HTML and CSS.
+// Starts the components of the app. A component has the name of its module; this file loads the module, its HTML and its CSS.
 //
-// Streamlit calls a component again whenever its data or the theme changes, and of all the clean-ups that these calls return it
-// keeps the last. A module need not know: its function is called once for an element, with the component, whose data and
-// setters are always those of the last call, and a signal that aborts when the element leaves the page. What the function
-// returns, if anything, is called after each call of Streamlit's.
+// Streamlit calls a component again whenever its data or the theme changes, and keeps only the last cleanup. A module need not
+// know that. Its function is called once for each element, with the component and a signal. The component always has the data
+// and the setters of the last call; the signal aborts when the element leaves the page. If the function returns another
+// function, that one is called after each of Streamlit's calls.
 
 import { MARKUP } from "./markup.js";
 
@@ -29,7 +29,7 @@ export async function begin(component) {
   Object.assign(life.component, component);
   life.update?.();
   return () => {
-    // A clean-up of an earlier call may come late: the element lives on.
+    // The cleanup of an earlier call may come late, while the element is still on the page.
     if (call !== life.calls) return;
     lives.delete(parentElement);
     life.stop.abort();

@@ -33,6 +33,7 @@ It is changed in place, so that a run that is broken off loses nothing.
 """
 _JUDGED = "judged"
 _FIRST = "first_run"
+_BEGUN = "sidebar_begun"
 _FOLLOW = "follow"
 """Session state: the keys of the fragments that follow the machine, if the page was drawn to its end."""
 _LINKED = "linked"
@@ -40,7 +41,7 @@ _LINKED = "linked"
 
 
 def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[str]) -> None:
-    """Draw the sidebar. Called once a run, before the page.
+    """Draw the sidebar. Call it once a run, after `begin` and before the page.
 
     Parameters
     ----------
@@ -48,7 +49,9 @@ def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[st
     drawn : keys of the parameters whose sliders stand on the page itself
     aside : keys of those that matter little on this page: they are folded, beside those that always are
     """
-    # What the sliders show in the first run is what the link has set, without what it got wrong.
+    if not st.session_state.pop(_BEGUN, False):
+        raise RuntimeError("sidebar.begin() comes first: a widget that has been drawn can no longer be set")
+    # In the first run the sliders show what the link has set, without what it got wrong.
     st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
     with st.sidebar, st.container(key="controls"):
         page.sheet()
@@ -116,18 +119,24 @@ def _wishes() -> list[partial]:
     return st.session_state.setdefault(_WISHES, [])
 
 
-def take_wishes() -> None:
-    """Set what was asked for since the last run. Called once a run, before anything is drawn.
+def begin(said: list[str]) -> None:
+    """Set what was asked for since the last run, and say what was wrong with it. Call it once a run, before `draw`.
 
     What was typed comes first: to press anything else, one leaves the box.
+
+    Parameters
+    ----------
+    said : sentences about the address
     """
     st.session_state.pop(_FOLLOW, None)
+    st.session_state[_BEGUN] = True
     st.session_state[_FIRST] = _FIRST not in st.session_state
     if not messages.runs_again():
         pending_updates.hold()
     for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
         wish()
         _wishes().remove(wish)
+    messages.begin(said)
 
 
 def oscillator() -> Oscillator:

@@ -37,14 +37,15 @@ _ALONE = "alone"
 """Session state: whether this run draws the machine alone; missing until the first run."""
 
 
-def begin() -> None:
-    """Begin a run: bring what every page has, and decide whether the machine is drawn alone."""
+def begin() -> bool:
+    """Begin a run: mount the page's services, and return whether this run draws the machine alone."""
     first = _ALONE not in st.session_state and navigation.is_first_page()
     # Without a browser nothing ever moves; a projector's sheets are there from the start.
     waits = first and display_mode.in_browser() and st.query_params.get("view") != "projector"
     # A page whose machine moves says so to a server that was started anew, too, and keeps all that it has.
     moves = page.bring(theme.current(), waits, messages.stay)
     st.session_state[_ALONE] = waits and not moves
+    return alone()
 
 
 def alone() -> bool:

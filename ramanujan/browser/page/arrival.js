@@ -1,4 +1,4 @@
-// Tells the server that the first page's machine moves: what takes a browser long to load is sent after it.
+// Tells the server that the first page's machine moves. Only then does the server send what a browser is slow to load.
 
 import { bus } from "./bus.js";
 
@@ -11,7 +11,7 @@ export default function (component, signal) {
     told = true;
     component.setStateValue("moving", true);
   };
-  // What has just been drawn is on the screen when the next frame begins.
+  // A drawing is on the screen when the next frame begins.
   bus.subscribe("time/oscillator", () => told || requestAnimationFrame(tell), { signal });
   setTimeout(tell, PATIENCE);
 }

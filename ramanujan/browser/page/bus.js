@@ -1,5 +1,5 @@
-// The page's bus: whoever knows something publishes it under a topic, whoever needs it subscribes. One listener that fails does
-// not keep the news from the others.
+// The page's bus: one module publishes a value under a topic, and others subscribe to it. If one listener fails, the others are
+// still called.
 
 class Bus extends EventTarget {
   #values = new Map(); // topic → last value

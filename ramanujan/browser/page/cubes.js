@@ -11,8 +11,8 @@ const GAP = 0.5; // between two layers that are pulled apart
 const DEGREES = Math.PI / 180, BY_PIXEL = 0.5; // degrees for each pixel of a drag
 
 /**
- * The faces that are seen of cubes side by side, what is farther away first: { cube, face, outline, grid, layers, rise }. Each is
- * drawn once and repeated so many `layers` high, each time by `rise` higher. `turn` [degrees] says from where one looks.
+ * The visible faces of cubes side by side, the farthest first: { cube, face, outline, grid, layers, rise }. Each is drawn
+ * once and repeated so many `layers` high, each time by `rise` higher. `turn` [degrees] says from where one looks.
  */
 export function faces(sides, apart, turn) {
   const angle = turn * DEGREES, [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
@@ -26,10 +26,17 @@ export function faces(sides, apart, turn) {
     const corner = [start, Math.floor((Math.max(...sides) - side) / 2), 0], high = apart ? 1 : side;
     start += side + APART;
     const near = (edge) => (dot(edge, [Math.cos(angle), Math.sin(angle), 0]) > 0 ? add(corner, edge, side) : corner);
-    const drawn = [["x", near(x), y, z, side, high], ["y", near(y), x, z, side, high], ["top", add(corner, z, high), x, y, side, side]];
+    const drawn = [
+      ["x", near(x), y, z, side, high],
+      ["y", near(y), x, z, side, high],
+      ["top", add(corner, z, high), x, y, side, side],
+    ];
     return drawn.map(([face, from, along, upwards, length, height]) => {
       const far = add(from, along, length), lines = [];
-      for (let n = 0; n <= length; n++) lines.push(`M${at(add(from, along, n))}L${at(add(add(from, along, n), upwards, height))}`);
+      for (let n = 0; n <= length; n++) {
+        const foot = add(from, along, n);
+        lines.push(`M${at(foot)}L${at(add(foot, upwards, height))}`);
+      }
       for (let n = 0; n <= height; n++) lines.push(`M${at(add(from, upwards, n))}L${at(add(far, upwards, n))}`);
       const outline = `M${[from, far, add(far, upwards, height), add(from, upwards, height)].map(at).join("L")}z`;
       return { cube, face, outline, grid: lines.join(""), layers: apart ? side : 1, rise: -EDGE * (1 + GAP) * Math.cos(TILT) };
@@ -62,13 +69,15 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
       const layers = new Map();
       for (const { cube, face, outline, grid, layers: count, rise } of faces(sides, box.checked, Number(slider.value)))
         for (let n = 0; n < count; n++) {
-          const key = `${cube} ${n}`, group = layers.get(key) ?? element("g", { class: `cube-${cube}`, transform: `translate(0 ${n * rise})` });
+          const key = `${cube} ${n}`, place = { class: `cube-${cube}`, transform: `translate(0 ${n * rise})` };
+          const group = layers.get(key) ?? element("g", place);
           layers.set(key, group);
           element("path", { class: face, d: outline }, group);
           element("path", { class: "grid", d: grid }, group);
         }
       svg.replaceChildren(...layers.values());
-      const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + APART + 2), high = tallest(sides, box.checked, widest + APART);
+      const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + APART + 2);
+      const high = tallest(sides, box.checked, widest + APART);
       set(svg, { viewBox: `${x + (width - room) / 2} ${y + (height - high) / 2} ${room} ${high}` });
     }
     slider.ariaValueText = fill(words.degrees, { angle: slider.value });

@@ -1,6 +1,6 @@
 // The head of a slider: its symbol, its meaning, and a box that shows the value in full and takes any number or fraction.
-// The slider is the only holder of the value. The box shows what the slider holds, also while it moves, and hands a typed
-// text to the server as one message; it sends no value of its own. The address follows slider and server where they agree.
+// Only the slider holds the value. The box shows the slider's value, also while the thumb moves. It sends a typed text to the
+// server as one message, and no value of its own. The address is written where slider and server agree.
 
 import { bus } from "./bus.js";
 import { observe } from "./lasting.js";
@@ -45,7 +45,8 @@ export default function (component, signal) {
   }, { signal });
   return () => {
     const { symbol, unit, meaning, label, longest } = component.data;
-    for (const [selector, text] of [[".symbol", symbol], [".unit", `[${unit}]`], ["small", meaning]]) root.querySelector(selector).textContent = text;
+    const texts = { ".symbol": symbol, ".unit": `[${unit}]`, small: meaning };
+    for (const [selector, text] of Object.entries(texts)) root.querySelector(selector).textContent = text;
     Object.assign(box, { maxLength: longest, ariaLabel: label });
     show();
   };

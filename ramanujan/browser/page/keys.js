@@ -1,5 +1,5 @@
-// The arrow keys of a lecture: after a click on a choice they go back to the page, where they turn the steps. Without
-// this the clicked choice keeps them, as it must for people who choose by keyboard.
+// Gives the arrow keys back to the page after a click on a choice, so that they turn the steps of a lecture again. Somebody
+// who chooses by keyboard needs the arrow keys at the choice, so there they stay.
 
 export default function ({ data }, signal) {
   const giveBack = (event) => {

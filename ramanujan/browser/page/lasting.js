@@ -1,4 +1,4 @@
-// What lasts until a signal aborts: observers of the page, and what waits until things have come to rest.
+// Observers and timers that end when a signal aborts.
 
 /** Call a function after every change of a node. */
 export function observe(node, options, look, signal) {
@@ -7,7 +7,7 @@ export function observe(node, options, look, signal) {
   signal.addEventListener("abort", () => observer.disconnect());
 }
 
-/** Return a function that has another one called, so many ms after it was called last; `cancel` takes that back. */
+/** Return a debounced function: `act` runs when it has not been called for so many ms. `cancel` drops the pending call. */
 export function atRest(ms, act, signal) {
   let timer = 0;
   const cancel = () => clearTimeout(timer);

@@ -1,4 +1,4 @@
-// What every page has lives in this one element.
+// Mounts the services that every page needs.
 
 import arrival from "./arrival.js";
 import connection from "./connection.js";
@@ -12,7 +12,7 @@ import voice from "./voice.js";
 const forever = new AbortController().signal;
 const REST = 10_000; // ms without a change after which a page is drawn
 
-// A figure is drawn as wide as the page on the screen, and on paper it must be as wide as the paper (A4: 180 mm).
+// On the screen a figure is as wide as the page. For printing it is scaled to the width of the paper (A4: 180 mm).
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
 window.addEventListener("beforeprint", fitPaper);
 dom.keepOneEntry();

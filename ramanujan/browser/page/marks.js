@@ -16,7 +16,8 @@ export function area(graph) {
 /** Put the i-th mark of a name on a graph, at shares of the width and the height of its panels; beside them it is hidden. */
 export function draw(graph, name, i, x, y) {
   const { left, top, width, height } = area(graph);
-  const node = graph.querySelectorAll(`.${name}`)[i] ?? graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
+  const made = () => graph.appendChild(Object.assign(document.createElement("i"), { className: name }));
+  const node = graph.querySelectorAll(`.${name}`)[i] ?? made();
   node.hidden = !(x >= 0 && x <= 1 && y >= 0 && y <= 1);
   Object.assign(node.style, { left: `${left + x * width}px`, top: `${top + (1 - y) * height}px` });
   return node;

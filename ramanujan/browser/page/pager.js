@@ -17,7 +17,7 @@ const asked = () => new URLSearchParams(location.search).get("sheet");
 const indexOf = (name, sheets) => sheets.findIndex((sheet) => sheet.name === name);
 const see = (now, sheets) => sheets.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
 
-// Where the address asks for a projector, library.js loads this file first of all: until there is a pager, one sheet is seen, too.
+// Where the address asks for a projector, library.js loads this file first. So one sheet is seen before there is a pager.
 const soon = new AbortController();
 const seeAsked = (sheets = dom.sheets()) => see(asked() ? indexOf(asked(), sheets) : 0, sheets);
 project(true);
@@ -54,36 +54,45 @@ class Pager {
     });
   }
 
-  /** Take in the page's sheets where they have changed: while Streamlit draws the page, any of them may come first. The sheet
-   * that was asked for stays, and without one the first; a new page begins where its address says. As long as a sheet has no
-   * title, more of them may come. */
+  /** Take in the page's sheets. Streamlit draws them one after another, so this runs after every change of the page. */
   look() {
-    const sheets = dom.sheets(), known = ({ node, title }, i) => node === this.sheets[i].node && title === this.sheets[i].title;
-    if (sheets.length === this.sheets.length && sheets.every((sheet, i) => known(sheet, i) && sheet.node.hasAttribute(AWAY) === (i !== this.now))) return;
-    const turned = page && page !== location.pathname;
+    const isNewPage = page && page !== location.pathname, before = this.now;
     page = location.pathname;
-    if (turned) this.wanted = null;
-    this.sheets = sheets;
-    const title = (sheet, i) => new Option(fill(this.component.data.place, { now: i + 1, count: sheets.length, title: sheet.title }));
-    this.list.replaceChildren(...sheets.map(title));
-    const found = indexOf(this.wanted, sheets), waits = this.wanted && sheets.some((sheet) => !sheet.title);
-    this.show(waits ? found : Math.max(found, 0), turned);
+    if (isNewPage) this.wanted = null;
+    this.sheets = dom.sheets();
+    this.listTitles();
+    this.show(this.place());
+    if (isNewPage) this.tell();
+    else if (this.now !== before) this.tell.cancel();
   }
 
-  show(now, tell = true) {
+  /** The index of the sheet that was asked for, else of the first. While a sheet has no title, more sheets may come. */
+  place() {
+    const found = indexOf(this.wanted, this.sheets), mayCome = this.wanted && this.sheets.some(({ title }) => !title);
+    return mayCome ? found : Math.max(found, 0);
+  }
+
+  listTitles() {
+    const count = this.sheets.length;
+    const titles = this.sheets.map(({ title }, i) => fill(this.component.data.place, { now: i + 1, count, title }));
+    if (titles.join() === this.titles) return;
+    this.titles = titles.join();
+    this.list.replaceChildren(...titles.map((title) => new Option(title)));
+  }
+
+  show(now) {
     this.now = now;
     see(now, this.sheets);
     this.list.selectedIndex = now;
     this.back.disabled = now <= 0;
     this.next.disabled = now >= this.sheets.length - 1;
-    if (tell) this.tell();
-    else this.tell.cancel();
   }
 
   turn(by) {
     if (!this.sheets[this.now + by]) return false;
     this.wanted = this.sheets[this.now + by].name;
     this.show(this.now + by);
+    this.tell();
     return true;
   }
 

@@ -1,5 +1,5 @@
-// A click on a point of a figure, as one message for each click: Streamlit reports a selection, and a second click on the
-// same point changes none.
+// Sends one message for each click on a point of a figure. Streamlit reports selections, and a second click on the same point
+// changes no selection.
 
 import { dom } from "./streamlit_dom.js";
 

@@ -1,4 +1,4 @@
-// Carries news from Python to the bus: topics and their values. It has no content of its own, and is forgotten with its page.
+// Publishes on the bus what Python sends: topics and their values. When the element leaves the page, the bus forgets them.
 
 import { bus } from "./bus.js";
 

@@ -1,5 +1,5 @@
-// What is wider than its place scrolls by itself: a formula, a table. Such a box must take the focus, or nobody could move
-// it by key. Boxes come, go and change their width with the page, so that the page is observed.
+// A wide formula or table scrolls in a box of its own. Such a box must take the focus, or nobody could scroll it by keyboard.
+// Boxes come, go and change their width with the page, so this file observes the page.
 
 import { atRest, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";

@@ -17,7 +17,8 @@ export const fixed = (value, places) => {
 export const number = (value, precision = 2) => {
   if (!value) return "0";
   const [mantissa, exponent] = Math.abs(value).toExponential(precision - 1).split("e"), power = Number(exponent);
-  if (power >= -4 && power < 6) return fixed(Number(`${value < 0 ? "-" : ""}${mantissa}e${power}`), Math.max(precision - 1 - power, 0));
+  const rounded = Number(`${value < 0 ? "-" : ""}${mantissa}e${power}`);
+  if (power >= -4 && power < 6) return fixed(rounded, Math.max(precision - 1 - power, 0));
   const raised = [...String(power)].map((digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit] ?? "⁻").join("");
   const size = String(Number(mantissa));
   return `${value < 0 ? "−" : ""}${size === "1" ? "" : `${size}×`}10${raised}`;

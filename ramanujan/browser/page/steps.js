@@ -1,5 +1,5 @@
-// The steps of a lecture, turned on the page itself: all of them are there, and one is shown. No press waits for the server,
-// which is told afterwards where the lecture has come to, so that the address holds the place.
+// Turns the steps of a lecture in the browser: all steps are on the page, and one of them is visible. No key press waits for
+// the server. The server hears afterwards which step is shown, and writes it into the address.
 
 import { atRest } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";

@@ -19,7 +19,8 @@ export default function ({ data: { stage, slider, ratio, openings, rest, pace, s
   let before = 0; // how far the story was a frame ago
   const goal = () => ratio * machine.m;
   found ||= marked;
-  const still = ({ label, turns }) => `<li><svg viewBox="-56 -56 112 112" aria-hidden="true"><circle r="52" /><line y2="-38" class="plain" />
+  const still = ({ label, turns }) => `<li>
+    <svg viewBox="-56 -56 112 112" aria-hidden="true"><circle r="52" /><line y2="-38" class="plain" />
     <line y2="-48" transform="rotate(${360 * turns})" /></svg>${label}</li>`;
   find("ol").innerHTML = told.map(still).join("");
 

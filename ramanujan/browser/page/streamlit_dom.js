@@ -6,6 +6,8 @@ import { observe } from "./lasting.js";
 
 const left = new WeakMap(); // what the server told → the slider whose thumb a hand has dragged away from it
 
+const SAVE = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
+
 export const dom = {
   /** The input of the Streamlit slider with this key; its value follows the thumb while that is dragged. */
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
@@ -55,7 +57,10 @@ export const dom = {
     return Boolean(style);
   },
 
-  /** Let the address say of a slider what it shows, unless that is its default. Streamlit's server writes there the whole of an address, which can be older than the slider. */
+  /**
+   * Write a slider's value into the address, unless it is the default. Streamlit's server always writes a whole address, which
+   * can be older than the slider.
+   */
   writeAddress(key, value, byDefault) {
     const url = new URL(location.href), said = url.searchParams.get(key);
     if (value === byDefault ? said === null : Number(said) === value && said !== null) return;
@@ -81,12 +86,14 @@ export const dom = {
 
   /** Tell a listener, at every change, whether the page can reach its server. */
   watchConnection(listener, signal) {
-    const app = document.querySelector("[data-testid=stApp]"), tell = () => listener(app.dataset.testConnectionState === "CONNECTED");
+    const app = document.querySelector("[data-testid=stApp]");
+    const tell = () => listener(app.dataset.testConnectionState === "CONNECTED");
     if (app) observe(app, { attributeFilter: ["data-test-connection-state"] }, tell, signal);
   },
 
   /** A colour of the theme, as Streamlit gives it to a component. */
-  color: (parentElement, name) => getComputedStyle(parentElement.host ?? parentElement).getPropertyValue(`--st-${name}-color`).trim(),
+  color: (parentElement, name) =>
+    getComputedStyle(parentElement.host ?? parentElement).getPropertyValue(`--st-${name}-color`).trim(),
 
   /** Whether a component's theme is light or dark. */
   theme: (parentElement) => getComputedStyle(parentElement.host ?? parentElement).colorScheme.match(/^(light|dark)$/)?.[0],
@@ -114,7 +121,7 @@ export const dom = {
 
   /** Plotly's button saves a graph in one format, SVG: put another beside it, for PNG. */
   offerFormats(graph) {
-    const svg = graph.querySelector(".modebar-group:first-child > .modebar-btn:first-child");
+    const svg = graph.querySelector(SAVE);
     if (!svg || svg.nextSibling?.textContent) return;
     const png = svg.cloneNode(true);
     png.addEventListener("click", () => {
@@ -143,8 +150,10 @@ export const dom = {
   isPanel: (node) => node.matches?.(".nsewdrag") ?? false,
 
   /** What needs the arrow and page keys for itself when it has the focus, and what needs the space bar. */
-  TAKES_KEYS: "input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *, [data-scrolls], .stage",
-  TAKES_SPACE: "input, textarea, select, button, summary, a[href], [contenteditable=true], [role=slider], [role=radio], [role=tab], [role=button], [role=option], .stage",
+  TAKES_KEYS: `input:not([type=button], [type=checkbox]), textarea, select, [contenteditable=true], .stage, [data-scrolls],
+    [role=slider], [role=radio], [role=tab], [role=listbox], [role=option], [role=toolbar] *`,
+  TAKES_SPACE: `input, textarea, select, button, summary, a[href], [contenteditable=true], .stage, [role=slider], [role=radio],
+    [role=tab], [role=button], [role=option]`,
 
   /** What may be wider than its place: formulas, paragraphs with formulas, tables and their boxes. */
   boxes: () => [...document.querySelectorAll(".stMarkdown :is(.katex-display, table, p:has(.katex)), [class*='st-key-table_']")],
@@ -189,8 +198,10 @@ export const dom = {
   isPageLink: (node) => Boolean(node.closest?.("[data-testid=stSidebarNavLink], [data-testid=stPageLink] a")),
 
   /** Bring the name of the present page into view in the bar of pages. */
-  showPresentPage: () =>
-    document.querySelector("[data-testid=stSidebarNavLink][aria-current=page]")?.scrollIntoView({ block: "nearest", inline: "center" }),
+  showPresentPage() {
+    const link = document.querySelector("[data-testid=stSidebarNavLink][aria-current=page]");
+    link?.scrollIntoView({ block: "nearest", inline: "center" });
+  },
 
   /** Whether a node belongs to the part of a Streamlit slider that answers to the pointer. */
   isSliderTrack: (node) => Boolean(node.closest?.("[data-testid=stSlider] [role=group]")),
@@ -212,7 +223,10 @@ export const ASSUMPTIONS = {
     "a finger on a slider scrolls the page, unless it moves sideways",
     () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
   ],
-  "stApp tells the state of the connection": ["the notice that the page reconnects", () => one("[data-testid=stApp][data-test-connection-state]")],
+  "stApp tells the state of the connection": [
+    "the notice that the page reconnects",
+    () => one("[data-testid=stApp][data-test-connection-state]"),
+  ],
   "a component has the colour scheme of the page": [
     "figures follow a switch of the theme",
     () => each("[data-testid=stBidiComponentIsolated]", (node) => dom.theme(node.shadowRoot)),
@@ -221,8 +235,14 @@ export const ASSUMPTIONS = {
     "the machine is brought into view, figures fit on paper",
     () => dom.main()?.matches("main") === true && one(".stMainBlockContainer > *"),
   ],
-  "there is one header above main": ["a phone's bar of pages, what stands around a projector's sheet", () => document.querySelectorAll("header").length === 1],
-  "the sidebar stSidebar contains the controls": ["the sheet of a phone, the printed page", () => one(".stSidebar [data-testid=stSidebarUserContent] .st-key-controls")],
+  "there is one header above main": [
+    "a phone's bar of pages, what stands around a projector's sheet",
+    () => document.querySelectorAll("header").length === 1,
+  ],
+  "the sidebar stSidebar contains the controls": [
+    "the sheet of a phone, the printed page",
+    () => one(".stSidebar [data-testid=stSidebarUserContent] .st-key-controls"),
+  ],
   "the sidebar's links are a list in a nav, and the present page is marked": [
     "the bar of pages of a phone",
     () => each(".stSidebar nav", (nav) => nav.querySelector("ul a[data-testid=stSidebarNavLink][aria-current=page]")),
@@ -237,11 +257,15 @@ export const ASSUMPTIONS = {
   ],
   "the first button over a graph saves it, in the format of its options": [
     "a figure as SVG and as PNG",
-    () => each(".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child", (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
+    () => each(SAVE, (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
   ],
   "a rectangle of the class nsewdrag covers each panel of a graph": [
     "where ring and time cursor are drawn",
-    () => each(".js-plotly-plot:has(.xaxislayer-above > *)", (graph) => dom.panels(graph).length && dom.graphOf(dom.panels(graph)[0]) === graph),
+    () =>
+      each(".js-plotly-plot:has(.xaxislayer-above > *)", (graph) => {
+        const [panel] = dom.panels(graph);
+        return panel && dom.graphOf(panel) === graph;
+      }),
   ],
 };
 

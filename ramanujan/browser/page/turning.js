@@ -14,7 +14,7 @@ const KEYS = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
 export class Turner {
   now = 0;
 
-  /** `moves`: the event of the slider that turns; `turns(event, by)`: whether a key may turn so far; `turned(to)` hears of it. */
+  /** `moves`: the slider's event that turns; `turns(event, by)`: whether a key may turn that far; `turned(to)` hears of it. */
   constructor(component, signal, { moves, turns, turned }) {
     const root = component.parentElement;
     Object.assign(this, { component, turned, slider: root.querySelector("input"), output: root.querySelector("output") });
@@ -44,7 +44,8 @@ export class Turner {
   show(now) {
     const { headings, place } = this.component.data, count = headings.length;
     this.now = now;
-    Object.assign(this.slider, { max: count, value: now, ariaValueText: fill(place, { now, count, heading: headings[now - 1] }) });
+    const ariaValueText = fill(place, { now, count, heading: headings[now - 1] });
+    Object.assign(this.slider, { max: count, value: now, ariaValueText });
     this.output.textContent = `${now}/${count}`;
     const [back, next] = this.buttons;
     back.ariaDisabled = now === 1;

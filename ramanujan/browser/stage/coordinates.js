@@ -85,7 +85,10 @@ function sharedMarks(moved, g) {
   };
 }
 
-const LABELS = { X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R", slab_label: WORDS.deformation, shared_label: WORDS.each };
+const LABELS = {
+  X_label: "X", hoop_label: "φ", cylinder_label: "φ", top_label: "Φ", x0_label: "x₀", R_label: "R",
+  slab_label: WORDS.deformation, shared_label: WORDS.each,
+};
 
 /** Draw the marks under a node, which keeps them. */
 export const drawCoordinates = (root, known, place, shift) =>

@@ -63,7 +63,10 @@ export function makeDial(root) {
     put(find, {
       ".hand.machine": { transform: `rotate(${degrees(phase)})` },
       ".hand.plain": { transform: `rotate(${degrees(plainPhase)})` },
-      ".lead": { transform: `rotate(${degrees(between > 0 ? plainPhase : phase) - 90})`, "stroke-dasharray": `${Math.abs(between)} 1` },
+      ".lead": {
+        transform: `rotate(${degrees(between > 0 ? plainPhase : phase) - 90})`,
+        "stroke-dasharray": `${Math.abs(between)} 1`,
+      },
     });
     if (running) write(find(".verdict"), lead(playback));
   }

@@ -101,7 +101,8 @@ const ASIDE = 1.1; // cm, how far beside the surface a friction force is drawn, 
  * opposite and equal. `forces` lie along the floor, `weights` upright.
  */
 export function forcesOn(known, g, shift) {
-  const over = moved(known, shift), beside = 0.22 * g.R, weights = mapValues(FORMULAS.weight, (weight) => weight(known)), forces = {}, upright = {};
+  const over = moved(known, shift), beside = 0.22 * g.R, forces = {}, upright = {};
+  const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
   for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
     const other = contact.split("_")[1], x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
     const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
@@ -114,10 +115,14 @@ export function forcesOn(known, g, shift) {
   forces["spring slab"] = ["slab", g.slab.right + over.slab, along, FORMULAS.spring_force.slab(known)];
   forces["spring block"] = ["block", g.riser + over.block, along, FORMULAS.spring_force.block(known)];
   // Beside the line of a roller's normal forces, which would hide its weight.
-  for (const [name, [x, y]] of Object.entries(g.home)) upright[`weight ${name}`] = [name, x + over[name] + (ROLLERS.includes(name) ? beside : 0), y, -weights[name]];
+  for (const [name, [x, y]] of Object.entries(g.home)) {
+    const aside = ROLLERS.includes(name) ? beside : 0;
+    upright[`weight ${name}`] = [name, x + over[name] + aside, y, -weights[name]];
+  }
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
   const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.home[name][1] / CM]));
-  upright["floor block"] = ["block", centreOfMass(known, g, shift) + FORMULAS.floor_lever({ ...known, ...heights }) * CM, 0, total];
+  const lever = FORMULAS.floor_lever({ ...known, ...heights }) * CM;
+  upright["floor block"] = ["block", centreOfMass(known, g, shift) + lever, 0, total];
   return { forces, weights: upright };
 }
 
@@ -138,13 +143,17 @@ export const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 export const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
 
 /**
- * The way along an ellipse, between angles that count clockwise from the top: curves of Bézier, 0.03 % beside it, since TikZ draws
- * an arc of SVG with too few digits.
+ * The path along an ellipse between two angles, counted clockwise from the top. It consists of Bézier curves, at most 0.03 % off
+ * the ellipse, because TikZ draws an SVG arc with too few digits.
  */
 export function arc(x, y, across, upright, from, to) {
   const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces, k = (4 / 3) * Math.tan(step / 4);
-  const at = (angle, ahead) => `${x + across * (Math.sin(angle) + ahead * k * Math.cos(angle))} ${y - upright * (Math.cos(angle) - ahead * k * Math.sin(angle))}`;
-  return Array.from({ length: pieces }, (_, i) => `C${at(from + i * step, 1)} ${at(from + (i + 1) * step, -1)} ${at(from + (i + 1) * step, 0)}`).join("");
+  const at = (angle, ahead) => {
+    const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+    return `${x + across * (sin + ahead * k * cos)} ${y - upright * (cos - ahead * k * sin)}`;
+  };
+  const piece = (start) => `C${at(start, 1)} ${at(start + step, -1)} ${at(start + step, 0)}`;
+  return Array.from({ length: pieces }, (_, i) => piece(from + i * step)).join("");
 }
 
 /** A roller's outline, the line that shows how it has turned, and what is inlaid in it so that its turning is seen from afar. */

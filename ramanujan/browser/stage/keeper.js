@@ -1,5 +1,5 @@
-// What the address keeps of the stages on one clock, so that a link shows the same picture: layers, speed, from where it is seen,
-// and where it is paused. shell/stages.py has the names and what they may say.
+// Keeps in the address what is seen of the stages on one clock, so that a link shows the same picture: layers, speed, the view
+// from ground or block, and the moment of a pause. shell/stages.py has the names and their values.
 
 import { atRest } from "../page/lasting.js";
 import { finder } from "./parts.js";
@@ -20,8 +20,12 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
 
   function write() {
     const url = new URL(location.href), { clock, layers } = stage;
-    const keep = (key, value, byDefault) => (value === byDefault ? url.searchParams.delete(prefix + key) : url.searchParams.set(prefix + key, value));
-    const turns = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]).map((angle) => Number((angle / TURN).toFixed(6)));
+    const keep = (key, value, byDefault) => {
+      if (value === byDefault) url.searchParams.delete(prefix + key);
+      else url.searchParams.set(prefix + key, value);
+    };
+    const angles = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]);
+    const turns = angles.map((angle) => Number((angle / TURN).toFixed(6)));
     if (!compact) keep("layers", [...layers].sort().join() || "none", [...shownAtFirst].sort().join() || "none");
     keep("speed", clock.speed, 1);
     keep("from", clock.seenFrom, "ground");
@@ -32,7 +36,10 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
   const soon = atRest(PAUSE, write, signal);
   return {
     /** What the address says of the clock. */
-    clock: () => ({ speed: SPEEDS.find((speed) => String(speed) === said("speed")) ?? 1, seenFrom: said("from") === "block" ? "block" : "ground" }),
+    clock: () => ({
+      speed: SPEEDS.find((speed) => String(speed) === said("speed")) ?? 1,
+      seenFrom: said("from") === "block" ? "block" : "ground",
+    }),
     /** The layers that it names, or none. */
     layers: () => said("layers")?.split(",").filter((name) => /^\w+$/.test(name) && finder(stage.root)(`[data-layer=${name}]`)),
     /** Both phases of this stage where it is paused, or none. */

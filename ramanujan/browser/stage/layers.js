@@ -4,7 +4,8 @@
 import { fill, fixed, number, withUnit } from "../page/sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, moved, rimTrace, roundBelow, standing, velocityArrow,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, moved, rimTrace, roundBelow, standing,
+  velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { mapValues, onePeriod } from "./motion.js";
@@ -53,11 +54,14 @@ export function makeLayers(root) {
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
     const force = largest((known) => newtons(forcesOn(known, place, 0).forces));
     // The normal forces of a lower roller point at each other, and must not meet.
-    const pair = largest((known) => ["hoop", "cylinder"].map((name) => FORMULAS.normal_force[`${name}_slab`](known) + FORMULAS.normal_force[`${name}_block`](known)));
+    const normal = (contact, known) => FORMULAS.normal_force[contact](known);
+    const onRoller = (name, known) => normal(`${name}_slab`, known) + normal(`${name}_block`, known);
+    const pair = largest((known) => ["hoop", "cylinder"].map((name) => onRoller(name, known)));
     const load = largest((known) => ROLLERS.map((name) => FORMULAS.normal_force[`${name}_block`](known)));
     const total = largest((known) => newtons(forcesOn(known, place, 0).weights));
     peak = { speed, force, weight: pair / 2 };
-    per = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight: Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total) };
+    const weight = Math.min((1.9 * place.R) / pair, place.deck / load, (0.7 * place.view.top) / total);
+    per = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight };
   }
 
   /** An arrow of each kind of a round size, with its value: without it lengths would mean nothing. */

@@ -5,7 +5,8 @@ import { FORMULAS } from "./formulas.js";
 export const TURN = 2 * Math.PI;
 const COORDINATES = ["X", "phi", "Phi"];
 
-export const mapValues = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
+export const mapValues = (object, change) =>
+  Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
 export const clamp = (value, least, most) => Math.min(most, Math.max(least, value));
 
 /** Ω, √(k/m), Ω²m/k, a + b·t + c·cos Ωt + d·sin Ωt for each coordinate, and the velocity of the centre of mass. */

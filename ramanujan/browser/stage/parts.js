@@ -1,5 +1,5 @@
-// The parts of a stage that can be hidden, until a reader has made a prediction or by a lecturer's link. What is hidden leaves
-// the page: neither the eye nor a screen reader nor a look into the document finds it.
+// Hides parts of a stage: until a reader has made a prediction, or because a lecturer's link asks for it. A hidden part leaves
+// the page, so that neither eye nor screen reader nor a look into the document finds it.
 
 const SAID = ".verdict, .parting"; // what is said of the clocks, in numbers
 

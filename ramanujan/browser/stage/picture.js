@@ -113,8 +113,10 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
       const ghost = moving.cloneNode(true);
       set(ghost, { class: "ghost" });
       for (const node of ghost.querySelectorAll("text, title, .grip, .handle")) node.remove();
-      for (const node of ghost.querySelectorAll("*"))
-        for (const name of node.getAttributeNames()) if (name === "tabindex" || name === "role" || name.startsWith("aria-")) node.removeAttribute(name);
+      for (const node of ghost.querySelectorAll("*")) {
+        const said = node.getAttributeNames().filter((name) => /^(tabindex$|role$|aria-)/.test(name));
+        for (const name of said) node.removeAttribute(name);
+      }
       put(finder(ghost), placed(known, place));
       return ghost;
     }));

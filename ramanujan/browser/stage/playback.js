@@ -1,4 +1,4 @@
-// Where a machine is on its way: the two phases, what is left of a jump, and where the way ends. Pure, without a page.
+// The playback of one machine: both phases, the rest of a jump that still fades, and where the motion ends. Pure; needs no page.
 
 import { FORMULAS } from "./formulas.js";
 import { TURN, mapValues, sampleAt, stateAt } from "./motion.js";
@@ -15,7 +15,10 @@ export class Playback {
   offset = NO_OFFSET;
   exit = null; // the phase at which the machine has left its place, if somebody has gone beyond it
 
-  /** Take a machine: its parameters, its solution, samples in place of the exact motion, what tells that it has left, and from where it is seen. */
+  /**
+   * Take a machine: its parameters, its solution, samples in place of the exact motion, what tells that it has left, and from
+   * where it is seen.
+   */
   take({ parameters, solution, samples, leaves, seenFrom }) {
     const ratio = this.solution && this.solution.Omega / this.solution.plain;
     Object.assign(this, { parameters, solution, samples, leaves, seenFrom });

@@ -5,8 +5,8 @@ import { element, set } from "./svg.js";
 import { LIGHT } from "./texts.js";
 
 const LOOKS = [
-  "fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "opacity",
-  "font-family", "font-size", "font-style", "text-anchor", "dominant-baseline", "paint-order",
+  "fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
+  "opacity", "font-family", "font-size", "font-style", "text-anchor", "dominant-baseline", "paint-order",
 ];
 const WIDE = 2400; // pixels of a PNG
 const TIKZ_WIDE = 330; // pt, for a slide or a page
@@ -38,12 +38,14 @@ function standalone(svg) {
     looks["stroke-width"] = parseFloat(looks["stroke-width"]) * lines;
     looks["stroke-dasharray"] = looks["stroke-dasharray"].replace(/[\d.]+(px)?/g, (length) => parseFloat(length) * lines);
     looks["font-family"] = looks["font-family"].replaceAll('"', "'");
-    for (const { name } of [...node.attributes]) if (/^(class|style|role|tabindex|aria-.*|data-.*)$/.test(name)) copies[i].removeAttribute(name);
+    const ofThisPage = node.getAttributeNames().filter((name) => /^(class|style|role|tabindex|aria-.*|data-.*)$/.test(name));
+    for (const name of ofThisPage) copies[i].removeAttribute(name);
     set(copies[i], looks);
   });
   for (const node of gone) node.remove();
   for (const { name } of [...copy.attributes]) copy.removeAttribute(name);
-  set(copy, { xmlns: "http://www.w3.org/2000/svg", viewBox: `${x} ${y} ${width} ${height}`, width: WIDE, height: Math.round((WIDE * height) / width) });
+  const size = { width: WIDE, height: Math.round((WIDE * height) / width) };
+  set(copy, { xmlns: "http://www.w3.org/2000/svg", viewBox: `${x} ${y} ${width} ${height}`, ...size });
   copy.prepend(element("rect", { x, y, width, height, fill: LIGHT["--st-background-color"] }));
   return copy;
 }
@@ -62,7 +64,10 @@ async function rasterized(svg) {
 
 // ---- TikZ
 
-const SYMBOLS = { "φ̇": "\\dot\\varphi ", φ: "\\varphi ", Φ: "\\Phi ", "′": "'", "₀": "_0", "\u202f": "\\,", "−": "$-$", "√": "$\\surd$", "↔": "$\\leftrightarrow$" };
+const SYMBOLS = {
+  "φ̇": "\\dot\\varphi ", φ: "\\varphi ", Φ: "\\Phi ", "′": "'", "₀": "_0", "\u202f": "\\,", "−": "$-$", "√": "$\\surd$",
+  "↔": "$\\leftrightarrow$",
+};
 const inTex = (text) => text.replace(/φ̇|[φΦ′₀\u202f−√↔]/g, (symbol) => SYMBOLS[symbol]);
 const colourOf = (value) => (value.match(/^rgba?\((\d+), (\d+), (\d+)/) ?? []).slice(1);
 const tikzColour = (value) => ((([r, g, b]) => r && `{rgb,255:red,${r};green,${g};blue,${b}}`)(colourOf(value)));
@@ -87,7 +92,12 @@ function tikz(svg, { x, y, width, height }) {
     return options.length ? [`  \\path[${cm}, ${options.join(", ")}] ${outline(node)};`] : [];
   });
   const scale = rounded(TIKZ_WIDE / width);
-  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}\n\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}, line join=round]\n  \\clip (0pt,0pt) rectangle (${rounded(width)}pt,${rounded(height)}pt);\n${lines.join("\n")}\n\\end{tikzpicture}\n`;
+  return `% Needs \\usepackage{tikz} and \\usetikzlibrary{svg.path}
+\\begin{tikzpicture}[xscale=${scale}, yscale=-${scale}, line join=round]
+  \\clip (0pt,0pt) rectangle (${rounded(width)}pt,${rounded(height)}pt);
+${lines.join("\n")}
+\\end{tikzpicture}
+`;
 }
 
 function outline(node) {
@@ -104,7 +114,8 @@ function label(node, style, cm) {
   // A letter upon a line has a rim of paper.
   const rim = style.paintOrder === "stroke" ? `fill=${tikzColour(style.stroke)}, fill opacity=0.6, text opacity=1, ` : "";
   const text = style.fontStyle === "italic" ? `$${inTex(node.textContent)}$` : inTex(node.textContent);
-  return `  \\begin{scope}[${cm}]\\node[anchor=${anchor}, ${rim}inner sep=1pt, text=${tikzColour(style.fill)}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
+  const looks = `anchor=${anchor}, ${rim}inner sep=1pt, text=${tikzColour(style.fill)}`;
+  return `  \\begin{scope}[${cm}]\\node[${looks}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
 }
 
 // ----
@@ -113,7 +124,12 @@ function label(node, style, cm) {
 export async function save(root, kind) {
   const [svg, host] = [root.querySelector("svg.machine"), root.querySelector(".stage")];
   const content = inLight(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : standalone(svg)));
-  const file = kind === "png" ? await rasterized(content) : new Blob([kind === "svg" ? textOf(content) : content], { type: kind === "svg" ? "image/svg+xml" : "text/plain" });
+  const files = {
+    svg: () => new Blob([textOf(content)], { type: "image/svg+xml" }),
+    png: () => rasterized(content),
+    tex: () => new Blob([content], { type: "text/plain" }),
+  };
+  const file = await files[kind]();
   const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: `${FILE}.${kind}` });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);

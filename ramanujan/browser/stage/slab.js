@@ -31,8 +31,8 @@ function keyed(key, compression, [least, most]) {
 }
 
 /**
- * A hand on the slab, and how the last x₀ is had back. It holds the slab from the first move of a pointer or the first key until
- * it lets go or gives up; `hand.isHolding` says which it is.
+ * Drags the slab, and undoes the last drag. A drag lasts from the first move of a pointer, or the first key, until it ends or
+ * is cancelled. `hand.isHolding` is true while it lasts.
  */
 export class Slab {
   grip = null; // { id, x, from, deformation, slack } of the pointer that is down; `from` as soon as it drags
@@ -76,7 +76,8 @@ export class Slab {
       this.soon.cancel();
       // Where the slab swings beyond its bounds, it is taken where it is.
       const deformation = FORMULAS.deformation({ ...parameters, ...playback.now() });
-      Object.assign(grip, { from: picture.toMetres(grip.x), deformation, slack: Math.abs(deformation - clamp(deformation, ...limits)) });
+      const slack = Math.abs(deformation - clamp(deformation, ...limits));
+      Object.assign(grip, { from: picture.toMetres(grip.x), deformation, slack });
     }
     this.compress(grip.deformation + picture.toMetres(clientX) - grip.from, grip.slack);
   }
@@ -116,7 +117,8 @@ export class Slab {
       playback.reset();
     });
     const [least, most, value] = [...limits, this.value].map(centimetres);
-    voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.held, { value: withUnit(number(this.value * CM, 3), "cm") }));
+    const held = withUnit(number(this.value * CM, 3), "cm");
+    voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.held, { value: held }));
   }
 
   letGo() {

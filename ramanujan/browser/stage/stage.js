@@ -1,5 +1,5 @@
-// The machine on the page, put together: clock, playback, picture, hand and words. All physics is in formulas.js, which SymPy
-// prints; texts.js holds the words. The contract with Python is in __init__.py.
+// The stage: joins clock, playback, picture, hand and words. All physics is in formulas.js, which SymPy prints; texts.js holds
+// the words. __init__.py states the contract with Python.
 
 import { bus } from "../page/bus.js";
 import { observe } from "../page/lasting.js";

@@ -1,7 +1,7 @@
-// The hand on the machine: a slider of the sidebar, or the slab. Streamlit's sliders own the values, so this file keeps none.
-// The server's value counts as long as its slider shows it, rounded to a step; where the slider shows another, a hand has set
-// it there, and the server is still to answer. A hand on the slab moves the slider of x₀ along; when it lets go, that slider
-// sends its value as after a key stroke, or as soon as the server is there again.
+// Reads what a person sets by hand, with a slider of the sidebar or by the slab. Streamlit's sliders own the values; this file
+// stores none. The server's value counts as long as its slider shows it, rounded to a step. If the slider shows another value,
+// a person has moved it, and the server has not answered yet. A drag of the slab moves the slider of x₀ along. When the drag
+// ends, that slider sends its value as after a key stroke, or as soon as the server is back.
 
 import { bus } from "../page/bus.js";
 import { dom } from "../page/streamlit_dom.js";
