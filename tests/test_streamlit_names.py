@@ -1,24 +1,34 @@
-"""Every name of Streamlit's own that our style rules and scripts use is in the scripts of Streamlit's page."""
+"""Every name of Streamlit's own that the app uses is known to Streamlit, and stands where upgrading.md says."""
 
 import re
+from dataclasses import fields
 from pathlib import Path
 
 import streamlit
+from streamlit.runtime.scriptrunner_utils.script_run_context import ScriptRunContext
 
 from tests.browser import ROOT
 
 _NAME = re.compile(r"data-testid[$^]?=\W?(st\w+)|\.(st[A-Z]\w+)")
+_INSIDE = re.compile(r"^from streamlit\.(?:proto|runtime)\b", re.MULTILINE)
+_TABLE_ROW = re.compile(r"^\| `([\w/.]+)` \|", re.MULTILINE)
+SOURCES = {
+    str(path.relative_to(ROOT / "ramanujan")): path.read_text(encoding="utf-8")
+    for path in (ROOT / "ramanujan").rglob("*")
+    if path.suffix in {".py", ".js", ".css", ".html"}
+}
 
 
 def test_every_name_is_known_to_streamlit_s_page():
-    page = ROOT / "ramanujan" / "browser" / "page"
-    used = {
-        first or second
-        for path in (*page.glob("*.css"), *page.glob("*.js"))
-        for first, second in _NAME.findall(path.read_text(encoding="utf-8"))
-    }
+    used = {first or second for text in SOURCES.values() for first, second in _NAME.findall(text)}
     assert len(used) > 10
     scripts = (Path(streamlit.__file__).parent / "static" / "static" / "js").glob("*.js")
     known = "".join(path.read_text(encoding="utf-8") for path in scripts)
     # Some names are the beginning of a whole family.
     assert [name for name in sorted(used) if name not in known] == []
+    assert "is_history_navigation" in {field.name for field in fields(ScriptRunContext)}
+
+
+def test_the_names_stand_in_the_files_that_upgrading_lists():
+    listed = _TABLE_ROW.findall((ROOT / ".github" / "upgrading.md").read_text(encoding="utf-8"))
+    assert listed == sorted(name for name, text in SOURCES.items() if _NAME.search(text) or _INSIDE.search(text))
