@@ -8,7 +8,6 @@ your own machine it gets none, so that a race is seen.
 """
 
 import os
-import re
 from collections.abc import Callable, Iterator
 from functools import cache
 
@@ -131,10 +130,6 @@ def visit(request: pytest.FixtureRequest, profile: object, tabs: list[object], s
     def note(error: object) -> None:
         errors.append(str(error))
 
-    def note_refused(message: object) -> None:
-        if re.search("Content.Security.Policy", message.text):
-            errors.append(message.text)
-
     def tab_for(address: str) -> object:
         free = [tab for tab in tabs if tab not in opened]
         same = next((tab for tab in free if tab.home and tab.home[0] == address), None)
@@ -163,7 +158,6 @@ def visit(request: pytest.FixtureRequest, profile: object, tabs: list[object], s
         opened.append(page)
         page.bring_to_front()  # a tab behind another draws once a second
         page.on("pageerror", note)
-        page.on("console", note_refused)
         back = not (anew or network) and theme == "light" and is_back(page, address)  # a tab is left in the light theme
         page.set_viewport_size({"width": width, "height": height})
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
@@ -183,7 +177,6 @@ def visit(request: pytest.FixtureRequest, profile: object, tabs: list[object], s
     yield open_page
     for page in opened:
         page.remove_listener("pageerror", note)
-        page.remove_listener("console", note_refused)
         rest(page)
     assert errors == []
 

@@ -15,7 +15,6 @@ from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import network_of
-from ramanujan.shell.browser_cookie import NAME
 from tests.browser import CHROMIUM, get, listen, settle
 from tests.deployed import HAPROXY, deployed
 
@@ -126,8 +125,6 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     tab.goto(hall.secure)
     tab.locator(".js-plotly-plot .scatterlayer path").first.wait_for(state="attached")
     tab.locator("svg.machine[viewBox]").wait_for(state="attached")
-    # What a browser keeps from here it sends over HTTPS alone: the app's name for it, and the proxy's.
-    assert {cookie["name"]: cookie["secure"] for cookie in context.cookies()} == {NAME: True, STORE: True}
     context.close()
     sent = {number: answer for number, answer in answers.items() if answer["url"].startswith("https")}
     scripts = [answer for answer in sent.values() if answer["url"].endswith(".js")]

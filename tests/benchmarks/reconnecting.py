@@ -1,6 +1,5 @@
 """How soon a page says that its server is away after a kill (goal: 1 s): `python -m tests.benchmarks.reconnecting`."""
 
-import argparse
 import time
 
 from playwright.sync_api import sync_playwright
@@ -16,7 +15,6 @@ WATCH = f"""() => new MutationObserver(() => {{ if (!{NOTICE}.hidden) window.awa
 
 def main() -> int:
     """Measure, print, and return 0 if every page is in time."""
-    argparse.ArgumentParser(description=__doc__).parse_args()
     slowest = 0.0
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
