@@ -1,0 +1,226 @@
+"""Eight journeys through the whole app, each in Chromium, Firefox and WebKit, in a fresh window.
+
+They use what the three have in common: a page that evaluates, a mouse, a keyboard. What only one browser can tell, such
+as the bytes of a message, is in the files for each page.
+"""
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator
+from tests.browser import STAGE, inside, next_frame, slab_over_block
+from tests.test_browser_print import CUT
+
+FIND = """([path, name]) => {
+  const [component, selector] = path.includes(" >> ") ? path.split(" >> ") : ["", path];
+  const shadows = (root) => [...root.querySelectorAll("[data-testid=stBidiComponentIsolated]")]
+    .filter((node) => node.shadowRoot && (!component || node.closest(component))).map((node) => node.shadowRoot);
+  const seen = (node) => node.getClientRects().length && node.checkVisibility({ visibilityProperty: true });
+  const named = (node) => node.textContent.trim().endsWith(name) || node.ariaLabel === name;
+  const node = [...(component ? [] : [document]), ...shadows(document)]
+    .flatMap((root) => [...root.querySelectorAll(selector)]).find((each) => seen(each) && named(each));
+  if (!node) return null;
+  if (!node.closest("svg")) node.scrollIntoView({ block: "nearest", behavior: "instant" });
+  const { x, y, width, height } = node.getBoundingClientRect(), text = node.innerText ?? node.textContent;
+  return { x: x + width / 2, y: y + height / 2, width, height, text };
+}"""
+"""The first visible element that fits a selector and has this name, or none; "A >> B" is B in the component within A."""
+
+
+class Visitor:
+    """Somebody at a page of the app, with a mouse and a keyboard."""
+
+    def __init__(self, page: object, address: str) -> None:
+        self.page = page
+        page.goto(address)
+        page.wait_for_function("Boolean(document.querySelector('[data-test-script-state=notRunning] h1'))")
+
+    def find(self, selector: str, name: str = "") -> dict | None:
+        return self.page.evaluate(FIND, [selector, name])
+
+    def until(self, selector: str, name: str = "", timeout: float = 25_000) -> dict:
+        """Wait until an element can be seen."""
+        self.page.wait_for_function(FIND, arg=[selector, name], timeout=timeout)
+        return self.find(selector, name)
+
+    def wait(self, condition: str) -> None:
+        """Wait until a JavaScript expression holds."""
+        self.page.wait_for_function(f"Boolean({condition})", timeout=25_000)
+
+    def click(self, selector: str, name: str = "") -> None:
+        place = self.until(selector, name)
+        self.page.mouse.click(place["x"], place["y"])
+
+    def hold(self, selector: str, dx: float) -> None:
+        """Press on an element and drag it so many pixels to the right; the button stays down."""
+        place = self.until(selector)
+        self.page.mouse.move(place["x"], place["y"])
+        self.page.mouse.down()
+        self.page.mouse.move(place["x"] + dx, place["y"], steps=6)
+        next_frame(self.page)
+
+    def write(self, selector: str, text: str) -> None:
+        """Write into a box in place of what it holds, and press Enter."""
+        self.click(selector)
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.type(text)
+        self.page.keyboard.press("Enter")
+
+    def read(self, selector: str, name: str = "") -> str:
+        return self.until(selector, name)["text"]
+
+
+@pytest.fixture
+def at(window: Callable, server: str) -> Callable[..., Visitor]:
+    """Go to a page of the app: at("motion?m=2")."""
+    return lambda address="", **options: Visitor(window(**options), f"{server}/{address}")
+
+
+THUMB = ".st-key-m_prime [style*=left]"
+RATIO = "ramanujan.last('present/oscillator').ratio"
+
+
+def check_stage(visitor: Visitor) -> Oscillator:
+    """Hold what the stage says to the core's numbers for the machine that is drawn; return the machine."""
+    known = visitor.page.evaluate("ramanujan.last('present/oscillator').parameters")
+    machine = Oscillator(**{name: known[name] for name in ("m", "m_prime", "k", "radius")})
+    said = inside(visitor.page, "root.querySelector('[data-read=normalized]').textContent")
+    assert float(said) == pytest.approx(machine.normalized_frequency_squared, abs=1e-6)
+    return machine
+
+
+def test_first_page_drag_type_drag_the_slab_and_bring_both_into_step(at):
+    visitor = at("?k=20&hide=curve,steps")
+    page = visitor.page
+    visitor.wait("globalThis.ramanujan?.last('time/oscillator')")
+    visitor.hold(THUMB, 90)
+    # What is dragged is drawn and read in the next frame.
+    assert check_stage(visitor).mass_ratio > 1.5
+    page.mouse.up()
+    visitor.wait("/m_prime=[2-9]/.test(location.search)")
+    visitor.write(".st-key-m_prime_exact >> input", "3/2")
+    visitor.wait(f"{RATIO} === 1.5")
+    check_stage(visitor)
+    place = visitor.until(".moving .body.slab .form")
+    page.mouse.move(place["x"], place["y"])
+    page.mouse.down()
+    page.mouse.move(place["x"] - 60, place["y"], steps=5)
+    next_frame(page)
+    held = slab_over_block(page)
+    assert held == pytest.approx(page.evaluate("ramanujan.last('present/oscillator').parameters.compression") * 100)
+    assert held < 7
+    page.mouse.up()
+    visitor.wait("location.search.includes('compression=')")
+    visitor.click("button", "Bring them into step")
+    visitor.wait(f"{STAGE}.querySelector('[data-step]').dataset.step === 'in-step'")
+    assert check_stage(visitor).mass_ratio == pytest.approx(UNIT_MASS_RATIO, rel=1e-15)
+
+
+def test_derivation_turn_a_step_and_type_a_formula(at):
+    visitor = at("derivation?question=potential_energy")
+    first = visitor.read(".st-key-lecture h2")
+    visitor.click("button", "Next")
+    visitor.wait("/step=2/.test(location.search)")
+    assert visitor.read(".st-key-lecture h2") != first
+    for text, told in (("4kR²φ²", "leave out the ½"), ("2kR²φ²", "Right!")):
+        visitor.write("[aria-label='Your formula']", text)
+        visitor.wait(f"document.querySelector('[data-testid=stAlert]')?.innerText.includes('{told}')")
+
+
+def test_motion_one_moment_in_every_figure(at):
+    visitor = at("motion")
+    visitor.until(".js-plotly-plot .nsewdrag")
+    visitor.click(".cursor input")
+    for key, periods, side in (("End", 2, "right"), ("Home", 0, "left")):
+        visitor.page.keyboard.press(key)
+        next_frame(visitor.page)
+        lines, ends, now = visitor.page.evaluate(f"""(() => {{
+          const graphs = [...document.querySelectorAll(".js-plotly-plot:has(.time-cursor)")];
+          const overTime = graphs.filter((graph) => graph.layout.meta.cursor === "time");
+          const box = (selector) => overTime.map((graph) => graph.querySelector(selector).getBoundingClientRect());
+          return [box(".time-cursor").map(({{ x }}) => x), box(".nsewdrag").map((panel) => panel.{side}),
+            ramanujan.last("time/motion").time];
+        }})()""")
+        assert now == pytest.approx(periods * Oscillator(1.0, 1.0, 10.0).period, rel=1e-6)
+        assert lines
+        assert lines == pytest.approx(ends, abs=2)
+
+
+def test_1729_turn_the_cubes(at):
+    visitor = at("1729")
+    turned = """[...document.querySelector(".st-key-cubes [data-testid=stBidiComponentIsolated]").shadowRoot
+      .querySelectorAll("svg g")].map((cube) => cube.querySelector("path").getAttribute("d"))"""
+    visitor.until(".st-key-cubes >> svg")
+    before = visitor.page.evaluate(turned)
+    assert len(before) == 4, "1³ + 12³ and 9³ + 10³"
+    visitor.hold(".st-key-cubes >> svg", 40)
+    visitor.page.mouse.up()
+    assert all(a != b for a, b in zip(before, visitor.page.evaluate(turned), strict=True))
+
+
+def test_lesson_a_vote_reaches_the_desk_from_another_browser(at, engine):
+    desk = at("lesson?stops=all", name="firefox" if engine == "chromium" else "chromium")
+    for key in ("class_door", "class_open"):
+        desk.click(f".st-key-{key} button")
+    desk.wait("/lecturer=/.test(location.search)")
+    desk.until("a", "Open the wall")
+    code = desk.page.evaluate(
+        "/class=(\\w{6})/.exec([...document.links].find((a) => a.href.includes('class=')).href)[1]"
+    )
+    phone = at(f"lesson?class={code}", width=390, height=844)
+    phone.until("p", "The first question will appear here.")
+    desk.page.keyboard.press("PageDown")
+    phone.click(".st-key-class_phone [role=radiogroup] label")
+    phone.wait("document.body.innerText.includes('Your answer counts')")
+    desk.wait("/1 of 1/.test(document.querySelector('.st-key-class_desk').innerText)")
+
+
+def test_a_projector_is_turned_by_keys(at):
+    visitor = at("?view=projector&sheet=curve")
+    visitor.until(".st-key-pager >> select")
+    visitor.until(".st-key-curve .nsewdrag")
+    visitor.page.keyboard.press("PageUp")
+    visitor.until("svg.machine")
+    visitor.wait("!/sheet=/.test(location.search)")
+    for _ in range(2):
+        visitor.page.keyboard.press("PageDown")
+    visitor.wait("/sheet=step_1/.test(location.search)")
+    assert visitor.page.evaluate("document.querySelectorAll('[class*=st-key-sheet-]:not([data-away])').length") == 1
+    assert visitor.page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight <= innerHeight")
+
+
+def test_worksheet_on_paper(at):
+    visitor = at("worksheet?level=1", width=681, height=1000)  # A4 without its margins
+    visitor.until(".st-key-sheet_picture img")
+    # Only one of three lets a test print: the rules for paper are taken for the screen.
+    visitor.page.evaluate("""() => {
+      const on = { screen: "not all", print: "all" };
+      for (const { media } of [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]).filter((rule) => rule.media))
+        media.mediaText = media.mediaText.replace(/^(screen|print)/, (word) => on[word]);
+    }""")
+    assert visitor.find("section[data-testid=stSidebar] *") is None
+    assert visitor.find("button") is None
+    picture, text = visitor.find(".st-key-sheet_picture img"), visitor.find(".st-key-sheet_picture")
+    assert picture["width"] > 0.55 * text["width"]
+    assert visitor.page.evaluate(CUT) == []
+
+
+def test_a_link_with_everything(at):
+    machine = "m=2&m_prime=0.7&k=30&compression=6&radius=8"
+    visitor = at(f"?{machine}&layers=arrows,traces&speed=0.5&from=block&paused=0.25,0.3&hide=curve,plain")
+    visitor.wait("globalThis.ramanujan?.last('time/oscillator')")
+    drawn = check_stage(visitor)
+    assert (drawn.m, drawn.m_prime, drawn.k, drawn.radius) == (2, 0.7, 30, 0.08)
+    shown = inside(
+        visitor.page,
+        """[
+      [...root.querySelectorAll("[data-layer] input:checked")].map((box) => box.parentElement.dataset.layer).sort(),
+      root.querySelector(".speeds select").value, root.querySelector(".viewpoint").ariaPressed,
+      Number(root.querySelector(".scrub input").value), root.querySelector(".machine > .plain")]""",
+    )
+    assert shown == [["arrows", "traces"], "0.5", "true", pytest.approx(0.25, abs=1e-3), None]
+    angle = inside(visitor.page, "root.querySelector('.hand.machine').getAttribute('transform')")
+    assert float(re.search(r"-?[\d.]+", angle)[0]) % 360 == pytest.approx(90, abs=0.1)
+    assert visitor.find(".st-key-curve .nsewdrag") is None
