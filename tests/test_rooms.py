@@ -9,6 +9,8 @@ import pytest
 
 from tests.browser import ROOT
 
+pytestmark = pytest.mark.xdist_group("rooms")
+
 LANGUAGE = {"translation", "numerals"}
 """What every room may import."""
 
