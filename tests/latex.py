@@ -18,7 +18,7 @@ Number = mpmath.mpf | np.ndarray
 
 mpmath.mp.dps = 100
 
-_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|cdot|d?dot)[a-zA-Z]+|[a-zA-Z])"
+_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|cdot|d?dot|underline)[a-zA-Z]+|[a-zA-Z])"
 _PYTHON = {
     r"\left[\begin{matrix}": "matrix([[",
     r"\end{matrix}\right] \left[\begin{matrix}": "]])@matrix([[",
@@ -26,6 +26,7 @@ _PYTHON = {
     r"\end{matrix}\right]": "]])",
     r"\left|{\begin{matrix}": "det([[",
     r"\end{matrix}}\right|": "]])",
+    r"\underline{": "(",
     r"\left(": "(",
     r"\right)": ")",
     r"\frac{": "frac(",
@@ -50,6 +51,8 @@ _TOKEN = re.compile(
 )
 _SIDE_BY_SIDE = re.compile(r"\d(?:\\,| )+\d")
 """Two numbers that a reader takes for one."""
+MARGIN = re.compile(r"(?: &&)?\\qquad\\vert\\ .*?(?= \\\\|\\end\{aligned|\n|$)")
+"""What stands behind an equation: the operation that leads to it."""
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 
 
@@ -119,7 +122,7 @@ def last_place(decimal: str) -> mpmath.mpf:
 
 def equations(display: str, newline: str = "") -> list[str]:
     """Return the equations of one display, the lines of a broken one put together again."""
-    inside = display.removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
+    inside = MARGIN.sub("", display).removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
     found: list[str] = []
     for line in inside.split(newline) if newline else re.split(r"\\\\\[[\d.]+em\]", inside):
         for part in re.split(r"&\\qquad", line):

@@ -24,7 +24,7 @@ from ramanujan.derivation.rows import rows
 from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.pages.derivation import cache as page
 from ramanujan.pages.oscillator import cache as first_page
-from tests.latex import Formula, Number, equations, formula, last_place, sides
+from tests.latex import MARGIN, Formula, Number, equations, formula, last_place, sides
 
 COUNT = 60 if os.environ.get("RAMANUJAN_DEEP") else 10
 """How many machines go through all equations."""
@@ -180,7 +180,7 @@ def of_route(name: str, equal_masses: bool, numbers: Numbers | None, part: str) 
     of_rows = {key: [row.latex for row in rows(route[key], numbers)] for key in keys}
     document = partial(page.document.__wrapped__, name, numbers, drawn=(0.1, 0.1), equal_masses=equal_masses)
     text = re.split(r"^## .*$", document(kind="markdown"), flags=re.MULTILINE)[1:]
-    shown = [dict(zip(keys, (re.findall(r"\$\$\n(.*?)\n\$\$", each) for each in text), strict=True))]
+    shown = [dict(zip(keys, (re.findall(r"\$\$\n(.*?)\n\$\$", MARGIN.sub("", each)) for each in text), strict=True))]
     sections = zip(keys, document(kind="latex").split("\\section{")[1:], strict=True)
     frames = re.findall(r"\\begin\{frame\}\[label=(\w+).*?\](.*?)\\end\{frame\}", document(kind="slides"), re.DOTALL)
     for typeset in (sections, frames[2:]):

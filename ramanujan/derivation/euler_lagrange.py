@@ -10,7 +10,20 @@ from ramanujan.derivation.energies import bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.printers import in_order, latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
-from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Machine, Omega_squared, gather, k, m, m_prime, phi, t
+from ramanujan.derivation.symbols import (
+    COORDINATES,
+    MOMENTA,
+    Machine,
+    Omega_squared,
+    Phi,
+    X,
+    gather,
+    k,
+    m,
+    m_prime,
+    phi,
+    t,
+)
 from ramanujan.translation import _
 
 
@@ -27,11 +40,13 @@ def build(bodies: Machine) -> Route:
 def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the steps from ℒ to Ω²."""
     zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
-    cancelled = ", ".join(
-        _("${factor}$ from the equation of ${coordinate}$").format(factor=latex(factor), coordinate=latex(q))
-        for q, factor in result.common.items()
-        if factor != 1
-    )
+    operation = {
+        "insert": _("\\text{{insert }}{what}"),
+        "solve": _("\\text{{solve for }}{what}"),
+        "collect": _("\\text{{collect }}{what}\\text{{, divide by its factor}}"),
+    }
+    _first, multiplied, last = result.merged
+    times = sp.cancel(-multiplied.rhs / (result.motion[X].coeff(phi_ddot) * phi_ddot))
     oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
     numerator, terms = result.quotient
     return (
@@ -46,6 +61,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             _("Differentiate with respect to the velocities"),
             _("Each coordinate $q$ has a momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
             *(equation(p, value) for p, value in zip(MOMENTA, result.momenta.values(), strict=True)),
+            operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(q.diff(t))}" for q in COORDINATES),
         ),
         step(
             "rates",
@@ -60,24 +76,34 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             ),
             *(equation(gather(p.diff(t)), result.forces[q]) for q, p in result.momenta.items()),
             labels=coordinates,
+            operations=tuple(rf"\tfrac{{d}}{{dt}}\,{latex(p)}" for p in MOMENTA),
         ),
         step(
             "motion",
             _("Cancel common factors"),
-            _("Bring all terms to one side. Common factors cancel: {factors}.").format(factors=cancelled),
+            _("Bring all terms to one side. Common factors cancel."),
             *(equation(result.motion[q], zero) for q in COORDINATES),
             labels=coordinates,
+            operations=tuple("" if f == 1 else rf"\div {latex(f)}" for f in map(result.common.get, COORDINATES)),
         ),
         step(
             "elimination",
             _("Eliminate the block and the top cylinder"),
             _(
-                "Multiply the equation of $X$ so that it contains the left side of the first line, the equation of "
-                "$\\Phi$. Replace that side by $\\ddot X$, solve for $\\ddot X$, and insert it into the first line."
-            ),
+                "The first line is the equation of $\\Phi$. Multiply the equation of $X$ by ${times}$. By the first line, "
+                "its underlined term equals ${same}$. Solve for ${X_ddot}$."
+            ).format(times=sp.sstr(times), same=latex(-last.lhs.args[1]), X_ddot=latex(X_ddot)),
             *result.merged,
             equation(X_ddot, result.X_from_phi),
             equation(Phi_ddot, result.Phi_from_phi),
+            operations=(
+                _("\\text{{equation of }}{what}").format(what=latex(Phi)),
+                _("\\text{{equation of }}{what}").format(what=rf"{latex(X)}\;\times {latex(times)}"),
+                operation["insert"].format(what=latex(X_ddot)),
+                operation["solve"].format(what=latex(X_ddot)),
+                operation["insert"].format(what=latex(X_ddot)),
+            ),
+            marks=((1, 0, 1), (2, 0, 1)),
         ),
         step(
             "insertion",
@@ -86,6 +112,11 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             equation(result.inserted, zero),
             equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
+            operations=(
+                operation["insert"].format(what=latex(X_ddot)),
+                operation["collect"].format(what=latex(phi_ddot)),
+                _("\\text{{one fraction}}").format(),
+            ),
         ),
         step(
             "frequency",

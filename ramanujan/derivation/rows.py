@@ -5,7 +5,7 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -36,11 +36,13 @@ class Row:
     left : its left side
     terms : the terms of its right side, each with its sign
     value : what follows a right side that is a number: its decimal and its unit, or ""
+    operation : what leads to the equation, for the margin, or ""
     """
 
     left: str
     terms: tuple[str, ...]
     value: str = ""
+    operation: str = field(default="", compare=False)
 
     @property
     def right(self) -> str:
@@ -51,6 +53,11 @@ class Row:
     def latex(self) -> str:
         """The equation in one line."""
         return f"{self.left} = {self.right}"
+
+    @property
+    def margin(self) -> str:
+        """The operation as LaTeX behind the equation, or ""."""
+        return rf"\qquad\vert\ {self.operation}" if self.operation else ""
 
     def lines(self, width: int, beside: int = 0) -> list[str]:
         """Return the right side in lines of about so many characters; each but the first begins with a sign.
@@ -71,16 +78,14 @@ class Row:
         return found
 
 
-def rows(
-    step: Step, numbers: Numbers | None = None, make: Callable[[sp.Eq, str], Row | None] | None = None
-) -> list[Row]:
+def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row | None] | None = None) -> list[Row]:
     """Return the equations of a step as rows, with the numbers of a machine if they are given, none twice.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     numbers : of the machine; none for the symbols
-    make : equation and its label → a row, or None to leave it out; `row` by itself
+    make : equation, its label and marks → a row, or None to leave it out; `row` by itself
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import Numbers
@@ -88,15 +93,24 @@ def rows(
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
     said = step.about(numbers)
-    labels = said.labels or [""] * len(said.equations)
-    found = (
-        make(equation, label) if make else row(equation, numbers, label=label)
-        for equation, label in zip(said.equations, labels, strict=True)
-    )
-    return [each for each in dict.fromkeys(found) if each]
+    none = [""] * len(said.equations)
+    beside = zip(said.equations, said.labels or none, said.operations or none, strict=True)
+    found = {}
+    for place, (equation, label, operation) in enumerate(beside):
+        marks = tuple(mark[1:] for mark in said.marks if mark[0] == place)
+        made = make(equation, label, marks) if make else row(equation, numbers, label=label, marks=marks)
+        if made:
+            found.setdefault(made, replace(made, operation=operation))
+    return list(found.values())
 
 
-def row(equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = (), label: str = "") -> Row:
+def row(
+    equation: sp.Eq,
+    numbers: Numbers | None = None,
+    highlight: Highlight = (),
+    label: str = "",
+    marks: Iterable[tuple[int, int]] = (),
+) -> Row:
     """Return one equation as a row.
 
     Parameters
@@ -105,8 +119,12 @@ def row(equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = 
     numbers : of the machine; none for the symbols
     highlight : symbols in a colour
     label : LaTeX before the equation
+    marks : side and place of terms that are underlined
     """
-    left, right = (side_terms(side, numbers, highlight) for side in equation.args)
+    left, right = sides = [side_terms(side, numbers, highlight) for side in equation.args]
+    for side, place in marks:
+        sign, term = re.fullmatch(r"( [+-] |- )?(.*)", sides[side][place]).groups("")
+        sides[side][place] = rf"{sign}\underline{{{term}}}"
     labelled = [rf"{label}:\quad ", *left] if label else left
     return Row("".join(labelled), tuple(right), _value(equation, numbers) if numbers else "")
 
@@ -155,7 +173,9 @@ def widest(shown: Iterable[Row]) -> int:
 
 
 def _marked(shown: Row, to_zero: bool, width: int, beside: int) -> str:
+    margin = f" &&{shown.margin}" if shown.margin else ""
     if to_zero:
-        return f"&{shown.latex}"
+        return f"&{shown.latex}{margin}"
     first, *others = shown.lines(width, beside)
-    return rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
+    lines = rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
+    return f"{lines}{margin}"

@@ -34,6 +34,8 @@ class Step:
     present : numbers → what the step says about one given machine, still in symbols, where its own equations state a
         condition. None where numbers can be put into the equations themselves.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
+    operations : LaTeX in the margin of each equation: what leads to it, in the words of a blackboard; or none
+    marks : the terms that an operation takes out or brings in: equation, side and term, each counted from 0
     """
 
     key: str
@@ -42,6 +44,8 @@ class Step:
     equations: tuple[sp.Eq, ...]
     present: Callable[[Numbers], Step] | None = None
     labels: tuple[str, ...] = ()
+    operations: tuple[str, ...] = ()
+    marks: tuple[tuple[int, int, int], ...] = ()
 
     def about(self, numbers: Numbers | None) -> Step:
         """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""

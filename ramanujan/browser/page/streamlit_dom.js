@@ -154,6 +154,8 @@ export const dom = {
 
   /** The box in which a lecture's steps are drawn. */
   lecture: () => document.querySelector(".st-key-lecture"),
+  /** The link to which the last step of a lecture leads. */
+  onward: () => document.querySelector(".st-key-lecture .st-key-onward a"),
 
   /** Whether a good part of a node is on the screen. */
   inView(node) {

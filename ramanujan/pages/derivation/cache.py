@@ -62,10 +62,10 @@ def step(
     split = next((e for e in said.equations if part and terms(e)), None)
     by_body = _by_body(split, numbers, part, color) if split is not None else ""
 
-    def written(symbolic: sp.Eq, label: str) -> Row | None:
+    def written(symbolic: sp.Eq, label: str, marks: tuple[tuple[int, int], ...]) -> Row | None:
         # Line by line, the sum over the bodies says what the sum in one line says.
         is_sum = symbolic == split and isinstance(symbolic.rhs, InOrder)
-        return None if is_sum else _row(symbolic, numbers, part, color, label)
+        return None if is_sum else _row(symbolic, numbers, part, color, label, marks)
 
     shown = rows(symbolic, numbers, written)
     return ShownStep(said.heading, said.reason, _aligned(shown, width) if shown else "", by_body)
@@ -154,14 +154,22 @@ def _modes() -> Modes:
     return modes(machine())
 
 
-def _row(symbolic: sp.Eq, numbers: Numbers | None, part: str | None, color: str | None, label: str) -> Row:
+def _row(
+    symbolic: sp.Eq,
+    numbers: Numbers | None,
+    part: str | None,
+    color: str | None,
+    label: str,
+    marks: tuple[tuple[int, int], ...],
+) -> Row:
     """Return an equation; one about the chosen part is in its colour, in any other only what names the part."""
     if not part:
-        return row(symbolic, numbers, label=label)
+        return row(symbolic, numbers, label=label, marks=marks)
     if belongs_to(part, symbolic):
-        plain = row(symbolic, numbers, label=label)
+        plain = row(symbolic, numbers, label=label, marks=marks)
         return Row(colored(plain.left, color), tuple(colored(term, color) for term in plain.terms), plain.value)
-    return row(symbolic, numbers, tuple((each, color) for each in sorted(names(part, symbolic), key=str)), label)
+    named = tuple((each, color) for each in sorted(names(part, symbolic), key=str))
+    return row(symbolic, numbers, named, label, marks)
 
 
 def _aligned(shown: list[Row], width: int = LINE_WIDTH) -> str:

@@ -14,7 +14,8 @@ from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
-from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
+from ramanujan.pages.taxicab.page import stacks
+from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import giving_way, numbers_stated, symbols
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
@@ -206,6 +207,16 @@ def draw(setting: Setting, number: int, part: str | None) -> None:
         st.latex(step.by_body)
     if step.equations:
         st.latex(step.equations)
+    if setting.steps[number - 1].key == "root":
+        climax()
+
+
+def climax() -> None:
+    """Draw the two sums of cubes at which the paper's route ends, and lead on to the page about their number."""
+    stacks()
+    onward = navigation.PAGES["taxicab"]
+    with st.container(key="onward"):
+        st.page_link(onward.file, label=_("Why 1729? Go on to its page"), icon=f":material/{onward.icon}:")
 
 
 def explain(setting: Setting) -> None:
