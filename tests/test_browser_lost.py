@@ -16,7 +16,7 @@ from ramanujan import Oscillator
 from ramanujan.shell import navigation
 from tests.browser import next_frame, open_tab, settle, thumb
 from tests.slow_network import network
-from tests.test_browser_hand import PRESENT, TOLD, normalized, take_slab
+from tests.test_browser_hand import normalized, take_slab
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "1"))
 COMPRESSION = ".st-key-compression input[type=range]"
@@ -24,6 +24,9 @@ BOX = ".st-key-m_prime_exact input"
 M_PRIME = ".st-key-m_prime input[type=range]"
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 HEADING = ".st-key-lecture h2:visible"
+
+TOLD = "globalThis.ramanujan.last('machine/oscillator').parameters"
+PRESENT = "globalThis.ramanujan.last('present/oscillator').parameters"
 
 
 @pytest.fixture(scope="module")
