@@ -5,9 +5,6 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import NamedTuple
 
-END = "end"
-"""What stands in place of a stop after the last one: the class looks back at its votes."""
-
 
 class Phase(IntEnum):
     """How far a question has come; each phase shows what the one before has shown, and more."""
@@ -57,10 +54,9 @@ class Seat:
 class Question:
     """What a class is asked now, as everybody may know it.
 
-    stop : id of the stop, None before the first, `END` after the last
+    stop : id of the stop, None before the first
     vote : which vote on it
-    phase : what is shown of it; the lecturer may go back to an earlier phase
-    reached : how far the question has come
+    phase : how far the question has come
     answered : how many of those present have answered
     present : how many students were heard of lately
     """
@@ -68,7 +64,6 @@ class Question:
     stop: str | None
     vote: Vote
     phase: Phase
-    reached: Phase
     answered: int
     present: int
 

@@ -1,24 +1,19 @@
-"""What several screens of a class draw alike: votes, the right answer, what was learned, who is there, a QR code."""
+"""What several screens of a class draw alike: how it has voted, the right answer, who is there, a QR code."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import segno
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.classes import ClassError, Phase, Question, Seats, Vote, shared
+from ramanujan.lesson.classes import ClassError, Question, Seats, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
-from ramanujan.shell import widgets
 from ramanujan.translation import _, ngettext
 
-LEARNED = _("What the class has learned")
-_ROWS = 9
-"""Questions whose votes stand above one another."""
 
-
-def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None) -> None:
+def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None, alone: bool = False) -> None:
     """Draw the result of a question.
 
     Parameters
@@ -28,6 +23,7 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
     vote : the last one
     solved : whether to say which answer is right, and how many have found it
     chosen : a student's own answer in the last vote
+    alone : show only how many have found the right answer
     """
     try:
         all_votes, changes = _result(access, stop.id, vote)
@@ -40,8 +36,13 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
                 st.markdown(said)
         right = stop.right if solved else None
         for option, text in stop.options.items():
-            label, *places = st.columns([3, *(2 for _vote in all_votes)], gap="small")
-            label.markdown(_label(text, option == right, option == chosen))
+            if not alone:
+                label, *places = st.columns([3, *(2 for _vote in all_votes)], gap="small")
+                label.markdown(_label(text, option == right, option == chosen))
+            elif option == right:
+                places = st.columns(len(all_votes), gap="small")
+            else:
+                continue
             for number, (place, votes) in enumerate(zip(places, all_votes, strict=True)):
                 total = sum(votes.values())
                 share = votes[option] / total if total else 0.0
@@ -95,48 +96,10 @@ def _changes(changes: Counter[tuple[bool, bool]]) -> str:
     return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)
 
 
-def comment(access: str, stop: Stop, vote: Vote) -> None:
-    """Name the wrong answer that most have chosen in the last vote, with the reply to it; nothing if nobody has."""
-    votes, right = _result(access, stop.id, vote)[0][-1], stop.right
-    most = max((option for option in stop.options if option != right), key=votes.__getitem__)
-    if votes[most]:
-        said = _("**Chosen most of the wrong answers:** {label}\\\n{reply}")
-        st.markdown(said.format(label=stop.options[most], reply=stop.reply(most)))
-
-
-def learned(access: str) -> None:
-    """Draw how many were right at each question whose right answer was shown, before and after they had talked."""
-    asked = shared().results(access, Phase.SOLVED)
-    if not asked:
-        st.markdown(_("No right answer was shown to this class."))
-        return
-    if twice := [each for each in asked if each.second]:
-        before = _right([(each.stop, each.first) for each in twice])
-        after = _right([(each.stop, each.second) for each in twice])
-        said = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
-        st.markdown(said.format(before=before, after=after))
-    rows = [(_("Question"), _("Right at first"), _("After talking"))]
-    for each in asked:
-        votes = [_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second)]
-        rows.append((lesson.stop(each.stop).heading, *votes))
-    parts = range(1, len(rows), _ROWS)
-    for place, first in zip(st.columns(len(parts), gap="large"), parts, strict=True):
-        with place:
-            widgets.table([rows[0], *rows[first : first + _ROWS]], key=f"learned_{first}")
-
-
-def _right(voted: Sequence[tuple[str, Mapping[str, int]]]) -> str:
-    """Return how many of all answers were right, of votes on stops by their ids."""
-    right = sum(votes[lesson.stop(stop).right] for stop, votes in voted)
-    total = sum(sum(votes.values()) for _stop, votes in voted)
-    share = quantity(round(100 * right / total) if total else 0, "%")
-    return _("{people} of {total}, {share}").format(people=right, total=total, share=share)
-
-
 def explain(stop: Stop, chosen: str | None = None) -> None:
     """Name the right answer and its reason; whoever has chosen another one reads a word on that first."""
     if chosen and chosen != stop.right:
-        st.markdown(_("**You chose:** {label}\\\n{reply}").format(label=stop.options[chosen], reply=stop.reply(chosen)))
+        st.markdown(stop.reply(chosen))
     st.markdown(f":green[:material/check_circle:] **{stop.options[stop.right]}**")
     st.markdown(stop.explanation())
 

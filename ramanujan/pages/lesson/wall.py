@@ -8,7 +8,6 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import spaced
-from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import ClassError, Phase, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, stops
@@ -44,8 +43,6 @@ def _draw(code: str) -> None:
         if question.stop is None:
             with st.container(key="class_invitation"):
                 _how_to_join(code)
-        elif question.stop == END:
-            _look_back(code)
         else:
             class_session.take_settings(shared().machine(code))
             _show(code, lesson.stop(question.stop), question)
@@ -67,9 +64,8 @@ def _show(code: str, stop: Stop, question: Question) -> None:
     words, picture, reason = stops.places(stop, running=True)
     if question.phase == Phase.SOLVED:
         with reason:
-            class_results.show(code, stop, question.vote, solved=True)
-            st.markdown(stop.explanation())
-            class_results.comment(code, stop, question.vote)
+            class_results.explain(stop)
+            class_results.show(code, stop, question.vote, solved=True, alone=True)
     else:
         words.markdown(stop.question)
     with picture:
@@ -85,29 +81,16 @@ def _watch(code: str, drawn: Question) -> None:
         st.warning(str(error))
         return
     gone_on = (now.stop, now.vote, now.phase) != (drawn.stop, drawn.vote, drawn.phase)
-    if gone_on or (now.stop not in (None, END) and class_session.settings_differ(shared().machine(code))):
+    if gone_on or (now.stop and class_session.settings_differ(shared().machine(code))):
         st.rerun()
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
         if now.stop is None:
             st.markdown(class_results.joined(now.present), width="content")
-        elif now.stop != END:
-            if now.reached == Phase.ASKED:
+        else:
+            if now.phase == Phase.ASKED:
                 st.markdown(f"**{class_results.answered(now)}**", width="content")
             here = address.link({})
             st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
-
-
-def _look_back(code: str) -> None:
-    """Draw what the class has learned, and where the whole lesson is; the code of the class has gone."""
-    st.title(class_results.LEARNED, anchor=False)
-    votes, onwards = st.columns([3, 1], gap="large")
-    with votes:
-        class_results.learned(code)
-    with onwards:
-        here = address.link({})
-        st.markdown(_("The whole lesson, to go on alone:"))
-        class_results.qr_code(here.geturl())
-        st.text(f"{here.netloc}{here.path}")
 
 
 def _how_to_join(code: str) -> None:
