@@ -14,9 +14,9 @@ from playwright.sync_api import expect
 
 from ramanujan import Oscillator
 from ramanujan.shell import navigation
-from tests.browser import next_frame, open_tab, settle, thumb
+from tests.browser import inside, next_frame, open_tab, settle, thumb
 from tests.slow_network import network
-from tests.test_browser_hand import normalized, take_slab
+from tests.test_browser_controls import normalized
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "1"))
 COMPRESSION = ".st-key-compression input[type=range]"
@@ -27,6 +27,16 @@ HEADING = ".st-key-lecture h2:visible"
 
 TOLD = "globalThis.ramanujan.last('machine/oscillator').parameters"
 PRESENT = "globalThis.ramanujan.last('present/oscillator').parameters"
+
+
+def take_slab(page, centimetres: float) -> None:
+    """Press on the slab and drag it."""
+    box = page.locator(".st-key-stage .moving .body.slab rect:not(.grip)").first.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + centimetres * inside(page, "root.querySelector('.machine').getScreenCTM().a"), y, steps=5)
+    next_frame(page)
 
 
 @pytest.fixture(scope="module")
