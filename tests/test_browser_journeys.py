@@ -23,10 +23,10 @@ FIND = """([path, name]) => {
     .flatMap((root) => [...root.querySelectorAll(selector)]).find((each) => seen(each) && named(each));
   if (!node) return null;
   if (!node.closest("svg")) node.scrollIntoView({ block: "nearest", behavior: "instant" });
-  const { x, y, width, height } = node.getBoundingClientRect(), text = node.innerText ?? node.textContent;
+  const text = node.innerText ?? node.textContent, { x, y, width, height } = node.getBoundingClientRect();
   return { x: x + width / 2, y: y + height / 2, width, height, text };
 }"""
-"""The first visible element that fits a selector and has this name, or none; "A >> B" is B in the component within A."""
+"""The first visible element that fits a selector and has this name, or none; "A >> B" is B in the component in A."""
 
 
 class Visitor:
@@ -197,7 +197,8 @@ def test_worksheet_on_paper(at):
     # Only one of three lets a test print: the rules for paper are taken for the screen.
     visitor.page.evaluate("""() => {
       const on = { screen: "not all", print: "all" };
-      for (const { media } of [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]).filter((rule) => rule.media))
+      const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
+      for (const { media } of rules.filter((rule) => rule.media))
         media.mediaText = media.mediaText.replace(/^(screen|print)/, (word) => on[word]);
     }""")
     assert visitor.find("section[data-testid=stSidebar] *") is None

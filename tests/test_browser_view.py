@@ -9,7 +9,7 @@ from playwright.sync_api import TimeoutError, expect
 from ramanujan import Oscillator
 from tests.browser import STAGE, next_frame, settle
 from tests.test_browser_language import OVERLAPS
-from tests.test_worksheet import key_of
+from tests.test_worksheet import key_of, name_of
 
 MACHINE = Oscillator(1.0, 2.0, 10.0)
 LINK = "m=1&m_prime=2&k=10"
@@ -199,7 +199,7 @@ SHEETS = {
     "speed?periods=1": 7,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
-    f"worksheet?paper=key&key={key_of(1)}": 11,
+    f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,
 }
 """Page → how many sheets it has."""
 

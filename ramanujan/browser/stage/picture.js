@@ -96,9 +96,10 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     dial.frame(playback, write);
   }
 
-  /** Leave a faint outline of what has just moved; none after a leap in time. */
+  /** Leave a faint outline of what has just moved; none after a leap in time, nor where the machine stands. */
   function leave(known, phase, shift) {
     const trail = find(".trail"), passed = Math.abs(phase - left);
+    if (!host.classList.contains("playing")) return trail.replaceChildren();
     if (passed < TRAIL.apart) return;
     left = phase;
     if (passed > 4 * TRAIL.apart) return trail.replaceChildren();

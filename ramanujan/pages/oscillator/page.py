@@ -93,10 +93,10 @@ def opening() -> None:
     first = _("Drag the slab and let go.")
     if not display_mode.hides("clocks", "numbers"):
         question = _(
-            "Two machines, one spring: with equal masses they are almost in step. Their hands part by one full turn in "
-            "{periods} periods."
+            "Two machines, one spring: with equal masses they are almost in step, one full turn apart after {periods} "
+            "periods."
         ).format(periods=number(1 / float(gained(1.0)), 2))
-        first = _("At which mass ratio do they stay together? Move m′ until both hands turn together.")
+        first = _("When do they stay together? Move m′.")
     with st.container(horizontal=True, gap="small", key="opening"):
         with st.container(gap=None):
             st.markdown(f"**{question}** {first}")
