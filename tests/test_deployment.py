@@ -7,6 +7,7 @@ import sqlite3
 import time
 from collections import Counter
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import websockets
@@ -101,9 +102,11 @@ def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: de
         with sqlite3.connect(f"{hall.state.name}/classes.sqlite") as file:
             return Counter(network for (network,) in file.execute("SELECT network FROM voter"))
 
-    for number in range(4):
-        asyncio.run(join("127.0.0.2", f"10.0.0.{number}"))
-    asyncio.run(join("127.0.0.3", "127.0.0.2"))
+    # A thread has no event loop, where Playwright may have left one.
+    with ThreadPoolExecutor(1) as thread:
+        for number in range(4):
+            thread.submit(asyncio.run, join("127.0.0.2", f"10.0.0.{number}")).result()
+        thread.submit(asyncio.run, join("127.0.0.3", "127.0.0.2")).result()
     assert networks() == {network_of("127.0.0.2", opened.code): 4, network_of("127.0.0.3", opened.code): 1}
 
 

@@ -159,7 +159,8 @@ def the_curve() -> None:
     )
     sees = sees.format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value())
     drawings.plot(cache.figure(theme.current()), "curve", sees)
-    if not display_mode.hides("numbers"):
+    # On a projector the readouts stand beside the machine, and the curve needs the room.
+    if not (display_mode.hides("numbers") or display_mode.is_projector()):
         present()
     with st.container(key="click_curve"):
         st.caption(_("Click on the curve to build the machine with that mass ratio."))
@@ -230,14 +231,14 @@ def six_steps() -> None:
 def one_step(step: cache.SummaryStep, numbers: Numbers | None) -> None:
     """Say how a step of the derivation finds its results, and what they are for the present machine."""
     st.markdown("\n\n".join(part for reason, between in step.ways for part in (reason, in_display(between))))
-    with_numbers(step, f"{numbers_stated(numbers)}\n\n" if numbers else "")
+    with_numbers(step, "###", f"{numbers_stated(numbers)}\n\n" if numbers else "")
 
 
-def with_numbers(step: cache.SummaryStep, stated: str = "") -> None:
-    """Draw the equations of a step with the present numbers, if there are any, below a heading of their own."""
+def with_numbers(step: cache.SummaryStep, level: str, stated: str = "") -> None:
+    """Draw the equations of a step with the present numbers, if there are any, below a heading of this level."""
     if step.numbers:
         heading = _("Your machine")
-        st.markdown(f"#### {heading}\n{stated}{in_display(step.numbers)}")
+        st.markdown(f"{level} {heading}\n{stated}{in_display(step.numbers)}")
 
 
 def in_display(formula: str) -> str:
@@ -254,7 +255,7 @@ def on_sheets(steps: list[cache.SummaryStep]) -> None:
                 with st.container(horizontal=True, vertical_alignment="top", key=f"spread_{n}"):
                     st.markdown(f"### {n}. {step.heading}\n{step.ways[-1][0]}")
                     st.latex(step.in_full)
-                    with_numbers(step)
+                    with_numbers(step, "####")
 
 
 if __name__ == "__main__":
