@@ -140,7 +140,8 @@ def test_motion_one_moment_in_every_figure(at):
           const graphs = [...document.querySelectorAll(".js-plotly-plot:has(.time-cursor)")];
           const overTime = graphs.filter((graph) => graph.layout.meta.cursor === "time");
           const box = (selector) => overTime.map((graph) => graph.querySelector(selector).getBoundingClientRect());
-          return [box(".time-cursor").map(({{ x, width }}) => x + width / 2), box(".nsewdrag").map((panel) => panel.{side}),
+          const lines = box(".time-cursor").map(({{ x, width }}) => x + width / 2);
+          return [lines, box(".nsewdrag").map((panel) => panel.{side}),
             ramanujan.last("time/motion").time];
         }})()""")
         assert now == pytest.approx(periods * Oscillator(1.0, 1.0, 10.0).period, rel=1e-6)

@@ -80,7 +80,7 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
 def letters_high(key: str) -> int:
     """Return the height of a figure in letters of the page, by type.css; the last rule counts."""
     rules = (ROOT / "ramanujan/browser/page/type.css").read_text(encoding="utf-8")
-    [usual] = re.findall(r"var\(--high, (\d+)\)", rules)
+    [usual] = re.findall(r"\.stPlotlyChart \{ height: calc\(var\(--high, (\d+)\)", rules)
     own = [
         high
         for selectors, high in re.findall(r"^ *(.*) \{ --high: (\d+); \}", rules, re.MULTILINE)

@@ -170,6 +170,13 @@ def holds(line: str, known: dict[str, Number]) -> bool:
     return not decimal or bool(abs(written - other) <= last_place(decimal) * (digits if is_exact else digits + 0.5))
 
 
+@pytest.fixture(autouse=True)
+def hundred_digits() -> Iterator[None]:
+    """Compute with 100 digits, whatever another file's tests have set."""
+    with mpmath.workdps(100):
+        yield
+
+
 # What is shown
 
 

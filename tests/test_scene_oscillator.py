@@ -80,10 +80,10 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     assert len(written) == len(set(written)) > 30
     # Numbers stand below a heading of their own, with the sentence that says whose they are.
     for opened in told.split("**")[2::2]:
-        way, _heading, numbers = opened.partition("#### Your machine")
+        way, _heading, numbers = opened.partition("### Your machine")
         assert "The numbers are for" not in way
         assert ("The numbers are for" in numbers) == ("$$" in numbers)
-    assert told.index(r"\varepsilon &= 1 ") > told.rindex("#### Your machine")
+    assert told.index(r"\varepsilon &= 1 ") > told.rindex("### Your machine")
 
 
 def test_the_page_says_in_words_whether_the_machine_is_in_step(app):

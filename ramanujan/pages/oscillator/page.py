@@ -64,7 +64,12 @@ def show() -> None:
 
 def followers() -> list[str]:
     """Return the keys of the fragments above the six steps that depend on the machine."""
-    return ["machine"] if display_mode.hides("curve", "numbers") else ["machine", "present"]
+    return ["machine", "present"] if shows_numbers() else ["machine"]
+
+
+def shows_numbers() -> bool:
+    """Tell whether the numbers of the machine stand below the curve; on a projector they stand beside the machine."""
+    return not (display_mode.hides("curve", "numbers") or display_mode.is_projector())
 
 
 @st.fragment(key="machine")
@@ -159,8 +164,7 @@ def the_curve() -> None:
     )
     sees = sees.format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value())
     drawings.plot(cache.figure(theme.current()), "curve", sees)
-    # On a projector the readouts stand beside the machine, and the curve needs the room.
-    if not (display_mode.hides("numbers") or display_mode.is_projector()):
+    if shows_numbers():
         present()
     with st.container(key="click_curve"):
         st.caption(_("Click on the curve to build the machine with that mass ratio."))
