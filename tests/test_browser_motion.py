@@ -198,7 +198,7 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
     lines = path.read_text(encoding="utf-8").splitlines()
     header = next(i for i, line in enumerate(lines) if not line.startswith("#"))
     numbers = np.loadtxt(path, delimiter=",", skiprows=header + 1)
-    motion = cache.record.__wrapped__(Oscillator(m=2.5), 0.08, 0.04, -1.3)
+    motion = cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3)
     assert np.array_equal(numbers[:, 0], motion.t)
     assert np.array_equal(numbers[:, 1:7], np.concatenate([motion.q, motion.q_dot]).T)
     assert "# mu = 0.11" in lines
