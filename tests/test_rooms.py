@@ -5,6 +5,7 @@ import gc
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import grimp
 import pytest
@@ -108,7 +109,9 @@ def test_every_page_of_the_list_is_warmed_up_also_one_that_is_no_package(tmp_pat
         async with server.warmed_up(None):
             pass
 
-    asyncio.run(start())
+    # Playwright's own loop runs in the thread of the tests.
+    with ThreadPoolExecutor(1) as own:
+        own.submit(asyncio.run, start()).result()
     assert sys.modules["ramanujan.pages.another.page"].warm == [True]
 
 
