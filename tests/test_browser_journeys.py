@@ -6,8 +6,10 @@ as the bytes of a message, is in the files for each page.
 
 import re
 from collections.abc import Callable
+from io import BytesIO
 
 import pytest
+from PIL import Image
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from tests.browser import STAGE, inside, next_frame, slab_over_block
@@ -189,6 +191,11 @@ def test_worksheet_on_paper(at):
     assert visitor.find("button") is None
     picture, text = visitor.find(".st-key-sheet_picture img"), visitor.find(".st-key-sheet_picture")
     assert picture["width"] > 0.55 * text["width"]
+    left, top = (picture[each] - picture[size] / 2 for each, size in (("x", "width"), ("y", "height")))
+    whole = Image.open(BytesIO(visitor.page.screenshot())).convert("L")
+    drawn = whole.crop((left, top, left + picture["width"], top + picture["height"])).point(lambda gray: gray < 160)
+    across, _, end, _ = drawn.getbbox()
+    assert end - across > 0.9 * picture["width"]
     assert visitor.page.evaluate(CUT) == []
 
 

@@ -40,4 +40,5 @@ def draw(svg: str, *, alt: str, style: str) -> None:
     style : rules for its place and size
     """
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
+    style = f"object-fit:contain;{style}"  # Streamlit only scales images down, and WebKit takes an SVG for a small one
     st.markdown(f'<img alt="{alt}" src="{source}" style="{style}">', unsafe_allow_html=True)
