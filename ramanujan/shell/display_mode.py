@@ -4,7 +4,7 @@ All of it stands in the address of every page, as `view=projector`, `sheet=curve
 that it can be passed on. A page declares its sheets where it draws them: `with sheet("curve", _("The curve")):`.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from html import escape
 
@@ -53,6 +53,11 @@ def sheet(name: str, title: str) -> AbstractContextManager:
     drawn = st.container(key=f"sheet-{name}")
     drawn.html(f'<i data-sheet="{escape(title)}"></i>')
     return drawn
+
+
+def picture_and_words() -> Sequence[AbstractContextManager]:
+    """Return the places of a sheet's picture and of its words: side by side, or on another screen as they are drawn."""
+    return st.columns([3, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
 
 
 @st.fragment

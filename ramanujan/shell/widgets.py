@@ -44,9 +44,10 @@ def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more
 
 
 def beside(widths: int | Sequence[float], *draw: Callable[[], Any]) -> list[Any]:
-    """Draw widgets beside each other in columns, and return their values."""
+    """Draw widgets beside each other in columns, or below each other in a single one, and return their values."""
+    columns = st.columns(widths, gap="medium")
     values = []
-    for column, each in zip(st.columns(widths, gap="medium"), draw, strict=True):
+    for column, each in zip(columns if len(columns) > 1 else columns * len(draw), draw, strict=True):
         with column:
             values.append(each())
     return values

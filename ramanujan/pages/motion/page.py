@@ -34,22 +34,29 @@ def show() -> None:
     """Draw the page."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
     with sheet("machine", _("The machine")):
-        st.title(_("Motion"), anchor=False)
-        st.markdown(
-            _(
-                "What moves how far, where does the energy go, and which contact slips first? Give the machine an "
-                "initial velocity, or change the friction."
+        picture, words = display_mode.picture_and_words()
+        with words:
+            st.title(_("Motion"), anchor=False)
+            st.markdown(
+                _(
+                    "What moves how far, where does the energy go, and which contact slips first? Give the machine an "
+                    "initial velocity, or change the friction."
+                )
             )
-        )
-        scene = st.container(key="without_dials")
-        glide, spin, mu = widgets.beside(3, *(partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)))
+        with picture:
+            scene = st.container(key="without_dials")
+        with words:
+            columns = 1 if display_mode.is_projector() else 3
+            glide, spin, mu = widgets.beside(
+                columns, *(partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU))
+            )
         setting = (machine, compression, glide, spin)
         motion = cache.record(*setting)
         largest = largest_compression(machine, mu, spacing=motion.spacing)
         friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
         with scene:
             the_machine(motion, friction)
-        with st.container(key="verdict"):
+        with picture, st.container(key="verdict"):
             verdict(friction, compression)
     if display_mode.is_projector():
         page.cursor("motion")
