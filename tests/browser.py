@@ -1,7 +1,6 @@
 """The app in a browser, for tests and benchmarks: start it, open it, and wait for its answers."""
 
 import contextlib
-import re
 import shutil
 import socket
 import subprocess
@@ -11,7 +10,7 @@ import urllib.request
 from email.message import Message
 from pathlib import Path
 
-from playwright.sync_api import BrowserContext, Error, Page, WebSocket
+from playwright.sync_api import Error, Page, WebSocket
 from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
@@ -120,18 +119,18 @@ def listen(page: Page) -> None:
     count_anew(page)
 
 
-def open_tab(profile: BrowserContext, address: str, *scripts: str, motion: str = "reduce") -> Page:
-    """Open an address in a tab of its own, with scripts that run before those of the page."""
-    page = profile.new_page()
-    listen(page)
-    page.set_viewport_size({"width": 1280, "height": 720})
-    page.emulate_media(reduced_motion=motion)
+def open_address(page: Page, address: str, *scripts: str) -> None:
+    """Open an address in a tab, with scripts that run before those of the page, and wait until all of it is there."""
+    if not hasattr(page, "late"):
+        listen(page)
     for script in scripts:
         page.add_init_script(script)
+    count_anew(page)
     page.goto(address)
-    page.locator("[data-testid=stMainBlockContainer] h1").first.wait_for()
+    page.wait_for_selector("[data-testid=stMainBlockContainer]")
     settle(page)
-    return page
+    page.wait_for_function(MOUNTED)
+    settle(page)  # the first page has asked for what follows its machine
 
 
 def count_anew(page: Page) -> None:
@@ -149,65 +148,6 @@ _WAIT = """async (ms) => {
   return Boolean(document.querySelector(".st-key-opening_words")) && !document.querySelector(".st-key-update_seen");
 }"""
 """Waits for so long, and tells whether the first page has still to ask for what follows its machine."""
-
-
-_AT_HOME = """(arriving) => {
-  const held = (each) => each.type === "checkbox" ? each.checked : each.value || each.getAttribute("aria-pressed");
-  if (!arriving) document.activeElement?.blur();
-  for (const name of ["stMain", "stSidebarContent"]) document.querySelector(`[data-testid=${name}]`)?.scrollTo(0, 0);
-  for (const component of document.querySelectorAll("[data-testid=stBidiComponentIsolated]")) {
-    const find = (selector) => [...(component.shadowRoot?.querySelectorAll(selector) ?? [])];
-    const controls = find("[data-layer] input, .speeds select, .viewpoint");
-    if (arriving) component.atHome = controls.map(held);
-    else {
-      controls.forEach((each, i) => {
-        const home = component.atHome?.[i];
-        if (held(each) === home) return;
-        if (!each.matches("select")) return each.click();
-        each.value = home;
-        each.dispatchEvent(new Event("change"));
-      });
-      for (const each of find(".playing [data-do=play], [data-do=restart]").reverse()) each.click();
-    }
-  }
-}"""
-"""Brings back what only the browser knows: the layers of the stages, their speed and phase; the scrolled page."""
-
-
-def arrived(page: Page, address: str) -> None:
-    """Note how a page is that has been opened with an address, for `is_back`."""
-    page.evaluate(_AT_HOME, True)
-    page.home = (address, page.url, len(page.frames_sent))
-
-
-def is_back(page: Page, address: str) -> bool:
-    """Bring a page that was opened with an address back to how it was; return whether that could be done.
-
-    Where the server was told something, the first page's Reset undoes it, if the address holds no machine of its own.
-    """
-    if not page.home or page.home[0] != address or page.url.partition("?")[0] != page.home[1].partition("?")[0]:
-        return False
-    with contextlib.suppress(Error, AssertionError):
-        if len(page.frames_sent) != page.home[2]:
-            if address.partition("?")[0] or re.search(r"[?&](m|m_prime|k|compression|radius)=", address):
-                return False
-            page.get_by_text("Reset", exact=True).click(timeout=1000)
-            settle(page)
-            page.home = (*page.home[:2], len(page.frames_sent))
-        page.evaluate(_AT_HOME, False)
-        return page.url == page.home[1]
-    return False
-
-
-def rest(page: Page) -> None:
-    """Leave a page after a test with nothing held and nothing that moves by itself."""
-    with contextlib.suppress(Error):
-        page.mouse.up()
-        if page.url.startswith("http"):
-            page.evaluate("localStorage.clear()")  # Streamlit keeps there whether a hand has folded the sidebar
-        if not page.home or page.url.partition("?")[0] != page.home[1].partition("?")[0]:
-            page.goto("about:blank")
-        page.emulate_media(color_scheme="light", reduced_motion="reduce", media="null", forced_colors="none")
 
 
 def settle(page: Page, seconds: float = 60) -> None:

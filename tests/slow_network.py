@@ -20,12 +20,7 @@ _SESSION = re.compile(rb"(?i)(sec-websocket-protocol:[^,\r]*,[^,\r]*),[^\r]*")
 
 
 class Network:
-    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`.
-
-    One after the other they have the same address: at another one a browser would load and compile all scripts again.
-    """
-
-    port = 0
+    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`."""
 
     def __init__(self, server: str, seconds: float) -> None:
         parts = urlsplit(server)
@@ -38,14 +33,11 @@ class Network:
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
 
     def start(self) -> None:
-        """Begin to listen on the port of the network before, or on a free one, at `address`."""
+        """Begin to listen on a free port, at `address`."""
         self._thread.start()
-        try:
-            self._listener = self._call(self._listen(Network.port))
-        except OSError:
-            self._listener = self._call(self._listen(0))
-        host, Network.port = self._listener.sockets[0].getsockname()
-        self.address = f"http://{host}:{Network.port}"
+        self._listener = self._call(self._listen())
+        host, port = self._listener.sockets[0].getsockname()
+        self.address = f"http://{host}:{port}"
 
     def stop(self) -> None:
         """Close every connection and stop listening."""
@@ -62,8 +54,8 @@ class Network:
         """Accept connections again; to the page of one that was killed the server is one that has never seen it."""
         self._up, self._killed = True, killed
 
-    async def _listen(self, port: int) -> asyncio.Server:
-        return await asyncio.start_server(self._serve, "127.0.0.1", port, limit=_HEAD)
+    async def _listen(self) -> asyncio.Server:
+        return await asyncio.start_server(self._serve, "127.0.0.1", 0, limit=_HEAD)
 
     def _call(self, coroutine):
         return asyncio.run_coroutine_threadsafe(coroutine, self._loop).result(timeout=30)

@@ -145,16 +145,9 @@ def check_control(page) -> None:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_everyone_can_use_and_read_a_page(visit, profile, tabs, server, name):
+def test_everyone_can_use_and_read_a_page(visit, server, name):
     asked: list[str] = []
-
-    def note(request: object) -> None:
-        asked.append(request.url)
-
-    profile.on("request", note)
-    page = visit(PAGES[name].address, width=1920, height=1080, theme="dark", anew=True)
-    profile.remove_listener("request", note)
-    tabs.remove(page)  # no other test gets it as it will be
+    page = visit(PAGES[name].address, width=1920, height=1080, theme="dark", note=asked.append)
     check_requests(asked, server)
     check_title_and_headings(page, name)
     page.evaluate(OPEN)
@@ -184,7 +177,6 @@ def test_everyone_can_use_and_read_a_page(visit, profile, tabs, server, name):
         page.wait_for_function(f"({found})().length === 0")
     if name == "worksheet":
         check_control(page)
-    page.close()
 
 
 FOCUSED = (

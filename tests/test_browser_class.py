@@ -8,8 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from ramanujan import lesson
-from ramanujan.shell.browser_cookie import NAME
-from tests.browser import listen, settle
+from tests.browser import settle
 
 CUT = """() => {
   const main = document.querySelector("[data-testid=stMain]");
@@ -41,11 +40,6 @@ def hear(*pages: Page) -> None:
         page.evaluate("hear()")
 
 
-def reload(phone: Page) -> None:
-    phone.context.add_cookies([phone.cookie])
-    phone.reload()
-
-
 def vote(phone: Page, number: int) -> None:
     phone.bring_to_front()  # a tab behind another draws once a second
     sent = len(phone.frames_sent)
@@ -57,33 +51,13 @@ def vote(phone: Page, number: int) -> None:
 
 
 @pytest.fixture
-def screen(profile, server):
-    """Open the lesson's page on a screen of its own, or in another tab of one.
-
-    The app knows a browser by its cookie: each screen gets another one, and all share what has been compiled, which
-    for seven browsers takes more than fifteen seconds of a processor.
-    """
-    pages, errors = [], []
+def screen(visit):
+    """Open the lesson's page on a screen of its own, which has a cookie of its own, or in another tab of one."""
 
     def show(query: str, width: int = 390, height: int = 844, beside: Page | None = None) -> Page:
-        if beside is None:
-            profile.clear_cookies(name=NAME)
-        pages.append(profile.new_page())
-        page = pages[-1]
-        page.set_viewport_size({"width": width, "height": height})
-        page.emulate_media(reduced_motion="reduce")
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        listen(page)
-        page.add_init_script(ASK_WHEN_TOLD)
-        page.goto(f"{server}/lesson?{query}")
-        page.locator("[data-testid=stMainBlockContainer] h1").first.wait_for()
-        page.cookie = next(each for each in profile.cookies(server) if each["name"] == NAME)
-        return page
+        return visit(f"lesson?{query}", ASK_WHEN_TOLD, width=width, height=height, beside=beside)
 
-    yield show
-    for page in pages:
-        page.close()
-    assert errors == []
+    return show
 
 
 def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
@@ -131,9 +105,9 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
         if number == LEFT:
             phones.pop("leaving").get_by_role("button", name="Leave the class").click()
         press(".st-key-class_reveal")
-        # Until the last one has left, and at the end, all answer; between, one half at a time.
+        # Until the last one has left, and at the end, all answer; between, one at a time.
         whole_class = number <= LEFT or number == len(lesson.STOPS)
-        answering = dict(list(phones.items())[0 if whole_class else number % 2 :: 1 if whole_class else 2])
+        answering = dict(list(phones.items())[0 if whole_class else number % 4 :: 1 if whole_class else 4])
         hear(*answering.values())
         expect(wall.locator("h1")).to_have_text(stop.heading)
         whole("asked")
@@ -143,7 +117,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
             if name == "changing" or (name, number) == ("reloading", 2):
                 vote(phone, (chosen[name] + 1) % len(stop.options))
             if (name, number) == ("reloading", 3):
-                reload(phone)
+                phone.reload()
             vote(phone, chosen[name])
         if number == 1:
             for tab, option in zip(tabs, (1, 2), strict=True):
@@ -153,7 +127,7 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
                 vote(tab, option)
                 chosen["three tabs"] = option
         if number == 2:
-            reload(phones["reloading"])
+            phones["reloading"].reload()
             expect(phones["reloading"].locator(f"{VOTES}:has(input:checked)")).to_have_count(1)
             for tab in tabs:
                 tab.close()

@@ -32,8 +32,14 @@ def press(page, key: str) -> int:
     return step(page)
 
 
-def test_back_takes_a_choice_back_arrow_keys_turn_the_steps_and_a_choice_is_made_by_keys_alone(visit):
+def test_a_lecturer_goes_back_turns_steps_and_chooses_by_keys_and_clickers(visit):
     page = visit("derivation?m=2")
+    check_back_and_arrows(page)
+    check_clickers(visit("derivation?step=9", tab=page))
+
+
+def check_back_and_arrows(page) -> None:
+    """Check that Back takes a choice back, arrow keys turn the steps, and a choice is made by keys alone."""
     for place, route in ((1, "hamilton"), (2, "newton")):
         page.locator(".st-key-route button").nth(place).click()
         page.wait_for_url(f"**route={route}**")
@@ -73,8 +79,8 @@ def test_back_takes_a_choice_back_arrow_keys_turn_the_steps_and_a_choice_is_made
     assert page.evaluate("document.activeElement.getAttribute('role')") == "radio"
 
 
-def test_clickers_and_the_space_bar_turn_steps_typing_does_not_and_a_screen_reader_hears_where_it_is(visit):
-    page = visit("derivation?step=9")
+def check_clickers(page) -> None:
+    """Check that clickers and the space bar turn steps, typing does not, and a screen reader hears where it is."""
     said = page.locator(".st-key-library [role=status]")
     assert "Step 10 of " not in said.text_content()
     page.get_by_role("button", name="Next").click()
@@ -102,33 +108,10 @@ def test_clickers_and_the_space_bar_turn_steps_typing_does_not_and_a_screen_read
     assert step(page) == 10
 
 
-def test_long_formulas_scroll_in_their_own_box_on_a_phone(visit):
-    page = visit("derivation?route=matrix&show=reading&body=hoop", width=320, height=640)
-    page.wait_for_selector(".st-key-question")
-    page.evaluate("document.fonts.ready")
-    settle(page)
-    boxes = page.evaluate("""() => [...document.querySelectorAll('.katex-display')].map(box =>
-        [box.getBoundingClientRect().right <= innerWidth, box.scrollWidth > box.clientWidth,
-         getComputedStyle(box).overflowX, box.scrollHeight <= box.clientHeight + 1])""")
-    assert all(inside and overflow == "auto" and whole for inside, _, overflow, whole in boxes)
-    assert any(long for _, long, *_ in boxes)
-    main = page.locator("[data-testid=stMain]")
-    assert main.evaluate("main => main.scrollWidth <= main.clientWidth")
-    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-
-
-def test_three_machines_run_side_by_side(visit):
+def test_three_machines_run_and_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
     page = visit("derivation?question=potential_energy", motion="no-preference")
-    # The view follows the centre of mass: where the whole machine glides, it is the floor that passes by.
-    for key, part in (("swing", ".moving .slab"), ("glide", ".ruler"), ("roll", ".moving .top")):
-        moving = f"""document.querySelector('.st-key-mode_{key} [data-testid=stBidiComponentIsolated]')
-          ?.shadowRoot.querySelector('{part}')?.getAttribute('transform')"""
-        page.wait_for_function(moving)
-        page.wait_for_function(f"(before) => {moving} !== before", arg=page.evaluate(moving))
-
-
-def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
-    page = visit("derivation?question=potential_energy")
+    check_three_machines(page)
+    page.emulate_media(reduced_motion="reduce")
     box = page.get_by_label("Your formula")
     for text, told in (
         ("4kR²φ²", "leave out the ½"),
@@ -148,7 +131,17 @@ def test_a_student_is_told_what_is_missing_and_hostile_text_stays_text(visit):
     page.get_by_role("button", name="Show me this step").wait_for()
 
 
-def test_the_route_as_it_stands_can_be_taken_home(visit):
+def check_three_machines(page) -> None:
+    """Check that three machines run side by side, each in its mode."""
+    # The view follows the centre of mass: where the whole machine glides, it is the floor that passes by.
+    for key, part in (("swing", ".moving .slab"), ("glide", ".ruler"), ("roll", ".moving .top")):
+        moving = f"""document.querySelector('.st-key-mode_{key} [data-testid=stBidiComponentIsolated]')
+          ?.shadowRoot.querySelector('{part}')?.getAttribute('transform')"""
+        page.wait_for_function(moving)
+        page.wait_for_function(f"(before) => {moving} !== before", arg=page.evaluate(moving))
+
+
+def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(visit):
     page = visit("derivation?route=energy&values=numbers")
     assert press(page, "ArrowRight") == 2
     seen = page.locator(STEP).inner_text().partition(". ")[2].partition("’")[0]
@@ -169,6 +162,22 @@ def test_the_route_as_it_stands_can_be_taken_home(visit):
             assert json.loads(text)["nbformat"] == 4
         settle(page)
         assert len(page.frames_sent) == sent, kind
+    check_long_formulas(visit("derivation?route=matrix&show=reading&body=hoop", width=320, height=640, tab=page))
+
+
+def check_long_formulas(page) -> None:
+    """Check that long formulas scroll in their own box on a phone."""
+    page.wait_for_selector(".st-key-question")
+    page.evaluate("document.fonts.ready")
+    settle(page)
+    boxes = page.evaluate("""() => [...document.querySelectorAll('.katex-display')].map(box =>
+        [box.getBoundingClientRect().right <= innerWidth, box.scrollWidth > box.clientWidth,
+         getComputedStyle(box).overflowX, box.scrollHeight <= box.clientHeight + 1])""")
+    assert all(inside and overflow == "auto" and whole for inside, _, overflow, whole in boxes)
+    assert any(long for _, long, *_ in boxes)
+    main = page.locator("[data-testid=stMain]")
+    assert main.evaluate("main => main.scrollWidth <= main.clientWidth")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
 BEFORE_THE_FIRST_EQUATION = """() => {
@@ -244,10 +253,11 @@ def test_headings_stay_where_they_are_and_the_chosen_body_has_its_ink(visit):
         page.set_viewport_size({"width": width, "height": 720})
         alone += page.evaluate(ALONE)
     assert alone == []
+    check_projector(visit("derivation?route=newton&body=hoop&view=projector", tab=page))
 
 
-def test_on_a_projector_machine_and_choice_of_a_body_are_seen_beside_every_step(visit):
-    page = visit("derivation?route=newton&body=hoop&view=projector")
+def check_projector(page) -> None:
+    """Check that on a projector machine and choice of a body are seen beside every step."""
     page.locator(STEP).wait_for()
     assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 19
 

@@ -7,8 +7,9 @@ stage are gone through (50 for a thorough run).
 import itertools
 import os
 from collections import Counter
+from collections.abc import Callable
 
-from tests.browser import next_frame, open_tab, settle, thumb
+from tests.browser import next_frame, settle, thumb
 from tests.test_browser_access import switch
 
 MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "0.3"))
@@ -42,8 +43,8 @@ def counts(tab: object, client: object) -> dict[str, float]:
     return {name: metrics[name] for name in ("JSHeapUsedSize", "JSEventListeners", "Nodes")}
 
 
-def test_theme_and_page_changes_leave_nothing_behind(server: str, profile: object) -> None:
-    tab = open_tab(profile, f"{server}/speed?periods=1")
+def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
+    tab = visit("speed?periods=1")
     client = watched(tab)
 
     def known(stage: str) -> set[str]:
@@ -81,15 +82,14 @@ def test_theme_and_page_changes_leave_nothing_behind(server: str, profile: objec
     for _ in range(ROUNDS):
         assert go_round() == first
     after = counts(tab, client)
-    tab.close()
     # Streamlit and Plotly keep a few of their own with every page.
     assert after["JSEventListeners"] <= 1.1 * before["JSEventListeners"] + 50, (before, after)
     assert after["Nodes"] <= 1.2 * before["Nodes"] + 500, (before, after)
     assert after["JSHeapUsedSize"] <= before["JSHeapUsedSize"] + 2**20 * (5 + ROUNDS / 2), (before, after)
 
 
-def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(server: str, profile: object) -> None:
-    tab = open_tab(profile, f"{server}/?hide=curve,steps", HASTE, motion="no-preference")
+def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(visit: Callable) -> None:
+    tab = visit("?hide=curve,steps", HASTE, motion="no-preference")
     client = watched(tab)
 
     def drag(times: int, way: int) -> None:
@@ -111,7 +111,6 @@ def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(server: str,
     for i in range(4):
         drag(25, (-1) ** i)
     after, drawn = counts(tab, client), tab.evaluate("drawn") - drawn
-    tab.close()
     assert drawn >= 100
     # Streamlit and Plotly keep a little of their own; a listener or a node for each change would be 100 and more.
     assert after["JSEventListeners"] < before["JSEventListeners"] + 50, (before, after)

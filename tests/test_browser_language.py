@@ -3,13 +3,12 @@
 They fit a narrow phone, too, where nothing scrolls sideways.
 """
 
-import os
 from collections.abc import Iterator
 
 import pytest
 
 from ramanujan.shell.navigation import PAGES
-from tests.browser import ROOT, count_anew, listen, running, settle
+from tests.browser import ROOT, running, settle
 
 UNTOUCHED = """(text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍÓÚÝŚ⟦⟧·]/.test(text)"""
 """Whether a text has words, none of which gettext has seen: those would carry accents."""
@@ -153,55 +152,49 @@ ADDRESSES["taxicab"] += "?p=1000&q=999&digits=1000&left=sphere"
 """Name of a page → its address, with the longest numbers."""
 
 
-@pytest.fixture(scope="module")
-def page(profile: object) -> Iterator[object]:
-    """A tab for the app that speaks the pseudo-language, with its address in `app`, and `screen` to set its size."""
-    os.environ["RAMANUJAN_LANGUAGE"] = "pseudo"
-    try:
-        with running(ROOT / "app.py") as address:
-            tab = profile.new_page()
-            tab.app = address
-            listen(tab)
-            tab.emulate_media(reduced_motion="reduce")
-            client = tab.context.new_cdp_session(tab)
-
-            def screen(width: int, height: int, *, phone: bool) -> None:
-                size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": phone}
-                client.send("Emulation.setDeviceMetricsOverride", size)
-                client.send("Emulation.setTouchEmulationEnabled", {"enabled": phone, "maxTouchPoints": 5})
-
-            tab.screen = screen
-            yield tab
-            tab.close()
-    finally:
-        del os.environ["RAMANUJAN_LANGUAGE"]
+@pytest.fixture
+def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """The address of an app that speaks the pseudo-language."""
+    monkeypatch.setenv("RAMANUJAN_LANGUAGE", "pseudo")
+    with running(ROOT / "app.py") as address:
+        yield address
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_narrow_phone(page, name):
-    page.screen(1280, 720, phone=False)
-    count_anew(page)
-    page.goto(f"{page.app}/{ADDRESSES[name]}")
-    page.wait_for_selector("[data-testid=stMainBlockContainer] h1")
-    settle(page)
-    assert "⟦" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
-    assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
+def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_narrow_phone(visit, pseudo):
+    page = None
+    for address in ADDRESSES.values():
+        page = visit(address, network=pseudo, tab=page)
+        assert "⟦" in page.locator("[data-testid=stMainBlockContainer]").inner_text()
+        assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
+        check_fit(page)
+        client = page.context.new_cdp_session(page)
+        become_phone(client, 390, 844)
+        settle(page)
+        check_fit(page)
+        become_phone(client, 320, 640)
+        check_narrow(page)
+        # Negative control: a text that is put over another one is found.
+        covers = page.evaluate(COVER)
+        found = page.evaluate(OVERLAPS)
+        assert all(any(cover in pair for pair in found) for cover in covers), found
+        client.detach()
+
+
+def become_phone(client, width: int, height: int) -> None:
+    """Make a tab as large as a phone's screen, and touched."""
+    size = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": True}
+    client.send("Emulation.setDeviceMetricsOverride", size)
+    client.send("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 5})
+
+
+def check_fit(page) -> None:
+    """Check that nothing is cut, and that no text lies on another one."""
     assert page.evaluate(CUT) == []
     assert page.evaluate(OVERLAPS) == []
-    page.screen(390, 844, phone=True)
-    settle(page)
-    assert page.evaluate(CUT) == []
-    assert page.evaluate(OVERLAPS) == []
-    check_narrow(page)
-    # Negative control: a text that is put over another one is found.
-    covers = page.evaluate(COVER)
-    found = page.evaluate(OVERLAPS)
-    assert all(any(cover in pair for pair in found) for cover in covers), found
 
 
 def check_narrow(page) -> None:
     """Check that under every tab nothing scrolls sideways down to 320 px, and nothing is too small for a finger."""
-    page.screen(320, 640, phone=True)
     for tab in page.get_by_role("tab").all() or [page.locator("h1")]:
         tab.click()
         settle(page)

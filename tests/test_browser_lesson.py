@@ -50,8 +50,27 @@ def heading(page) -> str:
     return page.locator("h1").inner_text()
 
 
-def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs(visit):
+def test_a_student_goes_through_the_lesson_and_a_link_holds_the_place(visit):
     page = visit("lesson", motion="no-preference")
+    check_prediction(page)
+    page.emulate_media(reduced_motion="reduce")
+    check_turning(page)
+    # What is set and chosen is there again when the address is opened.
+    address = page.url.rpartition("/")[2]
+    assert {"stop=heavy-rollers", "chosen=two-clocks.behind", "m_prime=5.01"} <= set(re.split("[?&]", address))
+    other = visit(address)
+    assert heading(other) == f"3. {lesson.STOPS[2].heading}"
+    assert other.locator(".st-key-m_prime input[type=range]").input_value() == "5.01"
+    other.get_by_role("button", name="Back").click()
+    other.get_by_role("button", name="Back").click()
+    settle(other)
+    assert other.get_by_text("Right answer:").is_visible()
+    check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", tab=other))
+    check_stopwatch(visit("lesson?part=tasks&task=period", tab=other))
+
+
+def check_prediction(page) -> None:
+    """Check that before the prediction the machine stands and nothing tells, and that it runs then."""
     page.wait_for_selector(f"{STAGE} .body.slab[transform]", state="attached")
     # The live region speaks half a second after things have come to rest.
     page.wait_for_function("!ramanujan.last('say')")
@@ -64,6 +83,12 @@ def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs
     # It still stands: whoever doubts may choose again.
     next_frame(page)
     assert page.evaluate(PLACE) == place
+    # Who goes on without a check is asked once; the place that the page shows comes back.
+    page.keyboard.press("ArrowRight")
+    settle(page)
+    assert heading(page) == f"1. {lesson.STOPS[0].heading}"
+    expect(page.get_by_text("You have not checked your prediction yet.").first).to_be_visible()
+    assert page.evaluate(f"{inside('turn')}.querySelector('input').value") == "1"
     predict(page, "Run the machine")
     # Negative control: all of it is there now.
     page.wait_for_function(f"{PLACE} !== '{place}'")
@@ -76,16 +101,9 @@ def test_before_the_prediction_the_machine_stands_and_nothing_tells_then_it_runs
     expect(page.locator(".st-key-library [role=status]")).to_contain_text("Your prediction was different.")
 
 
-def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
-    page = visit("lesson")
-    predict(page, "Exactly where the other hand is.")
-    # Who goes on without a check is asked once; the place that the page shows comes back.
-    page.keyboard.press("ArrowRight")
-    settle(page)
-    assert heading(page) == f"1. {lesson.STOPS[0].heading}"
-    expect(page.get_by_text("You have not checked your prediction yet.").first).to_be_visible()
-    assert page.evaluate(f"{inside('turn')}.querySelector('input').value") == "1"
-    for label in ("Run the machine", "Show the answer", "Change it with the sliders"):
+def check_turning(page) -> None:
+    """Check that arrow keys turn the stops, and move a slider where it has the focus."""
+    for label in ("Show the answer", "Change it with the sliders"):
         predict(page, label)
     expect(page.locator(".st-key-m_prime")).to_be_in_viewport(ratio=1)
     page.keyboard.press("ArrowRight")
@@ -103,20 +121,10 @@ def test_arrow_keys_turn_the_stops_and_the_address_holds_the_place(visit):
     settle(page)
     assert heading(page) == f"3. {lesson.STOPS[2].heading}"
     assert page.get_by_text("You have changed the machine.").is_visible()
-    # What is set and chosen is there again when the address is opened.
-    address = page.url.rpartition("/")[2]
-    assert {"stop=heavy-rollers", "chosen=two-clocks.together", "m_prime=5.01"} <= set(re.split("[?&]", address))
-    page = visit(address)
-    assert heading(page) == f"3. {lesson.STOPS[2].heading}"
-    assert page.locator(".st-key-m_prime input[type=range]").input_value() == "5.01"
-    page.get_by_role("button", name="Back").click()
-    page.get_by_role("button", name="Back").click()
-    settle(page)
-    assert page.get_by_text("Right answer:").is_visible()
 
 
-def test_machines_to_compare_stand_side_by_side(visit):
-    page = visit("lesson?stop=zero-modes&chosen=zero-modes.two")
+def check_machines(page) -> None:
+    """Check that machines to compare stand side by side, and on a phone above one another."""
     machines = page.locator(".st-key-observed_several svg.machine")
     expect(machines).to_have_count(3)
     boxes = [machine.bounding_box() for machine in machines.all()]
@@ -129,8 +137,8 @@ def test_machines_to_compare_stand_side_by_side(visit):
     assert page.evaluate(WIDTH) <= 390
 
 
-def test_the_stopwatch_measures(visit):
-    page = visit("lesson?part=tasks&task=period")
+def check_stopwatch(page) -> None:
+    """Check that the stopwatch measures, and that nothing tells before."""
     before = page.evaluate(SAID)
     assert [text for text in NUMBERS if text in before] == []
     watch = page.locator(".st-key-task_stopwatch")
@@ -155,13 +163,10 @@ def test_on_a_phone_the_verdict_is_seen_and_hands_are_compared_at_the_moment_of_
     page.wait_for_function("ramanujan.last('time/stage_two-clocks_0')?.time > 1")
     shown = page.evaluate("ramanujan.last('time/stage_two-clocks_0').time")
     assert shown == pytest.approx(10 * 2 * math.pi / math.sqrt(10.0), rel=1e-6)
-
-
-@pytest.mark.parametrize("address", ["stop=contact", "part=tasks&task=top-at-rest", "part=notes"])
-def test_a_phone_shows_it_without_scrolling_sideways(visit, address):
-    page = visit(f"lesson?{address}", width=390, height=844)
-    assert page.evaluate(WIDTH) <= 390
-    if "contact" in address:
-        # The machine comes before the options.
-        stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
-        assert stage < options
+    for address in ("stop=contact", "part=tasks&task=top-at-rest", "part=notes"):
+        page = visit(f"lesson?{address}", width=390, height=844, tab=page)
+        assert page.evaluate(WIDTH) <= 390, address
+        if "contact" in address:
+            # The machine comes before the options.
+            stage, options = (page.locator(place).first.bounding_box()["y"] for place in (STAGE, ".st-key-options"))
+            assert stage < options

@@ -14,7 +14,7 @@ from playwright.sync_api import expect
 
 from ramanujan import Oscillator
 from ramanujan.shell import navigation
-from tests.browser import inside, next_frame, open_tab, settle, thumb
+from tests.browser import inside, next_frame, settle, thumb
 from tests.slow_network import network
 from tests.test_browser_controls import normalized
 
@@ -39,29 +39,25 @@ def take_slab(page, centimetres: float) -> None:
     next_frame(page)
 
 
-@pytest.fixture(scope="module")
-def late(profile, server) -> Iterator[Callable]:
-    """Open a page over a network that is late by so many seconds each way; each address has one tab."""
-    tabs = {}
+@pytest.fixture
+def late(visit, server) -> Iterator[Callable]:
+    """Open a page over a network; `late.by(seconds)` makes each way so slow, with the machine as it was at first."""
     with network(server) as way:
+        pages = []
 
-        def at(seconds: float, link: str = ""):
-            way.seconds = 0.0
-            if link in tabs:
-                page = tabs[link]
-                page.bring_to_front()
-                page.get_by_text("Reset", exact=True).click()
-                page.evaluate("document.activeElement.blur()")
-                settle(page)
-            else:
-                page = tabs[link] = open_tab(profile, f"{way.address}/{link}")
+        def open_page(link: str = ""):
+            pages.append(visit(link, network=way.address))
+            return pages[-1]
+
+        def by(seconds: float) -> None:
+            page, way.seconds, pages[-1].late = pages[-1], 0.0, 0.0
+            page.get_by_text("Reset", exact=True).click()
+            page.evaluate("document.activeElement.blur()")
+            settle(page)
             way.seconds = page.late = seconds
-            return page
 
-        at.way = way
-        yield at
-        for page in tabs.values():
-            page.close()
+        open_page.by, open_page.way = by, way
+        yield open_page
 
 
 def address(page) -> dict[str, list[str]]:
@@ -89,8 +85,19 @@ def watch(page, name: str, topic: str, what: str) -> None:
 # ---- the sliders
 
 
-def test_a_slow_answer_to_one_slider_does_not_take_another_back(late):
-    page = late(0.3)
+def test_over_a_slow_network_every_slider_preset_and_typed_value_is_kept(late):
+    page = late()
+    check_slow_answer(page, late.by)
+    check_many_drags(page, late.by)
+    check_keys(page, late.by)
+    check_preset_and_typed_value(page, late.by)
+    for seconds in (0.0, 0.4):
+        check_preset_after_typing(page, late.by, seconds)
+
+
+def check_slow_answer(page, late_by) -> None:
+    """Check that a slow answer to one slider does not take another back."""
+    late_by(0.3)
     before = normalized(page)
     drag(page, "m_prime", 40)
     watch(page, "seen", "present/oscillator", "normalized")
@@ -108,8 +115,9 @@ def test_a_slow_answer_to_one_slider_does_not_take_another_back(late):
     assert all(a <= b + 1e-9 for a, b in pairwise(seen))
 
 
-def test_many_drags_over_a_slow_network_end_where_the_server_is(late):
-    page = late(0.2)
+def check_many_drags(page, late_by) -> None:
+    """Check that many drags end where the server is."""
+    late_by(0.2)
     for key, by in (("m", 30), ("k", 50), ("m_prime", -10), ("k", -30), ("m", 12)):
         drag(page, key, by, steps=3)
     # A wheel over a slider scrolls, and sets nothing.
@@ -125,8 +133,9 @@ def test_many_drags_over_a_slow_network_end_where_the_server_is(late):
     assert told["m_prime"] == pytest.approx(0.1 * told["m"])
 
 
-def test_every_key_press_is_kept(late):
-    page = late(0.6)
+def check_keys(page, late_by) -> None:
+    """Check that every key press is kept."""
+    late_by(0.6)
     slider, box = (page.locator(place) for place in (".st-key-k input[type=range]", ".st-key-k_exact input"))
     for presses, pause, expected in ((8, 250, 14.0), (20, 30, 24.0)):
         slider.focus()
@@ -139,8 +148,9 @@ def test_every_key_press_is_kept(late):
         assert float(slider.input_value()) == float(box.input_value()) == expected
 
 
-def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(late):
-    page = late(0.4)
+def check_preset_and_typed_value(page, late_by) -> None:
+    """Check that a preset and a typed value outlast messages that were under way."""
+    late_by(0.4)
     slider = page.locator(".st-key-k input[type=range]")
 
     def boxes(*keys: str) -> list[float]:
@@ -164,9 +174,9 @@ def test_a_preset_and_a_typed_value_outlast_messages_that_were_under_way(late):
     assert boxes("m", "k") == [1.125, 11.5]
 
 
-@pytest.mark.parametrize(("delay", "link"), [(0.0, ""), (0.4, ""), (0.1, "derivation?step=2")])
-def test_a_preset_wins_over_what_was_typed_before_it(late, delay, link):
-    page = late(delay, link)
+def check_preset_after_typing(page, late_by, seconds: float, stage: str = "oscillator") -> None:
+    """Check that a preset wins over what was typed before it."""
+    late_by(seconds)
     for preset in ("Equal masses", "Reset"):
         page.locator(BOX).fill("4.44")
         page.get_by_text(preset, exact=True).dblclick()
@@ -174,11 +184,13 @@ def test_a_preset_wins_over_what_was_typed_before_it(late, delay, link):
         expect(page.locator(BOX)).to_have_value("1.0")
         assert page.locator(M_PRIME).input_value() == "1"
         assert "m_prime" not in address(page)
-        assert page.evaluate(TOLD.replace("oscillator", "beside" if link else "oscillator"))["m_prime"] == 1.0
+        assert page.evaluate(TOLD.replace("oscillator", stage))["m_prime"] == 1.0
 
 
-def test_no_key_press_of_a_lecture_is_lost(late):
-    page = late(0.6, "derivation?step=2")
+def test_over_a_slow_network_a_lecture_keeps_its_preset_and_every_key_press(late):
+    page = late("derivation?step=2")
+    check_preset_after_typing(page, late.by, 0.1, stage="beside")
+    late.by(0.6)
     for _ in range(4):
         page.keyboard.press("ArrowRight")
         page.wait_for_timeout(150)
@@ -191,8 +203,16 @@ def test_no_key_press_of_a_lecture_is_lost(late):
 # ---- the slab
 
 
-def test_no_message_moves_the_slab_while_it_is_held(late):
-    page = late(0.3)
+def test_nothing_takes_the_slab_out_of_the_hand_and_no_key_press_is_lost_behind_it(late):
+    page = late()
+    check_held_slab(page, late.by)
+    check_keys_behind_the_slab(page, late.by)
+    check_broken_network(page, late)
+
+
+def check_held_slab(page, late_by) -> None:
+    """Check that no message moves the slab while it is held."""
+    late_by(0.3)
     drag(page, "m_prime", 40)
     take_slab(page, -3)
     page.wait_for_timeout(200)  # the last jump has faded
@@ -215,8 +235,9 @@ def test_no_message_moves_the_slab_while_it_is_held(late):
     assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)
 
 
-def test_no_key_press_is_lost_behind_a_released_slab(late):
-    page = late(0.1)
+def check_keys_behind_the_slab(page, late_by) -> None:
+    """Check that no key press is lost behind a released slab."""
+    late_by(0.1)
     for presses, pause in ((5, 150), (10, 0)):
         take_slab(page, -1 if presses == 5 else 1)
         page.mouse.up()
@@ -246,10 +267,13 @@ TOLD_AT_ONCE = """() => {
 """Whether the notice is there in the frame in which Streamlit reports the loss, which disables the sliders."""
 
 
-def test_a_server_that_is_killed_and_a_network_that_breaks_take_nothing_out_of_the_hand(late):
-    """To the page a server that was killed is one that was away and knows nothing of it; of a real one see
-    test_deployment."""
-    page = late(0.0)
+def check_broken_network(page, late) -> None:
+    """Check that a server that is killed and a network that breaks take nothing out of the hand.
+
+    To the page a server that was killed is one that was away and knows nothing of it; of a real one see
+    test_deployment.
+    """
+    late.by(0.0)
     page.evaluate(TOLD_AT_ONCE)
     for by, left, killed in ((-3, 5, True), (-2, 3, True), (1, 4, False)):
         take_slab(page, by)
@@ -282,7 +306,8 @@ def test_a_server_that_is_killed_and_a_network_that_breaks_take_nothing_out_of_t
 
 
 def test_quick_changes_over_a_slow_network_never_end_the_app(late):
-    page, chance = late(0.1), random.Random(1729)
+    page, chance = late(), random.Random(1729)
+    late.by(0.1)
     places = range(len(navigation.PAGES))
     for _ in range(CHANGES):
         for place in chance.sample(places, len(places)):
@@ -297,8 +322,8 @@ def test_quick_changes_over_a_slow_network_never_end_the_app(late):
     page.wait_for_url("**m_prime=1.01**")
 
 
-def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_them(profile, server):
-    page = open_tab(profile, f"{server}/?m_prime=2.03&hide=curve,steps")
+def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_them(visit):
+    page = visit("?m_prime=2.03&hide=curve,steps")
     before = page.evaluate("history.length")
     page.get_by_role("link", name="Lesson", exact=True).first.click()
     page.get_by_role("heading", name="1.").wait_for()
@@ -319,4 +344,3 @@ def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_t
     seen("Ramanujan’s oscillator")
     page.go_forward()
     seen("Many ways to one frequency")
-    page.close()

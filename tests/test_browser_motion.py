@@ -6,7 +6,7 @@ import pytest
 from ramanujan import Oscillator, motion, released
 from ramanujan.contact import contact_forces, normal_forces
 from ramanujan.pages.motion import cache
-from tests.browser import next_frame, settle
+from tests.browser import inside, next_frame, settle, slab_over_block
 
 PLOT = ".js-plotly-plot .nsewdrag"
 MARK = ".js-plotly-plot .time-cursor"
@@ -15,7 +15,6 @@ MARK = ".js-plotly-plot .time-cursor"
 def open_motion(visit, query="", **more):
     page = visit(f"motion{query}", **more)
     page.wait_for_selector(PLOT, state="attached")
-    settle(page)
     return page
 
 
@@ -50,8 +49,26 @@ def choose(page, view):
     settle(page)
 
 
-def test_the_cursor_moves_all_figures_without_the_server(visit):
-    page = open_motion(visit)
+def test_one_cursor_moves_machine_and_figures_and_follows_to_another_view_and_machine(visit):
+    page = open_motion(visit, height=1500)
+    check_cursor_by_keys(page)
+    check_orbit(page)
+    check_hover_and_click(page)
+    check_dragged_cursor(page)
+    choose(page, "momentum")
+    page.get_by_label("Time cursor").fill("0.5")
+    nudge(page, "m", "End")
+    (time,) = cursor_times(page)
+    period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
+    assert time == pytest.approx(0.5 * cache.PERIODS * period, rel=0.02)
+    assert "figure=momentum" in page.url
+    choose(page, "energy")
+    assert cursor_times(page) == [pytest.approx(time, rel=0.02)]
+    check_energy(page)
+
+
+def check_cursor_by_keys(page):
+    """Check that the cursor moves all figures without the server."""
     slider = page.get_by_label("Time cursor")
     before = len(page.frames_sent)
     slider.fill("0.3")
@@ -68,40 +85,8 @@ def test_the_cursor_moves_all_figures_without_the_server(visit):
     assert len(page.frames_sent) == before
 
 
-def test_a_click_takes_the_cursor_along_and_all_panels_answer(visit):
-    page = open_motion(visit, height=1500)
-    panel = page.locator(PLOT).first.bounding_box()
-    page.mouse.move(panel["x"] + 0.5 * panel["width"], panel["y"] + 0.5 * panel["height"])
-    page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
-    page.wait_for_timeout(400)
-    # A pointer that only passes over a figure reads it; the machine that was frozen stays as it is.
-    assert float(page.get_by_label("Time cursor").input_value()) < 0.6
-    page.mouse.down()
-    page.mouse.up()
-    next_frame(page)
-    assert float(page.get_by_label("Time cursor").input_value()) == pytest.approx(0.6, abs=0.01)
-    # One label for both panels: five bodies over the ground, four over the block.
-    assert page.locator(".hoverlayer .traces").count() == 9
-
-
-def test_what_a_hover_tells_leaves_the_figure_in_sight(visit):
-    page = open_motion(visit, height=900)
-    panels = page.locator(".js-plotly-plot").first.locator(".nsewdrag")
-    panels.last.scroll_into_view_if_needed()
-    box = panels.first.bounding_box()
-    for share in (0.4, 0.45):
-        page.mouse.move(box["x"] + share * box["width"], box["y"] + 0.5 * box["height"], steps=2)
-    told = page.locator(".js-plotly-plot .hoverlayer .bg").first
-    told.wait_for(state="attached")
-    covered = told.bounding_box()
-    area = sum(each["width"] * each["height"] for each in map(lambda panel: panel.bounding_box(), panels.all()))
-    assert 0 < covered["width"] * covered["height"] < 0.4 * area
-    # It stands beside the instant that it tells of, which is that of the nearest point drawn.
-    assert covered["x"] > box["x"] + 0.4 * box["width"]
-
-
-def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
-    page = open_motion(visit)
+def check_orbit(page):
+    """Check that the dots on the orbits are the state at the cursor."""
     page.get_by_label("Time cursor").fill("0")
     next_frame(page)
     places = page.evaluate(
@@ -120,8 +105,60 @@ def test_the_dot_on_the_orbit_is_the_state_at_the_cursor(visit):
         assert place == pytest.approx(expected, abs=0.4)
 
 
-def test_plotly_keeps_its_zoom_and_png_and_each_body_has_its_name_in_its_area(visit):
-    page = open_motion(visit, "?figure=energy")
+def check_hover_and_click(page):
+    """Check that a pointer reads a figure and leaves it in sight, and that a click takes the cursor along."""
+    panels = page.locator(".js-plotly-plot").first.locator(".nsewdrag")
+    panel = panels.first.bounding_box()
+    for share in (0.4, 0.45):
+        page.mouse.move(panel["x"] + share * panel["width"], panel["y"] + 0.5 * panel["height"], steps=2)
+    told = page.locator(".js-plotly-plot .hoverlayer .bg").first
+    told.wait_for(state="attached")
+    covered = told.bounding_box()
+    area = sum(each["width"] * each["height"] for each in map(lambda panel: panel.bounding_box(), panels.all()))
+    assert 0 < covered["width"] * covered["height"] < 0.4 * area
+    # It stands beside the instant that it tells of, which is that of the nearest point drawn.
+    assert covered["x"] > panel["x"] + 0.4 * panel["width"]
+    page.mouse.move(panel["x"] + 0.6 * panel["width"], panel["y"] + 0.5 * panel["height"], steps=4)
+    page.wait_for_timeout(400)
+    # A pointer that only passes over a figure reads it; the machine that was frozen stays as it is.
+    assert float(page.get_by_label("Time cursor").input_value()) == 0
+    page.mouse.down()
+    page.mouse.up()
+    next_frame(page)
+    assert float(page.get_by_label("Time cursor").input_value()) == pytest.approx(0.6, abs=0.01)
+    # One label for both panels: five bodies over the ground, four over the block.
+    assert page.locator(".hoverlayer .traces").count() == 9
+
+
+def check_dragged_cursor(page):
+    """Check that the cursor moves the machine and the machine the cursor, without the server."""
+    slider = page.get_by_label("Time cursor")
+    slider.fill("0.25")  # half a period of the two shown: the spring is stretched by 8 cm
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(-8, abs=0.02)
+    sent = len(page.frames_sent)
+    page.get_by_role("button", name="Step forward").click()
+    next_frame(page)
+    assert float(slider.input_value()) == pytest.approx(13 / 48, abs=1e-3)
+    # A click on a figure freezes the machine there; the line can be dragged.
+    panel = page.locator(PLOT).first.bounding_box()
+    page.mouse.click(panel["x"] + 0.5 * panel["width"], panel["y"] + 20)
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(8, abs=0.1)
+    line = page.locator(".time-cursor").first.bounding_box()
+    x, y = line["x"] + line["width"] / 2, line["y"] + line["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + panel["width"] / 4, y, steps=5)
+    page.mouse.up()
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(-8, abs=0.1)
+    assert float(slider.input_value()) == pytest.approx(0.75, abs=2e-3)
+    assert len(page.frames_sent) == sent
+
+
+def check_energy(page):
+    """Check that Plotly keeps its zoom and PNG, and that each body has its name in its area."""
     graph = page.locator(".js-plotly-plot")
     graph.hover()
     titles = [button.get_attribute("data-title") or "" for button in page.locator(".modebar-btn").all()]
@@ -132,19 +169,23 @@ def test_plotly_keeps_its_zoom_and_png_and_each_body_has_its_name_in_its_area(vi
     assert graph.locator(".infolayer .legendtext").count() == 0
 
 
-def test_the_cursor_follows_to_another_view_and_another_machine(visit):
-    page = open_motion(visit, "?figure=energy")
-    page.get_by_label("Time cursor").fill("0.5")
-    choose(page, "momentum")
-    nudge(page, "m", "End")
-    (time,) = cursor_times(page)
-    period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
-    assert time == pytest.approx(0.5 * cache.PERIODS * period, rel=0.02)
-    assert "figure=momentum" in page.url
-
-
-def test_one_button_freezes_machine_and_figures_at_the_greatest_friction(visit):
+def test_where_the_model_or_the_picture_ends_the_page_says_so_and_nothing_jumps(visit):
     page = open_motion(visit, "?mu=0.07&figure=forces", motion="no-preference")
+    check_greatest_friction(page)
+    page.emulate_media(reduced_motion="reduce")
+    # Measured in the page: a key brings the slider that it moves into view.
+    place = "document.querySelector('[role=tab]').getBoundingClientRect().top"
+    place += " + document.querySelector('[data-testid=stMain]').scrollTop"
+    top = page.evaluate(place)
+    nudge(page, "mu", "Home")
+    assert page.get_by_text("The model no longer holds.", exact=True).is_visible()
+    assert page.evaluate(place) == pytest.approx(top, abs=1)
+    check_views(page)
+    check_edge(open_motion(visit, "?spin=3", tab=page))
+
+
+def check_greatest_friction(page):
+    """Check that one button freezes machine and figures at the greatest friction."""
     page.locator(".st-key-moment button").click()
     next_frame(page)
     now = page.evaluate("globalThis.ramanujan.last('time/motion')")
@@ -163,19 +204,8 @@ def test_one_button_freezes_machine_and_figures_at_the_greatest_friction(visit):
     assert worst(now["time"]) == pytest.approx(worst(times).max(), rel=1e-3)
 
 
-def test_nothing_jumps_when_the_model_stops_to_hold(visit):
-    page = open_motion(visit, "?mu=0.07&figure=forces")
-    # Measured in the page: a key brings the slider that it moves into view.
-    place = "document.querySelector('[role=tab]').getBoundingClientRect().top"
-    place += " + document.querySelector('[data-testid=stMain]').scrollTop"
-    top = page.evaluate(place)
-    nudge(page, "mu", "Home")
-    assert page.get_by_text("The model no longer holds.", exact=True).is_visible()
-    assert page.evaluate(place) == pytest.approx(top, abs=1)
-
-
-def test_choosing_a_view_moves_nothing_above_its_figure(visit):
-    page = open_motion(visit)
+def check_views(page):
+    """Check that to choose a view moves nothing above its figure, and brings the figure into view."""
     tabs = page.get_by_role("tab")
     tabs.first.scroll_into_view_if_needed()
     page.evaluate("document.querySelector('[data-testid=stMain]').scrollBy(0, 250)")
@@ -187,6 +217,26 @@ def test_choosing_a_view_moves_nothing_above_its_figure(visit):
         settle(page)
         assert tabs.first.bounding_box()["y"] == pytest.approx(top, abs=1)
         assert page.locator(".js-plotly-plot").first.bounding_box()["y"] < 720 - 200, "the figure is in view"
+
+
+def check_edge(page):
+    """Check that beyond the edge the picture stops, and says so."""
+    page.wait_for_selector(".time-cursor", state="attached")
+    slider = page.get_by_label("Time cursor")
+    slider.fill("0.999")
+    next_frame(page)
+    assert "The picture stops there" in inside(page, "root.querySelector('.note').textContent")
+    assert float(slider.input_value()) == pytest.approx(0.999)
+    places = "['.top', '.block'].map((name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e)"
+    top, block = inside(page, places)
+    place = top - block
+    slider.fill("0.9")
+    next_frame(page)
+    top, block = inside(page, places)
+    assert top - block == pytest.approx(place, abs=0.05)
+    slider.fill("0")
+    next_frame(page)
+    assert slab_over_block(page) == pytest.approx(8, abs=0.02)
 
 
 def test_the_csv_is_the_motion_shown(visit, tmp_path):
@@ -202,7 +252,7 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
     assert np.array_equal(numbers[:, 0], motion.t)
     assert np.array_equal(numbers[:, 1:7], np.concatenate([motion.q, motion.q_dot]).T)
     assert "# mu = 0.11" in lines
-    another = open_motion(visit)
+    another = open_motion(visit, beside=page)
     for _ in range(3):
         nudge(another, "m_prime", "ArrowRight")
     assert page.request.get(download.value.url).ok, "a slow browser would have lost it in a class"

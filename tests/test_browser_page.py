@@ -10,24 +10,11 @@ from PIL import Image, ImageColor
 from playwright.sync_api import expect
 
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import STAGE, inside, module, next_frame, settle, slab_over_block
+from tests.browser import STAGE, inside, module, next_frame, settle
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
 REGION = ".st-key-library [role=status]"
-
-
-@pytest.fixture
-def visit(visit):
-    """As everywhere, and wait until the stage has drawn."""
-
-    def open_page(*arguments, **options):
-        page = visit(*arguments, **options)
-        page.wait_for_selector("svg.machine[viewBox]", state="attached")
-        next_frame(page)
-        return page
-
-    return open_page
 
 
 # ---- the machine first
@@ -63,9 +50,8 @@ The page asks for the rest when the machine is drawn, and not because ten second
 
 
 @pytest.mark.parametrize(("height", "link"), [(720, "?k=20&m=7"), (2400, "")])
-def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(profile, server, height, link):
-    page = profile.new_page()
-    page.set_viewport_size({"width": 1280, "height": height})
+def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chromium, server, height, link):
+    page = chromium.new_page(viewport={"width": 1280, "height": height})
     page.add_init_script(FIRST)
     held = []
     if link:  # a machine that stands still, and what waits for it comes after it
@@ -94,103 +80,10 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(prof
     assert max(heights) - min(heights) < 2
 
 
-# ---- one clock
-
-
-def test_the_cursor_moves_the_machine_and_the_machine_the_cursor(visit):
-    page = visit("motion", height=1400)
-    page.wait_for_selector(".time-cursor", state="attached")
-    slider = page.get_by_label("Time cursor")
-    slider.fill("0.25")  # half a period of the two shown: the spring is stretched by 8 cm
-    next_frame(page)
-    assert slab_over_block(page) == pytest.approx(-8, abs=0.02)
-    sent = len(page.frames_sent)
-    page.get_by_role("button", name="Step forward").click()
-    next_frame(page)
-    assert float(slider.input_value()) == pytest.approx(13 / 48, abs=1e-3)
-    # A click on a figure freezes the machine there; the line can be dragged.
-    panel = page.locator(".js-plotly-plot .nsewdrag").first.bounding_box()
-    page.mouse.click(panel["x"] + 0.5 * panel["width"], panel["y"] + 20)
-    next_frame(page)
-    assert slab_over_block(page) == pytest.approx(8, abs=0.1)
-    line = page.locator(".time-cursor").first.bounding_box()
-    x, y = line["x"] + line["width"] / 2, line["y"] + line["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + panel["width"] / 4, y, steps=5)
-    page.mouse.up()
-    next_frame(page)
-    assert slab_over_block(page) == pytest.approx(-8, abs=0.1)
-    assert float(slider.input_value()) == pytest.approx(0.75, abs=2e-3)
-    assert len(page.frames_sent) == sent
-
-
-def test_beyond_the_edge_the_picture_stops_and_says_so(visit):
-    page = visit("motion?spin=3")
-    page.wait_for_selector(".time-cursor", state="attached")
-    slider = page.get_by_label("Time cursor")
-    slider.fill("0.999")
-    next_frame(page)
-    assert "The picture stops there" in inside(page, "root.querySelector('.note').textContent")
-    assert float(slider.input_value()) == pytest.approx(0.999)
-    top, block = inside(
-        page, "['.top', '.block'].map((name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e)"
-    )
-    place = top - block
-    slider.fill("0.9")
-    next_frame(page)
-    top, block = inside(
-        page, "['.top', '.block'].map((name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e)"
-    )
-    assert top - block == pytest.approx(place, abs=0.05)
-    slider.fill("0")
-    next_frame(page)
-    assert slab_over_block(page) == pytest.approx(8, abs=0.02)
-
-
 # ---- the screen reader's tree
 
 
-def test_a_stage_that_has_not_been_told_its_machine_names_nothing_without_a_value(visit):
-    """Its numbers come after it, later the further it lies below the screen."""
-    page = visit()
-    unnamed = """async (begin) => {
-      const root = document.body.appendChild(document.createElement("div"));
-      const data = { stage: "untold", clock: "untold", layers: [], limits: { compression: [0, 0.1] }, watch: {} };
-      await (await begin).begin({ name: "stage/stage", data, parentElement: root });
-      return root.querySelectorAll("[role=img]:not([aria-label]), [role=slider]:not([aria-valuenow])").length;
-    }"""
-    assert page.evaluate(f"({unnamed})({module('begin')})") == 0
-
-
-def test_controls_by_arrow_keys(visit):
-    page = visit()
-    stage = page.locator(".st-key-stage")
-    focused = f"{STAGE}.activeElement.getAttribute('aria-label') ?? {STAGE}.activeElement.textContent"
-    stops = "root.querySelectorAll('.transport button[tabindex=\"0\"]').length"
-    assert inside(page, stops) == 1
-    stage.get_by_role("button", name="Release again").focus()
-    page.keyboard.press("ArrowRight")
-    assert page.evaluate(focused) == "Step back"
-    page.keyboard.press("End")
-    assert page.evaluate(focused) == "Step forward"
-    page.keyboard.press("ArrowRight")
-    assert page.evaluate(focused) == "Release again"
-    # What opens has the keys that the browser gives it.
-    show = stage.get_by_role("button", name="Show", exact=True)
-    show.press("Enter")
-    page.keyboard.press("Tab")
-    page.keyboard.press("Space")
-    assert inside(page, "!root.querySelector('.energy').checkVisibility()")
-    page.keyboard.press("Escape")
-    expect(stage.get_by_role("checkbox", name="Energy")).to_be_hidden()
-    scrub = stage.get_by_role("slider", name="Position in the period")
-    scrub.fill("0.5")
-    next_frame(page)
-    assert "0.50 periods" in scrub.get_attribute("aria-valuetext")
-
-
-def test_what_happens_is_said_once(visit):
+def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pages_holds(visit):
     page = visit("motion?mu=1.5", motion="no-preference")
     region = page.locator(REGION)
     page.evaluate(
@@ -218,19 +111,15 @@ def test_what_happens_is_said_once(visit):
     page.keyboard.press("Home")
     heard("would slip")
     assert region.count() == 1
-
-
-# ---- the assumptions, one by one
+    check_assumptions(visit("", width=390, height=844, tab=page))
 
 
 HOLD = """({ ASSUMPTIONS }) =>
   Object.fromEntries(Object.entries(ASSUMPTIONS).map(([name, [, holds]]) => [name, holds() ?? null]))"""
 
 
-def test_every_assumption_about_the_pages_of_streamlit_and_plotly_holds(visit):
-    """Those of `ASSUMPTIONS`; whichever breaks is named here, and in the console."""
-    page = visit("", width=390, height=844)
-    page.home = None  # no other test gets it with a step open
+def check_assumptions(page):
+    """Check those of `ASSUMPTIONS`; whichever breaks is named here, and in the console."""
     page.locator(".st-key-steps summary").nth(3).click()
     for awaited in (".katex-display .base", ".js-plotly-plot .nsewdrag"):
         page.wait_for_selector(awaited, state="attached")
@@ -286,12 +175,52 @@ def test_before_the_first_words_a_sketch_keeps_their_places(chromium, server, wi
     page.close()
 
 
-# ---- the picture as a file
+# ---- the stage by keys, and as a file
 
 
-def test_the_picture_is_saved_as_svg_png_and_tikz(visit, tmp_path):
+def check_untold_stage(page):
+    """Check that a stage whose numbers are still to come names nothing without a value."""
+    unnamed = """async (begin) => {
+      const root = document.body.appendChild(document.createElement("div"));
+      const data = { stage: "untold", clock: "untold", layers: [], limits: { compression: [0, 0.1] }, watch: {} };
+      await (await begin).begin({ name: "stage/stage", data, parentElement: root });
+      return root.querySelectorAll("[role=img]:not([aria-label]), [role=slider]:not([aria-valuenow])").length;
+    }"""
+    assert page.evaluate(f"({unnamed})({module('begin')})") == 0
+
+
+def check_keys(page):
+    """Check that arrow keys go through the controls of the stage, and move what is under them."""
+    stage = page.locator(".st-key-stage")
+    focused = f"{STAGE}.activeElement.getAttribute('aria-label') ?? {STAGE}.activeElement.textContent"
+    stops = "root.querySelectorAll('.transport button[tabindex=\"0\"]').length"
+    assert inside(page, stops) == 1
+    stage.get_by_role("button", name="Release again").focus()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate(focused) == "Step back"
+    page.keyboard.press("End")
+    assert page.evaluate(focused) == "Step forward"
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate(focused) == "Release again"
+    # What opens has the keys that the browser gives it.
+    show = stage.get_by_role("button", name="Show", exact=True)
+    show.press("Enter")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Space")
+    assert inside(page, "!root.querySelector('.energy').checkVisibility()")
+    page.keyboard.press("Escape")
+    expect(stage.get_by_role("checkbox", name="Energy")).to_be_hidden()
+    scrub = stage.get_by_role("slider", name="Position in the period")
+    scrub.fill("0.5")
+    next_frame(page)
+    assert "0.50 periods" in scrub.get_attribute("aria-valuetext")
+
+
+def test_the_stage_is_led_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path):
     """What the buttons download: whole, without a word of this page's, in the light theme's colours, and not empty."""
     page = visit(theme="dark")
+    check_untold_stage(page)
+    check_keys(page)
     page.get_by_role("button", name="Step forward").click()
     page.get_by_role("button", name="Show", exact=True).click()
     page.get_by_role("checkbox", name="Forces").check()

@@ -2,7 +2,7 @@
 
 from playwright.sync_api import expect
 
-from tests.browser import listen, settle
+from tests.browser import settle
 
 SCROLLED = "document.querySelector('[data-testid=stMain]').scrollTop"
 CENTRED = "(node) => node.scrollIntoView({ block: 'center' })"
@@ -127,26 +127,19 @@ def check_cubes(phone: Phone) -> None:
     phone.scrolled(top)
 
 
-def test_a_visit_with_one_finger(server, chromium):
-    with chromium.new_context(
-        viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True, reduced_motion="reduce"
-    ) as context:
-        page = context.new_page()
-        listen(page)
-        page.goto(server)
-        page.locator(".st-key-k input[type=range]").first.wait_for(state="attached")
-        settle(page)
-        phone, handle = Phone(page), page.locator(".st-key-handle button")
-        assert handle.get_attribute("aria-expanded") == "false"
-        check_arrival(phone)
-        phone.handle()
-        check_sheet(phone)
-        check_sliders(phone)
-        # Choosing a page closes the sheet.
-        phone.go_to("Motion", ".js-plotly-plot .nsewdrag")
-        assert handle.get_attribute("aria-expanded") == "false"
-        assert handle.bounding_box()["y"] > 780
-        check_return(phone)
-        check_figure(phone)
-        phone.go_to("1729", ".st-key-cubes svg")
-        check_cubes(phone)
+def test_a_visit_with_one_finger(visit):
+    page = visit(width=390, height=844, has_touch=True, is_mobile=True)
+    phone, handle = Phone(page), page.locator(".st-key-handle button")
+    assert handle.get_attribute("aria-expanded") == "false"
+    check_arrival(phone)
+    phone.handle()
+    check_sheet(phone)
+    check_sliders(phone)
+    # Choosing a page closes the sheet.
+    phone.go_to("Motion", ".js-plotly-plot .nsewdrag")
+    assert handle.get_attribute("aria-expanded") == "false"
+    assert handle.bounding_box()["y"] > 780
+    check_return(phone)
+    check_figure(phone)
+    phone.go_to("1729", ".st-key-cubes svg")
+    check_cubes(phone)

@@ -90,19 +90,20 @@ def check_printed(page, most: int) -> None:
     client.detach()
 
 
-@pytest.mark.parametrize("query", ["level=1", "level=2", "level=3", f"seed={name_of(2)}&paper=key&key={key_of(2)}"])
-def test_a_worksheet_fills_its_pages_and_tears_no_question(visit, query):
-    page = visit(f"worksheet?{query}", theme="dark")
-    page.wait_for_selector(".st-key-sheet_picture img")
-    for paper, (_width, points) in PAPERS.items() if query == "level=1" else [("A4", PAPERS["A4"])]:
-        pdf = printed(page, paper)
-        assert float(pdf.pages[0].mediabox.width) == pytest.approx(points, abs=1)
-        texts = [each.extract_text().strip() for each in pdf.pages]
-        numbered = [re.sub(rf"^{number} / {len(texts)}\s", "", text) for number, text in enumerate(texts, start=1)]
-        assert numbered[0].startswith("Ramanujan’s oscillator")
-        assert all(re.match(r"\d+\. ", text) for text in numbered[1:])
-        assert not [words for words in CONTROLS if words in "".join(texts)]
-        assert 3 <= len(texts) <= 6
-        # Of the printable height, from 0.05 to 0.95, at most a quarter stays empty.
-        assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
-    check_paper(page)
+def test_a_worksheet_fills_its_pages_and_tears_no_question(visit):
+    page = None
+    for query in ("level=1", "level=2", "level=3", f"seed={name_of(2)}&paper=key&key={key_of(2)}"):
+        page = visit(f"worksheet?{query}", theme="dark", tab=page)
+        page.wait_for_selector(".st-key-sheet_picture img")
+        for paper, (_width, points) in PAPERS.items() if query == "level=1" else [("A4", PAPERS["A4"])]:
+            pdf = printed(page, paper)
+            assert float(pdf.pages[0].mediabox.width) == pytest.approx(points, abs=1)
+            texts = [each.extract_text().strip() for each in pdf.pages]
+            numbered = [re.sub(rf"^{number} / {len(texts)}\s", "", text) for number, text in enumerate(texts, start=1)]
+            assert numbered[0].startswith("Ramanujan’s oscillator")
+            assert all(re.match(r"\d+\. ", text) for text in numbered[1:])
+            assert not [words for words in CONTROLS if words in "".join(texts)]
+            assert 3 <= len(texts) <= 6
+            # Of the printable height, from 0.05 to 0.95, at most a quarter stays empty.
+            assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
+        check_paper(page)

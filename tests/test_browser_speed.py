@@ -18,27 +18,9 @@ def measure(page):
     page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
 
 
-def test_page_answers_while_it_measures_and_to_stop_or_to_leave_ends_the_work(visit):
-    page = visit("speed?periods=300&steps=8")
-    measure(page)
-    page.get_by_role("radio", name="seconds", exact=True).click()
-    page.wait_for_url("**cost=seconds**", timeout=60_000)
-    # The measurement goes on.
-    page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
-    page.get_by_role("button", name="Stop").click()
-    page.wait_for_selector(IDLE, timeout=60_000)
-    assert page.get_by_role("button", name="Measure").is_enabled()
-    assert page.get_by_text("Measuring 300 periods").count() == 0
-    measure(page)
-    page.get_by_role("link", name="Oscillator").first.click()
-    page.wait_for_selector(".st-key-curve", timeout=60_000)
-    settle(page)
-    assert page.get_by_text("Measuring 300 periods").count() == 0
-
-
-def test_both_stages_move_and_on_half_a_screen_no_control_is_cut(visit):
+def test_stages_move_no_control_is_cut_and_measuring_can_be_watched_stopped_and_left(visit):
     """A window of 900 pixels beside another one: the sidebar leaves the page 560 of them."""
-    page = visit("speed?periods=1&steps=12", width=900, motion="no-preference")
+    page = visit("speed?periods=300&steps=8", width=900, motion="no-preference")
     for key in ("exact", "stepped"):
         slab = page.locator(f".st-key-stage_{key} .moving .body.slab").first
         expect(slab).not_to_have_attribute("transform", slab.get_attribute("transform"))
@@ -49,3 +31,19 @@ def test_both_stages_move_and_on_half_a_screen_no_control_is_cut(visit):
     page.get_by_text("A general eigen-solver").click()
     page.get_by_text("Negative or complex", exact=True).wait_for(timeout=60_000)
     assert page.evaluate(CUT) == []
+    # The page answers while it measures, and the measurement goes on.
+    measure(page)
+    page.get_by_role("radio", name="seconds", exact=True).click()
+    page.wait_for_url("**cost=seconds**", timeout=60_000)
+    page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
+    page.get_by_role("button", name="Stop").click()
+    page.wait_for_selector(IDLE, timeout=60_000)
+    assert page.get_by_role("button", name="Measure").is_enabled()
+    assert page.get_by_text("Measuring 300 periods").count() == 0
+    # To leave the page ends the work.
+    measure(page)
+    page.set_viewport_size({"width": 1280, "height": 720})
+    page.get_by_role("link", name="Oscillator").first.click()
+    page.wait_for_selector(".st-key-curve", timeout=60_000)
+    settle(page)
+    assert page.get_by_text("Measuring 300 periods").count() == 0

@@ -58,7 +58,7 @@ def test_a_link_keeps_all_that_is_seen(visit):
       const root = {STAGE};
       const all = (selector, read) => [...root.querySelectorAll(selector)].map(read);
       const numbers = (text) => (text?.match(/-?[\\d.]+(e-?\\d+)?/g) ?? []).map(Number);
-      const lines = all(".machine > :not(defs, .ghosts) *, .hand", (node) =>
+      const lines = all(".machine > :not(defs, .ghosts, .trail) *, .hand", (node) =>
         node.closest("[style*='display: none']") ? []
           : ["transform", "d"].flatMap((name) => numbers(node.getAttribute(name))));
       const set = (node) =>
@@ -104,16 +104,14 @@ def test_what_a_link_hides_is_nowhere_on_the_page(visit):
     assert page.locator(f".st-key-stage :is({parts})").count() == 0
     assert page.evaluate("ramanujan.last('present/oscillator').normalized") is None
     assert page.locator(".st-key-stage [data-step]:not([data-step=''])").count() == 0
-
-
-def test_without_the_link_all_of_it_is_said(visit):
-    """Negative control: the same search finds every word on the page that hides nothing."""
-    said = use(visit(f"?{LINK}"))
+    # Negative control: the same search finds every word on the page that hides nothing.
+    said = use(visit(f"?{LINK}", tab=page))
     assert [name for name, words in TELLTALE.items() if words not in said] == []
+    check_hidden_motion(visit(f"?{LINK}&hide=motion,curve,steps", motion="no-preference", tab=page))
 
 
-def test_a_machine_whose_motion_is_hidden_stands_still(visit):
-    page = visit(f"?{LINK}&hide=motion,curve,steps", motion="no-preference")
+def check_hidden_motion(page) -> None:
+    """Check that a machine whose motion is hidden stands still."""
     where = "node => node.getAttribute('transform')"
     slab = page.locator(".st-key-stage .moving .body.slab")
     expect(slab).to_have_attribute("transform", re.compile(r"^translate\(8,? -?0\)$"))
@@ -212,10 +210,16 @@ def projected(visit, path: str, **more):
     return page
 
 
-@pytest.mark.parametrize("path", SHEETS)
-def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrolling(visit, path):
-    page = projected(visit, path)
-    page.home = None  # no other test gets it at its last sheet
+@pytest.mark.parametrize("half", [0, 1])
+def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrolling(visit, half):
+    page = None
+    for path in list(SHEETS)[half::2]:
+        page = projected(visit, path, tab=page)
+        check_sheets(page, path)
+
+
+def check_sheets(page, path: str) -> None:
+    """Check the sheets of one page, one after the other."""
     titles = page.locator(".st-key-pager select option").all_inner_texts()
     assert len(titles) == SHEETS[path] == len(set(titles))
     wrong = []
@@ -239,21 +243,23 @@ def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrollin
         assert page.evaluate(SIZES, 23.9) == []
 
 
-@pytest.mark.parametrize(("sheet", "path"), [("in_step", "1729"), ("costs", "speed?sheet=costs")])
-def test_while_a_projector_s_page_is_loaded_no_other_sheet_is_seen_and_none_in_small_words(
-    profile, server, sheet, path
-):
-    page = profile.new_page()
-    page.add_init_script(SEEN)
-    page.goto(f"{server}/{path}{'&' if '?' in path else '?'}view=projector")
-    page.wait_for_selector(PLACE, state="attached")
-    page.wait_for_function(DRAWN)
-    assert page.evaluate("[...window.seen]") == [f"{sheet} true"]
-    page.close()
+def test_while_a_projector_s_page_is_loaded_no_other_sheet_is_seen_and_none_in_small_words(visit):
+    for sheet, path in (("in_step", "1729?"), ("costs", "speed?sheet=costs&")):
+        page = visit(f"{path}view=projector", SEEN)
+        page.wait_for_selector(PLACE, state="attached")
+        page.wait_for_function(DRAWN)
+        assert page.evaluate("[...window.seen]") == [f"{sheet} true"]
 
 
-def test_the_sheet_is_in_the_address_and_figures_grow_with_the_screen(visit):
-    page = projected(visit, "?sheet=step_1", width=1920, height=1080)
+def test_a_lecturer_projects_a_page_turns_its_sheets_and_gives_a_lesson_by_clicker(visit):
+    page = visit("motion", width=1920, height=1080)
+    check_switch(page)
+    check_address(projected(visit, "?sheet=step_1", width=1920, height=1080, tab=page))
+    check_clicker(projected(visit, "lesson?chosen=two-clocks.ahead", tab=page))
+
+
+def check_address(page) -> None:
+    """Check that the sheet is in the address, and that figures grow with the screen."""
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
     # While Streamlit draws a page, another sheet may be there before the one that was asked for.
     page.evaluate("""async () => {
@@ -271,8 +277,8 @@ def test_the_sheet_is_in_the_address_and_figures_grow_with_the_screen(visit):
     page.wait_for_url(lambda url: "sheet=" not in url)
 
 
-def test_a_clicker_turns_the_sheets_of_a_stop_and_then_the_stop(visit):
-    page = projected(visit, "lesson?chosen=two-clocks.ahead")
+def check_clicker(page) -> None:
+    """Check that a clicker turns the sheets of a stop, and then the stop."""
     stop = page.locator(".st-key-turn [data-testid=stBidiComponentIsolated] output")
 
     def at(place: str, now: int) -> None:
@@ -294,8 +300,8 @@ def test_a_clicker_turns_the_sheets_of_a_stop_and_then_the_stop(visit):
     at("1 / 2", 1)
 
 
-def test_the_switch_puts_the_view_into_the_address_and_takes_it_out(visit):
-    page = visit("motion", width=1920, height=1080)
+def check_switch(page) -> None:
+    """Check that the switch puts the view into the address, and takes it out."""
     # Negative control: without a projector words and figures are smaller, and the page is one.
     assert page.evaluate(SIZES, 23.9)
     page.wait_for_function(f"Math.max(...{HEIGHTS}) < 0.6")

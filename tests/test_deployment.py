@@ -6,7 +6,7 @@ import random
 import sqlite3
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -16,8 +16,10 @@ from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import network_of
-from tests.browser import CHROMIUM, get, listen, settle
+from tests.browser import CHROMIUM, get, settle
 from tests.deployed import HAPROXY, deployed
+
+pytestmark = pytest.mark.xdist_group("deployment")
 
 STORE = "ramanujan"
 """The cookie that names a visitor's process."""
@@ -34,20 +36,6 @@ def hall() -> Iterator[deployed]:
         yield running
 
 
-@pytest.fixture(scope="module")
-def students(hall: deployed, chromium: object) -> dict[str, object]:
-    """Two visitors of the lesson, each with a browser of their own, by the names of their processes."""
-    tabs = {}
-    for _ in range(2):
-        size = {"width": 1280, "height": 720}
-        tab = chromium.new_context(viewport=size, reduced_motion="reduce").new_page()
-        listen(tab)
-        tab.goto(f"{hall.address}/lesson")
-        tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
-        settle(tab)
-        tabs[process_of(tab)] = tab
-    assert set(tabs) == {"first", "second"}
-    return tabs
 
 
 def cookie_of(hall: deployed, **headers: str) -> str | None:
@@ -137,9 +125,18 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     assert sum(sizes.get(number, 0) for number in sent) < 2.5e6
 
 
-def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, object]) -> None:
-    """Lecturer and student are on different processes; the student comes by the link that the lecturer copies."""
-    desk, phone = students["first"], students["second"]
+def test_a_class_votes_across_the_processes_and_one_that_is_killed_costs_nobody_what_they_set(
+    hall: deployed, visit: Callable
+) -> None:
+    visitors = [visit("lesson", network=hall.address) for _ in range(2)]
+    students = {process_of(tab): tab for tab in visitors}
+    assert set(students) == {"first", "second"}
+    check_votes(students["first"], students["second"])
+    check_killed_process(hall, students["first"], students["second"])
+
+
+def check_votes(desk: object, phone: object) -> None:
+    """Check a vote of a class whose student comes to another process, by the link that the lecturer copies."""
 
     def press(name: str) -> None:
         desk.locator(f".st-key-class_{name} button").click()
@@ -164,8 +161,8 @@ def test_a_class_votes_across_the_processes(hall: deployed, students: dict[str, 
     phone.get_by_text("1 of 1, 100\u202f%").first.wait_for()
 
 
-def test_a_killed_process_costs_its_visitors_nothing_that_they_set(hall: deployed, students: dict[str, object]) -> None:
-    tab, other = students["first"], students["second"]
+def check_killed_process(hall: deployed, tab: object, other: object) -> None:
+    """Check that a process that is killed costs its visitors nothing that they set."""
     tab.goto(f"{hall.address}/motion?m=2.5&mu=0.4")
     tab.wait_for_selector("[data-testid=stMainBlockContainer] h1")
     settle(tab)
