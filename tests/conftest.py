@@ -108,7 +108,8 @@ def visit(chromium: object, server: str) -> Iterator[Callable]:
     ) -> object:
         size = {"width": width, "height": height}
         if not (tab or beside):
-            contexts.append(chromium.new_context(viewport=size, **options))
+            contexts.append(chromium.new_context(viewport=size, bypass_csp=True, **options))
+            contexts[-1].set_default_timeout(60_000)
             contexts[-1].on("weberror", lambda error: errors.append(str(error.error)))
         page = tab or (beside.context if beside else contexts[-1]).new_page()
         page.set_viewport_size(size)

@@ -81,7 +81,7 @@ def window(engine: str, browsers: Callable) -> Iterator[Callable]:
                 stack.callback(browser.forget)
                 browser.set_viewport_size(size)
                 return browser
-            context = browser.new_context(viewport=size, reduced_motion="reduce")
+            context = browser.new_context(viewport=size, reduced_motion="reduce", bypass_csp=True)
             stack.callback(context.close)
             return context.new_page()
 

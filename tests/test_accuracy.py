@@ -26,6 +26,8 @@ from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
 from ramanujan.integrators import METHODS, trajectory
 from tests.browser import ROOT
 
+pytestmark = pytest.mark.xdist_group("accuracy")
+
 MACHINE = Oscillator(m=1.3, m_prime=0.7, k=40.0)
 
 

@@ -18,6 +18,8 @@ import streamlit
 from ramanujan.browser import modules
 from tests.browser import get, running
 
+pytestmark = pytest.mark.xdist_group("browser_files")
+
 FOLDER = Path(streamlit.__file__).parent / "static"
 FILES = [f"/{path.relative_to(FOLDER).as_posix()}" for path in FOLDER.glob("static/**/*.[jc]s*")]
 UNPACK = {"gzip": gzip.decompress, "br": brotli.decompress, "identity": bytes}
@@ -54,7 +56,7 @@ def fresh(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]
             yield address, script.with_name("packed")
 
 
-def test_who_leaves_early_takes_nothing_away_from_the_others(fresh, profile):
+def test_who_leaves_early_takes_nothing_away_from_the_others(fresh, chromium):
     """600 connections are closed from sockets, some more from a browser; then all answers are compared with the files.
 
     The cause: what had been sent to somebody who had left was kept for all, empty or cut.
@@ -85,7 +87,7 @@ def test_who_leaves_early_takes_nothing_away_from_the_others(fresh, profile):
         chosen = [*chance.choices(asked, k=590), *([("/", "gzip")] * 10)]
         list(pool.map(lambda each: leave(*each, chance.uniform(0, 0.03)), chosen))
         for _ in range(5):
-            page = profile.new_page()
+            page = chromium.new_page()
             page.goto(address, wait_until="commit")
             page.wait_for_timeout(chance.uniform(0, 300))
             page.close()

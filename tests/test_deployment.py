@@ -36,8 +36,6 @@ def hall() -> Iterator[deployed]:
         yield running
 
 
-
-
 def cookie_of(hall: deployed, **headers: str) -> str | None:
     """Return the cookie by which the proxy ties a visitor to a process, if it sets one."""
     said = get(hall.address, **headers)[0].get_all("Set-Cookie", [])

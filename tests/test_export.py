@@ -163,6 +163,7 @@ def result(notebook: nbformat.NotebookNode, key: str) -> str:
     return cell.outputs[0].data["text/plain"]
 
 
+@pytest.mark.xdist_group("kernel")
 @pytest.mark.parametrize(("name", "numbers"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
 def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     """In symbols and for a machine: what the button hands over ends in the Ω² that the page shows."""
@@ -177,6 +178,7 @@ def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     assert ("'Omega^2 m/k': 1," in distance) == (numbers == IN_STEP)
 
 
+@pytest.mark.xdist_group("kernel")
 def test_a_notebook_refuses_a_wrong_frequency(kernel):
     """Negative control."""
     notebook = nbformat.reads(to_notebook(ROUTES["energy"]), as_version=4)
