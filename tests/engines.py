@@ -20,6 +20,15 @@ FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 CALM = {"ui.prefersReducedMotion": 1}
 """What makes Firefox wish for less motion, which Playwright cannot tell it."""
 
+REFUSED = """window.refused = [];
+addEventListener("securitypolicyviolation", (told) => refused.push(`${told.violatedDirective}: ${told.blockedURI}`))"""
+"""Notes what the server's policy has kept a page from loading."""
+
+
+def _check_refused(page: object) -> None:
+    refused = {*page.evaluate("refused")} - {"script-src: eval"}  # Playwright tries it in Firefox
+    assert not refused, refused
+
 
 def missing(packages: str) -> None:
     """Skip a test whose browser is missing, or let it fail where all must be there."""
@@ -83,7 +92,10 @@ def window(engine: str, browsers: Callable) -> Iterator[Callable]:
                 return browser
             context = browser.new_context(viewport=size, reduced_motion="reduce", bypass_csp=True)
             stack.callback(context.close)
-            return context.new_page()
+            context.add_init_script(REFUSED)
+            page = context.new_page()
+            stack.callback(lambda: _check_refused(page))
+            return page
 
         yield open_window
 

@@ -16,6 +16,7 @@ from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import network_of
+from ramanujan.shell.browser_cookie import NAME
 from tests.browser import CHROMIUM, get, settle
 from tests.deployed import HAPROXY, deployed
 
@@ -97,7 +98,7 @@ def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: de
 
 
 def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> None:
-    context = chromium.new_context(ignore_https_errors=True, reduced_motion="reduce")
+    context = chromium.new_context(ignore_https_errors=True, reduced_motion="reduce", bypass_csp=True)
     tab = context.new_page()
     client = context.new_cdp_session(tab)
     client.send("Network.enable")
@@ -114,6 +115,8 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     tab.goto(hall.secure)
     tab.locator(".js-plotly-plot .scatterlayer path").first.wait_for(state="attached")
     tab.locator("svg.machine[viewBox]").wait_for(state="attached")
+    # What a browser keeps from here it sends over HTTPS alone: the app's name for it, and the proxy's.
+    assert {cookie["name"]: cookie["secure"] for cookie in context.cookies()} == {NAME: True, STORE: True}
     context.close()
     sent = {number: answer for number, answer in answers.items() if answer["url"].startswith("https")}
     scripts = [answer for answer in sent.values() if answer["url"].endswith(".js")]

@@ -7,6 +7,7 @@ The name says nothing of anybody. A class keeps only what is made from it and fr
 import secrets
 from typing import Any
 
+from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import cookie_parser
 
 NAME = "ramanujan_browser"
@@ -15,23 +16,31 @@ _KEPT = 30 * 24 * 3600
 
 
 class NamedBrowser:
-    """Middleware that gives a browser its name with the first page that it asks for."""
+    """Middleware that gives a browser its name with the first page that it asks for.
+
+    What a browser keeps from an HTTPS address, it sends over HTTPS only; a proxy says that it was asked over HTTPS.
+    """
 
     def __init__(self, app: Any) -> None:
         self.app = app
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        cookies = dict(scope.get("headers", ())).get(b"cookie", b"").decode("latin-1")
-        if scope["type"] != "http" or NAME in cookie_parser(cookies):
-            await self.app(scope, receive, send)
-            return
+        asked = Headers(scope=scope) if scope["type"] == "http" else {}
+        is_secure = "https" in (scope.get("scheme"), asked.get("x-forwarded-proto"))
 
         async def name(message: dict[str, Any]) -> None:
             if message["type"] == "http.response.start":
-                headers = message.get("headers", ())
-                if dict(headers).get(b"content-type", b"").startswith(b"text/html"):
+                headers = MutableHeaders(scope=message)
+                if headers.get("content-type", "").startswith("text/html") and NAME not in cookie_parser(
+                    asked.get("cookie", "")
+                ):
                     cookie = f"{NAME}={secrets.token_urlsafe(12)}; Max-Age={_KEPT}; Path=/; HttpOnly; SameSite=Lax"
-                    message = {**message, "headers": [*headers, (b"set-cookie", cookie.encode())]}
+                    headers.append("set-cookie", cookie)
+                cookies = headers.getlist("set-cookie")
+                if is_secure and cookies:
+                    del headers["set-cookie"]
+                    for cookie in cookies:
+                        headers.append("set-cookie", cookie if "; secure" in cookie.lower() else f"{cookie}; Secure")
             await send(message)
 
-        await self.app(scope, receive, name)
+        await self.app(scope, receive, name if scope["type"] == "http" else send)

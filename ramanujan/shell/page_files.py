@@ -8,13 +8,16 @@ on no client, and sixty who ask at once wait for one packing.
 import asyncio
 import gzip
 import re
+from base64 import b64encode
 from collections.abc import Callable, Hashable
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import streamlit as st
 from starlette.concurrency import run_in_threadpool
-from starlette.datastructures import Headers
+from starlette.datastructures import Headers, MutableHeaders
 from starlette.exceptions import HTTPException
 from starlette.middleware.exceptions import ExceptionMiddleware
 from starlette.requests import Request
@@ -65,7 +68,15 @@ class PageFiles:
         self.answer = ExceptionMiddleware(router)
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        await (self.answer if scope["type"] == "http" else self.app)(scope, receive, send)
+        async def as_what_it_is(message: dict[str, Any]) -> None:
+            if message["type"] == "http.response.start":
+                MutableHeaders(scope=message)["x-content-type-options"] = "nosniff"
+            await send(message)
+
+        if scope["type"] == "http":
+            await self.answer(scope, receive, as_what_it_is)
+        else:
+            await self.app(scope, receive, send)
 
     async def _with_own_page(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
         if "/_stcore/" in scope["path"] or "/media/" in scope["path"]:
@@ -120,6 +131,7 @@ async def _module(request: Request) -> Response:
 async def _start_page(asked: Headers) -> Response:
     # It is never "not modified": with each comes the browser's name, if it has none.
     headers = {"content-type": "text/html; charset=utf-8", "cache-control": "no-cache", "vary": "accept-encoding"}
+    headers |= {"content-security-policy": _policy(), "referrer-policy": "no-referrer"}
     return await _packed(asked, "", _with_own, headers) or Response(_with_own(), headers=headers)
 
 
@@ -150,6 +162,31 @@ def _coding(accepted: str) -> str | None:
     weights = re.findall(r"([\w*-]+)\s*(?:;\s*q=(\d(?:\.\d*)?))?", accepted.lower())
     taken = {coding: float(weight or 1) for coding, weight in weights}
     return next((coding for coding in _PACKERS if taken.get(coding, taken.get("*", 0.0)) > 0), None)
+
+
+@cache
+def _policy() -> str:
+    """Return what the page may load: what comes from its own server, and what its scripts make themselves.
+
+    Streamlit imports the scripts of components from blobs and computes with WebAssembly; it and Plotly write rules of
+    style into the page. Of the scripts in the page itself only those of Streamlit's start page may run.
+    """
+    inline = re.findall(rb"<script>(.*?)</script>", (_STREAMLIT / "index.html").read_bytes(), re.DOTALL)
+    hashes = (f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
+    return "; ".join(
+        (
+            "default-src 'self'",
+            f"script-src 'self' blob: 'wasm-unsafe-eval' {' '.join(hashes)}",
+            "style-src 'self' 'unsafe-inline'",
+            "img-src 'self' blob: data:",
+            "font-src 'self' data:",
+            "media-src 'self' blob: data:",
+            "worker-src 'self' blob:",
+            "object-src 'none'",
+            "base-uri 'self'",
+            "form-action 'self'",
+        )
+    )
 
 
 def _with_own() -> bytes:

@@ -5,6 +5,7 @@ should the six steps of the first page, with √1729 as without. A page may spen
 a question also derives its typical mistakes.
 """
 
+import argparse
 import time
 from collections.abc import Callable
 from statistics import median
@@ -45,6 +46,7 @@ def times(steps: list[Step], machine: Callable[..., tuple]) -> list[float]:
 
 def main() -> None:
     """Print build times, median and longest time of putting numbers in; then the answers."""
+    argparse.ArgumentParser(description=__doc__).parse_args()
     print(f"{'':<24}{'build':>8}" + "".join(f"{kind:>18}" for kind in MACHINES) + "   [ms]")
     parts = {name: lambda name=name: list(ROUTES[name].steps) for name in ROUTES}
     parts["six steps of page 1"] = lambda: [ROUTES["euler_lagrange"][key] for key in FIRST_PAGE]
