@@ -125,7 +125,7 @@ def check_turning(page) -> None:
 
 def check_machines(page) -> None:
     """Check that machines to compare stand side by side, and on a phone above one another."""
-    machines = page.locator(".st-key-observed_several svg.machine")
+    machines = page.locator(".st-key-observed_three svg.machine")
     expect(machines).to_have_count(3)
     boxes = [machine.bounding_box() for machine in machines.all()]
     assert len({round(box["y"]) for box in boxes}) == 1

@@ -120,7 +120,8 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
     assert "Second vote: 3 of 3" in words(lecturer.run())
     press(lecturer, "reveal")
     for page in (lecturer, students[0].run()):
-        assert "Second vote: 2 of 3" in words(page)
+        assert "Second vote" in words(page)
+        assert "2 of 3, 67\u202f%" in words(page)
         # How many have found the right answer would tell which it is.
         assert "right" not in words(page).lower().replace("show the right answer", "").replace(
             STOP.question.lower(), ""
@@ -140,6 +141,12 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
     assert STOP.reply(WRONG) in words(students[2].run())
     assert STOP.reply(WRONG) not in words(students[0])
     assert "This is right." in words(students[2].run())
+    # A student reads which answer it was; the desk and the wall, which wrong answer most have chosen.
+    wall = visitor(**{"class": code_of(lecturer), "wall": "on"})
+    assert f"**You chose:** {STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(students[2])
+    for page in (lecturer, wall):
+        assert f"{STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(page)
+        assert len(page.get("progress")) == 2 * len(STOP.options)
 
     rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(address(lecturer)["lecturer"])))))
     votes = {RIGHT: ("1", "2", "yes"), WRONG: ("2", "1", "no")}
@@ -303,6 +310,70 @@ def test_an_earlier_stop_is_looked_at_alone_until_the_class_is_taken_along(lectu
     press(lecturer, "anew")
     assert student.run().title[0].value == STOP.heading
     assert student.radio[0].value is None
+
+
+def test_the_desk_goes_back_view_by_view_and_the_class_with_it(lecturer, school):
+    """By the two keys of a clicker, which are there in every view; who goes back takes no vote again."""
+    student = visitor(**{"class": code_of(lecturer)})
+
+    def keys() -> list[tuple[str, bool]]:
+        return [(each.proto.shortcut, each.disabled) for each in lecturer.button if "page" in each.proto.shortcut]
+
+    assert keys() == [("pageup", True), ("pagedown", False)]
+    for name in ("ask", "reveal", "run", "solve", "next"):
+        press(lecturer, name)
+        assert keys() == [("pageup", name == "ask"), ("pagedown", False)]
+    shown = [school.question(code_of(lecturer)).phase]
+    for _ in range(4):
+        press(lecturer, "back")
+        shown.append(school.question(code_of(lecturer)).phase)
+    assert shown == [0, 3, 2, 1, 0]
+    assert school.question(code_of(lecturer)).stop == lecturer.session_state["stop"] == STOP.id
+    assert STOP.question in words(student.run())
+    assert not student.radio
+    press(lecturer, "reveal")
+    assert student.run().get("progress")
+    # The desk alone looks at a stop to which nobody has come.
+    lecturer.session_state["stop"] = [stop.id for stop in lesson.STOPS if stop.short][3]
+    lecturer.run()
+    assert keys() == [("pageup", False), ("pagedown", False)]
+    press(lecturer, "back")
+    assert school.question(code_of(lecturer)).stop == STOP.id != lecturer.session_state["stop"]
+
+
+def test_at_the_end_a_class_sees_what_it_has_learned_and_its_code_goes(lecturer, school):
+    students = [visitor(**{"class": code_of(lecturer)}) for _ in range(2)]
+    code = code_of(lecturer)
+    wall = visitor(**{"class": code, "wall": "on"})
+    path = [stop for stop in lesson.STOPS if stop.short]
+    press(lecturer, "ask")
+    for student, option in zip(students, (WRONG, RIGHT), strict=True):
+        answer(student.run(), option)
+    press(lecturer, "again")
+    for student in students:
+        answer(student.run(), RIGHT)
+    for number in range(len(path)):
+        for step in ("reveal", "run", "solve"):
+            press(lecturer, step)
+        press(lecturer, "next" if number < len(path) - 1 else "finish")
+    for page in (lecturer, wall.run(), students[0].run()):
+        assert "1 of 2, 50\u202f%" in words(page)
+        assert "2 of 2, 100\u202f%" in words(page)
+        assert all(stop.heading in words(page) for stop in path)
+    assert f"{code[:3]} {code[3:]}" not in words(wall)
+    with pytest.raises(classes.ClassError, match="asked no question"):
+        school.vote(class_seat(students[0]), STOP.id, RIGHT)
+    press(students[0], "alone")
+    assert not {"class"} & set(address(students[0]))
+    press(lecturer, "back")
+    assert path[-1].heading == wall.run().title[0].value
+    # Before a class is deleted, its votes are offered once more.
+    ending = [each.proto.id for each in lecturer.get("download_button")]
+    assert sum("class_csv" in each for each in ending) == 2
+
+
+def class_seat(student: AppTest) -> classes.Seat:
+    return student.session_state["class_seat"]
 
 
 def test_two_desks_follow_each_other(lecturer):

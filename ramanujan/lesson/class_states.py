@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import NamedTuple
 
+END = "end"
+"""What stands in place of a stop after the last one: the class looks back at its votes."""
+
 
 class Phase(IntEnum):
     """How far a question has come; each phase shows what the one before has shown, and more."""
@@ -54,9 +57,10 @@ class Seat:
 class Question:
     """What a class is asked now, as everybody may know it.
 
-    stop : id of the stop, None before the first
+    stop : id of the stop, None before the first, `END` after the last
     vote : which vote on it
-    phase : how far the question has come
+    phase : what is shown of it; the lecturer may go back to an earlier phase
+    reached : how far the question has come
     answered : how many of those present have answered
     present : how many students were heard of lately
     """
@@ -64,6 +68,7 @@ class Question:
     stop: str | None
     vote: Vote
     phase: Phase
+    reached: Phase
     answered: int
     present: int
 

@@ -41,7 +41,8 @@ CREATE TABLE IF NOT EXISTS class (
 CREATE TABLE IF NOT EXISTS question (
     code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, stop TEXT NOT NULL, asking INTEGER NOT NULL,
     number INTEGER NOT NULL, options TEXT NOT NULL, phase INTEGER NOT NULL DEFAULT 0,
-    asked DOUBLE PRECISION NOT NULL, present INTEGER NOT NULL DEFAULT 0, PRIMARY KEY (code, stop, asking, number));
+    reached INTEGER NOT NULL DEFAULT 0, asked DOUBLE PRECISION NOT NULL, present INTEGER NOT NULL DEFAULT 0,
+    PRIMARY KEY (code, stop, asking, number));
 CREATE TABLE IF NOT EXISTS voter (
     code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, voter TEXT NOT NULL, heard DOUBLE PRECISION NOT NULL,
     joined DOUBLE PRECISION NOT NULL, network TEXT, PRIMARY KEY (code, voter));
@@ -163,7 +164,7 @@ class Store:
         """Make the tables that are missing, in a transaction; those of an earlier version are removed first."""
         for statement in _SCHEMA.split(";")[:-1]:
             connection.execute(statement)
-        if "is_open" in (column[0] for column in connection.execute("SELECT * FROM class WHERE 1 = 0").description):
+        if "reached" in (column[0] for column in connection.execute("SELECT * FROM question WHERE 1 = 0").description):
             return
         _LOG.warning("The database of the classes was made by an earlier version. Its classes are removed.")
         for table in _OLD:

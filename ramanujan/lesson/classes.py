@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from ramanujan.lesson import class_codes
-from ramanujan.lesson.class_states import Asked, Class, Phase, Question, Seat, Seats, Vote
+from ramanujan.lesson.class_states import END, Asked, Class, Phase, Question, Seat, Seats, Vote
 from ramanujan.lesson.class_store import ClassError, CrowdError, SeatError, place, store_at
 from ramanujan.translation import _
 
@@ -47,7 +47,7 @@ _Execute = Callable[..., Any]
 
 _PRESENTLY = "SELECT COUNT(*) FROM voter WHERE voter.code = class.code AND heard > ?"
 _QUESTION = f"""
-SELECT stop, asking, number, COALESCE(phase, 0),
+SELECT stop, asking, number, COALESCE(phase, 0), COALESCE(reached, 0),
        (SELECT COUNT(*) FROM vote JOIN voter ON voter.code = vote.code AND voter.voter = vote.voter
         WHERE vote.code = class.code AND vote.stop = class.stop AND vote.asking = class.asking
         AND vote.number = class.number AND heard > ?),
@@ -122,24 +122,30 @@ class Classes:
             self._begin(execute, code, stop, vote, " ".join(options))
 
     def show(self, key: str, phase: Phase) -> None:
-        """Take the present question to a phase; from REVEALED on it takes no answers."""
+        """Show the present question in a phase, also in an earlier one; once REVEALED, it takes no more answers."""
         code = self.code_of(key)
         with self._store.writing() as execute:
             stop, vote, *_rest = _present(execute, code)
             present = execute(f"{_PRESENTLY.replace('class.code', '?')}", (code, self._lately)).fetchone()[0]
             # With a second vote, the first is shown too.
             execute(
-                "UPDATE question SET present = CASE WHEN phase = 0 THEN ? ELSE present END, "
-                "phase = CASE WHEN phase > ? THEN phase ELSE ? END WHERE code = ? AND stop = ? AND asking = ?",
-                (present, int(phase), int(phase), code, stop, vote.asking),
+                "UPDATE question SET present = CASE WHEN reached = 0 THEN ? ELSE present END, phase = ?, "
+                "reached = CASE WHEN reached > ? THEN reached ELSE ? END WHERE code = ? AND stop = ? AND asking = ?",
+                (present, *[int(phase)] * 3, code, stop, vote.asking),
             )
+
+    def finish(self, key: str) -> None:
+        """Take the class to the end, where it looks back at its votes."""
+        code = self.code_of(key)
+        with self._store.writing() as execute:
+            execute("UPDATE class SET stop = ? WHERE code = ?", (END, code))
 
     def ask_again(self, key: str) -> None:
         """Begin the second vote on the present question; the first takes no answers any more."""
         code = self.code_of(key)
         with self._store.writing() as execute:
-            stop, vote, options, phase = _present(execute, code)
-            if phase == Phase.SOLVED:
+            stop, vote, options, reached = _present(execute, code)
+            if reached == Phase.SOLVED:
                 raise ClassError(_("The class has already seen the right answer to this question."))
             if vote.is_second:
                 raise ClassError(_("The class has already voted twice on this question."))
@@ -152,12 +158,15 @@ class Classes:
             execute("UPDATE class SET machine = ? WHERE code = ?", (machine, code))
 
     def asked(self, key: str) -> list[Asked]:
-        """Return every question that the class was asked and whose result was shown, in the order of asking."""
-        code = self.code_of(key)
+        """Return what the lecturer takes home of a class: `results`."""
+        return self.results(self.code_of(key))
+
+    def results(self, code: str, least: Phase = Phase.REVEALED) -> list[Asked]:
+        """Return every question that the class was asked and that has come so far, in the order of asking."""
         rows = self._store.read(
-            "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND phase > 0 "
+            "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND reached >= ? "
             "ORDER BY asked, asking, number",
-            (code,),
+            (code, int(least)),
         )
         shown = {(stop, Vote(asking, number)): rest for stop, asking, number, *rest in rows}
         found = []
@@ -192,9 +201,9 @@ class Classes:
         code = self.code_of(key)
         absent = "voter IN (SELECT voter FROM voter WHERE code = ? AND heard <= ?)"
         with self._store.writing() as execute:
-            if _count(execute, "class WHERE code = ? AND stop IS NOT NULL", code):
-                stop, vote, _options, phase = _present(execute, code)
-                if phase == Phase.ASKED:
+            if _count(execute, "class JOIN question USING (code, stop, asking, number) WHERE code = ?", code):
+                stop, vote, _options, reached = _present(execute, code)
+                if reached == Phase.ASKED:
                     values = (code, stop, *vote, code, self._lately)
                     execute(f"DELETE FROM vote WHERE {_THIS_VOTE} AND {absent}", values)
             execute("DELETE FROM voter WHERE code = ? AND heard <= ?", (code, self._lately))
@@ -259,10 +268,10 @@ class Classes:
             said = f"vote WHERE {_THIS_VOTE} AND voter = ? AND option = ?"
             if vote and _count(execute, said, code, stop, *vote, voter, option):
                 return
-            present, now, options, phase = _present(execute, code)
+            present, now, options, reached = _present(execute, code)
             if present != stop:
                 raise ClassError(_("Your answer came too late: the class has gone on to another question."))
-            if phase > Phase.ASKED:
+            if reached > Phase.ASKED:
                 raise ClassError(_("Your answer came too late: the result has already been shown."))
             if now != (vote or now):
                 raise ClassError(_("Your answer came too late: another vote has begun. Please answer again."))
@@ -282,16 +291,17 @@ class Classes:
         rows = self._store.read(_QUESTION, (self._lately, self._lately, code, self._clock()))
         if not rows:
             raise ClassError(_("The class has ended."))
-        stop, asking, number, phase, answered, present = rows[0]
-        return Question(stop, Vote(asking, number), Phase(phase), answered, present)
+        stop, asking, number, phase, reached, answered, present = rows[0]
+        return Question(stop, Vote(asking, number), Phase(phase), Phase(reached), answered, present)
 
     def last(self, code: str, stop: str) -> Question | None:
         """Return how a stop was left that the class was asked before; numbers of people belong to the present one."""
         query = (
-            "SELECT asking, number, phase FROM question WHERE code = ? AND stop = ? ORDER BY asking DESC, number DESC"
+            "SELECT asking, number, phase, reached FROM question WHERE code = ? AND stop = ? "
+            "ORDER BY asking DESC, number DESC"
         )
-        for asking, number, phase in self._store.read(query, (code, stop))[:1]:
-            return Question(stop, Vote(asking, number), Phase(phase), 0, 0)
+        for asking, number, phase, reached in self._store.read(query, (code, stop))[:1]:
+            return Question(stop, Vote(asking, number), Phase(phase), Phase(reached), 0, 0)
         return None
 
     def machine(self, code: str) -> str | None:
@@ -302,7 +312,7 @@ class Classes:
     def distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
         """Return option → number of votes, in the order of the options; by default of the last vote that was shown."""
         query = (
-            "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND phase > 0 "
+            "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND reached > 0 "
             "ORDER BY asking DESC, number DESC"
         )
         for options, *of in self._store.read(query, (code, stop)):
@@ -394,12 +404,12 @@ def _count(execute: _Execute, what: str, *values: object) -> int:
 def _present(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
     """Return the present stop, the vote on it, its options, and how far it has come."""
     query = (
-        "SELECT stop, asking, number, options, phase FROM class JOIN question USING (code, stop, asking, number) "
+        "SELECT stop, asking, number, options, reached FROM class JOIN question USING (code, stop, asking, number) "
         "WHERE code = ?"
     )
-    for stop, asking, number, options, phase in execute(query, (code,)).fetchall():
-        return stop, Vote(asking, number), options, Phase(phase)
-    raise ClassError(_("The class has not been asked a question yet."))
+    for stop, asking, number, options, reached in execute(query, (code,)).fetchall():
+        return stop, Vote(asking, number), options, Phase(reached)
+    raise ClassError(_("The class is asked no question at the moment."))
 
 
 def _no_code(text: str) -> str:

@@ -21,8 +21,8 @@ from ramanujan.oscillator import Oscillator
 
 FREQUENCY = ("clocks", "numbers")
 """Parts of the stage that tell how fast the machine is."""
-EVERYTHING = ("clocks", "numbers", "motion")
-"""What is hidden where the motion itself is the answer: the machine stands still."""
+EVERYTHING = ("numbers", "motion")
+"""What is hidden where the motion itself is the answer: the machine stands still, and both clock hands with it."""
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.08
@@ -77,9 +77,9 @@ class Stop:
     runs : the machines; the first is shown before the prediction
     hides : what a prediction must not see, names of `stage.PARTS`
     layers : what the stage shows besides after the prediction
-    dials : the stage shows its clocks and its gauge after the prediction
+    dials : the stage shows its clocks, and after the prediction its gauge
     periods : of the plain mass, to which a button takes both clocks after the answer
-    exhibit : Markdown to be shown instead of the runs, such as a program
+    exhibit : Markdown that is shown above the machine, such as a program
     then : the machine after the prediction, where it is another one
     page : the page on which it is seen in full, by its folder in `pages`
     link : what the address of that page says besides the machine

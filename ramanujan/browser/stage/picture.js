@@ -78,7 +78,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     // One body, or the spring, stands out; without a name, all are alike.
     host.classList.toggle("one-lit", Boolean(data.lit));
     for (const node of moving.children) node.classList.toggle("lit", node.classList.contains(data.lit));
-    dial.machine(solution, !hides("clocks"));
+    dial.machine(solution, !hides("clocks") && !hides("motion"));
     layers.machine(parameters, solution, data, clock.seenFrom);
   }
 

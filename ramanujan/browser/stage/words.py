@@ -101,7 +101,7 @@ TEXTS = {
     "centre": _("Centre of mass of the whole machine"),
     "centre_caption": _("centre of mass"),
     "energy_bar": _("Energy by body. The parts of the bar change; its length, the total energy, stays the same."),
-    "dial": _("Two clock hands: each makes one full turn in one period. They stay together if the machine is in step."),
+    "dial": _("Two clock hands: each makes one full turn in one period. They stay together if both periods are equal."),
     "machine_hand": _("machine, Ω"),
     "plain_hand": _("plain mass, √(k/m)"),
     "gauge": _("Gauge of Ω²m/k: at 1 the machine is in step with the plain mass."),

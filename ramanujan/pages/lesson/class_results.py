@@ -1,19 +1,22 @@
-"""What several screens of a class draw alike: how it has voted, the right answer, who is there, a QR code."""
+"""What several screens of a class draw alike: votes, the right answer, what was learned, who is there, a QR code."""
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import segno
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.classes import ClassError, Question, Seats, Vote, shared
+from ramanujan.lesson.classes import ClassError, Phase, Question, Seats, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
+from ramanujan.shell import widgets
 from ramanujan.translation import _, ngettext
 
+LEARNED = _("What the class has learned")
 
-def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None, alone: bool = False) -> None:
+
+def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None = None) -> None:
     """Draw the result of a question.
 
     Parameters
@@ -23,7 +26,6 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
     vote : the last one
     solved : whether to say which answer is right, and how many have found it
     chosen : a student's own answer in the last vote
-    alone : show only how many have found the right answer
     """
     try:
         all_votes, changes = _result(access, stop.id, vote)
@@ -34,19 +36,19 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
         if solved and (said := _changes(changes)):
             with st.container(key="class_changes"):
                 st.markdown(said)
-        right = stop.right if solved else None
+        right, widths = stop.right if solved else None, [3, *(2 for _vote in all_votes)]
+        if len(all_votes) > 1:
+            for place, words in zip(
+                st.columns(widths, gap="small")[1:], (_("First vote"), _("Second vote")), strict=True
+            ):
+                place.markdown(f"**{words}**")
         for option, text in stop.options.items():
-            if not alone:
-                label, *places = st.columns([3, *(2 for _vote in all_votes)], gap="small")
-                label.markdown(_label(text, option == right, option == chosen))
-            elif option == right:
-                places = st.columns(len(all_votes), gap="small")
-            else:
-                continue
-            for number, (place, votes) in enumerate(zip(places, all_votes, strict=True)):
+            label, *places = st.columns(widths, gap="small")
+            label.markdown(_label(text, option == right, option == chosen))
+            for place, votes in zip(places, all_votes, strict=True):
                 total = sum(votes.values())
                 share = votes[option] / total if total else 0.0
-                place.progress(share, _share(number, len(all_votes), share, votes[option], total))
+                place.progress(share, _share(votes[option], total))
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
@@ -69,11 +71,10 @@ def _label(label: str, right: bool, own: bool) -> str:
     return label
 
 
-def _share(number: int, votes: int, share: float, people: int, total: int) -> str:
-    """Return what stands at a bar: which vote it is, if there were two, and its share."""
-    one_of_two = (_("First vote: {people} of {total}, {share}"), _("Second vote: {people} of {total}, {share}"))
-    words = one_of_two[number] if votes > 1 else _("{people} of {total}, {share}")
-    return words.format(people=people, total=total, share=quantity(round(100 * share), "%"))
+def _share(people: int, total: int) -> str:
+    """Return how many of all who voted these people are."""
+    share = quantity(round(100 * people / total) if total else 0, "%")
+    return _("{people} of {total}, {share}").format(people=people, total=total, share=share)
 
 
 def _changes(changes: Counter[tuple[bool, bool]]) -> str:
@@ -96,10 +97,44 @@ def _changes(changes: Counter[tuple[bool, bool]]) -> str:
     return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)
 
 
+def comment(access: str, stop: Stop, vote: Vote) -> None:
+    """Name the wrong answer that most have chosen in the last vote, with the reply to it; nothing if nobody has."""
+    votes, right = _result(access, stop.id, vote)[0][-1], stop.right
+    most = max((option for option in stop.options if option != right), key=votes.__getitem__)
+    if votes[most]:
+        said = _("**Chosen most of the wrong answers:** {label}\\\n{reply}")
+        st.markdown(said.format(label=stop.options[most], reply=stop.reply(most)))
+
+
+def learned(access: str) -> None:
+    """Draw how many were right at each question whose right answer was shown, before and after they had talked."""
+    asked = shared().results(access, Phase.SOLVED)
+    if not asked:
+        st.markdown(_("No right answer was shown to this class."))
+        return
+    if twice := [each for each in asked if each.second]:
+        before = _right([(each.stop, each.first) for each in twice])
+        after = _right([(each.stop, each.second) for each in twice])
+        said = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
+        st.markdown(said.format(before=before, after=after))
+    rows = [(_("Question"), _("Right at first"), _("After talking"))]
+    for each in asked:
+        votes = [_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second)]
+        rows.append((lesson.stop(each.stop).heading, *votes))
+    widgets.table(rows, key="learned")
+
+
+def _right(voted: Sequence[tuple[str, Mapping[str, int]]]) -> str:
+    """Return how many of all answers were right, of votes on stops by their ids."""
+    return _share(
+        sum(votes[lesson.stop(stop).right] for stop, votes in voted), sum(sum(votes.values()) for _stop, votes in voted)
+    )
+
+
 def explain(stop: Stop, chosen: str | None = None) -> None:
     """Name the right answer and its reason; whoever has chosen another one reads a word on that first."""
     if chosen and chosen != stop.right:
-        st.markdown(stop.reply(chosen))
+        st.markdown(_("**You chose:** {label}\\\n{reply}").format(label=stop.options[chosen], reply=stop.reply(chosen)))
     st.markdown(f":green[:material/check_circle:] **{stop.options[stop.right]}**")
     st.markdown(stop.explanation())
 

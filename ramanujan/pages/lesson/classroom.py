@@ -16,6 +16,7 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import parts_of, spaced
 from ramanujan.lesson.class_record import as_csv
+from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, SeatError, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, progress
@@ -30,28 +31,33 @@ _LONGEST_CODE = 20
 NOTHING_TO_SET = "<style>@media (width <= 768px) { :root:root:root { --sheet: 0px; --sheet-content: none; } }</style>"
 """On a phone whose owner answers. A rule for all pages would need :has(), and phones half of their time for styles."""
 _DRAWN = "class_drawn"
-"""Session state: the question with which a phone was last drawn as a whole."""
+"""Session state: the stop whose machine a phone was last drawn with, and whether it runs."""
 _SEEN = "class_seen"
 """Session state: the question at which this desk last saw the class."""
 
 
-def guests(show: Callable[[Stop, bool], None]) -> None:
+def guests(show: Callable[..., None]) -> None:
     """Draw the page of a student, and end the run; for others do nothing.
 
     Parameters
     ----------
-    show : draws a stop's machine, and whether it runs
+    show : draws a stop's machine as `stops.show` does
     """
     class_session.arrive()
     if class_session.awaited():
         _waiting()
         st.stop()
     if seat := seat_held():
-        st.session_state[_DRAWN] = _question(seat)
-        _phone()
-        if (question := st.session_state[_DRAWN]) and question.phase == Phase.SOLVED:
-            class_session.take_settings(shared().machine(seat.code))
-            show(lesson.stop(question.stop), True)
+        st.session_state[_DRAWN] = seen = _seen(_question(seat))
+        with st.container(key="class_phone"):
+            st.html(NOTHING_TO_SET)
+            if seen:
+                class_session.take_settings(shared().machine(seat.code))
+                stop, running = lesson.stop(seen[0]), seen[1]
+                st.title(stop.heading, anchor=False)
+                st.markdown(stop.question)
+                show(stop, running, fixed=True)
+            _phone()
         st.stop()
 
 
@@ -113,6 +119,13 @@ def panel(stop: Stop, phase: Phase) -> None:
     _desk(stop, phase)
 
 
+def closing() -> None:
+    """Draw the lecturer's desk after the last stop."""
+    st.title(class_results.LEARNED, anchor=False)
+    st.session_state.setdefault(_SEEN, None)
+    _desk(None, Phase.ASKED)
+
+
 def _warn() -> None:
     if sentence := class_session.refusal():
         st.warning(sentence)
@@ -122,77 +135,111 @@ def _warn() -> None:
 
 
 @st.fragment(run_every=DESK_EVERY)
-def _desk(stop: Stop, phase: Phase) -> None:
-    """Draw the desk beside a page that shows so much of the stop; where that has changed, run the whole page."""
+def _desk(stop: Stop | None, phase: Phase) -> None:
+    """Draw the desk beside a page that shows so much of the stop, or the end; where that has changed, run the page."""
     if (key := key_held()) is None:
         st.rerun()
-    code = parts_of(key)[0]
+    code, place = parts_of(key)[0], stop.id if stop else END
     with st.container(key="class_desk"):
         _warn()
         try:
             shared().code_of(key)
-            now, last = shared().question(code), shared().last(code, stop.id)
+            now, last = shared().question(code), shared().last(code, place)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
             return
-        _follow(now, stop)
+        _follow(now, place)
         if (last.phase if last else Phase.ASKED) != phase:
             st.rerun()
-        st.markdown(f"**{_attendance(stop, now)}** {class_results.lately(shared().seats(key))}")
-        with st.container(horizontal=True, gap="small"):
-            _next_moves(key, stop, now, last)
-        if last and last.phase > Phase.ASKED:
+        st.markdown(f"**{_attendance(place, now)}** {class_results.lately(shared().seats(key))}")
+        with st.container(key="class_moves", horizontal=True, gap="small"):
+            _moves(key, stop, now, last)
+        if stop is None:
+            class_results.learned(code)
+        elif last and last.phase > Phase.ASKED:
             class_results.show(code, stop, last.vote, last.phase == Phase.SOLVED)
+            if last.phase == Phase.SOLVED:
+                class_results.comment(code, stop, last.vote)
         else:
             st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         with st.container(key="class_foot", horizontal=True, vertical_alignment="center"):
             _foot(key, code)
 
 
-def _follow(now: Question, stop: Stop) -> None:
+def _follow(now: Question, place: str) -> None:
     """Go where another desk of this class has taken it."""
     if now.stop != st.session_state[_SEEN]:
         st.session_state[_SEEN] = now.stop
-        st.session_state[progress.STOP.name] = now.stop or stop.id
+        st.session_state[progress.STOP.name] = now.stop or place
     # Also where this desk has gone on itself: its buttons rerun the desk alone.
-    if address.held(progress.STOP) != stop.id:
+    if address.held(progress.STOP) != place:
         st.rerun()
 
 
-def _attendance(stop: Stop, now: Question) -> str:
+def _attendance(place: str, now: Question) -> str:
     """Return who is there and how many have answered, as a sentence."""
-    if now.stop is None:
+    if now.stop is None or now.stop == place == END:
         return class_results.joined(now.present)
-    if now.stop != stop.id:
+    if now.stop == END:
+        return _("The class is at the end of the lesson.")
+    if now.stop != place:
         return _("The class is still at “{heading}”.").format(heading=lesson.stop(now.stop).heading)
     return class_results.answered(now)
 
 
-def _next_moves(key: str, stop: Stop, now: Question, last: Question | None) -> None:
-    """Draw a button for each thing that the lecturer may do next; a clicker presses the usual one."""
-    classes = shared()
+def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) -> None:
+    """Draw a button for each thing that the lecturer may do now; a clicker presses the first two, back and onward."""
 
-    def button(label: str, name: str, act: Callable, *more: object, usual: bool = False) -> None:
-        kind, shortcut = ("primary", "PageDown") if usual else ("secondary", None)
-        st.button(label, key=f"class_{name}", type=kind, shortcut=shortcut, on_click=attempt, args=(act, key, *more))
+    def button(label: str, name: str, act: Callable, *more: object, keyed: str = "", disabled: bool = False) -> None:
+        look = {"type": "primary" if keyed == "PageDown" else "secondary", "shortcut": keyed or None}
+        press = {"on_click": attempt, "args": (act, key, *more), "disabled": disabled}
+        st.button(label, key=f"class_{name}", **look, **press)
 
-    options = list(stop.options)
+    place = stop.id if stop else END
+    opened = now.stop == place and now.phase > Phase.ASKED
+    button(_("Back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))
+    button(*_onward(stop, now, last), keyed="PageDown", disabled=now.stop == place == END)
+    if stop and now.stop != place and last:
+        button(_("Ask this question again"), "anew", partial(shared().present, anew=True), place, list(stop.options))
+    if now.stop == place != END and not now.vote.is_second and now.reached < Phase.RUNNING:
+        button(_("Ask again"), "again", shared().ask_again)
+
+
+def _onward(stop: Stop | None, now: Question, last: Question | None) -> tuple:
+    """Return label and name of the button that goes on, and what it does: a function of the key, and its arguments."""
+    if stop is None:
+        return _("Show what the class has learned"), "finish", _finish
     if now.stop != stop.id:
-        button(_("Ask the class"), "ask", _present, stop, usual=last is None)
-        if last:
-            button(_("Ask this question again"), "anew", partial(classes.present, anew=True), stop.id, options)
-        return
-    if now.phase == Phase.ASKED:
-        button(_("Show the result"), "reveal", partial(classes.show, phase=Phase.REVEALED), usual=True)
-    if not now.vote.is_second and now.phase < Phase.RUNNING:
-        button(_("Ask again"), "again", classes.ask_again)
-    if now.phase == Phase.REVEALED:
-        button(_("Run the machine"), "run", partial(classes.show, phase=Phase.RUNNING), usual=True)
-    if now.phase == Phase.RUNNING:
-        button(_("Show the right answer"), "solve", partial(classes.show, phase=Phase.SOLVED), usual=True)
-    if now.phase == Phase.SOLVED and (following := progress.following(stop)):
-        button(_("Ask the next question"), "next", _present, following, usual=True)
+        return _("Return to this question") if last else _("Ask the class"), "ask", _present, stop
+    if now.phase == Phase.SOLVED:
+        if following := progress.following(stop):
+            return _("Ask the next question"), "next", _present, following
+        return _("Show what the class has learned"), "finish", _finish
+    labels = {
+        Phase.ASKED: (_("Show the result"), "reveal"),
+        Phase.REVEALED: (_("Run the machine"), "run"),
+        Phase.RUNNING: (_("Show the right answer"), "solve"),
+    }
+    return *labels[now.phase], shared().show, Phase(now.phase + 1)
+
+
+def _go_back(key: str, place: str) -> None:
+    """Take the class back by one view; where the class is elsewhere or has not been, this desk alone."""
+    code = parts_of(key)[0]
+    now, previous = shared().question(code), progress.previous(place)
+    if now.stop == place and now.phase > Phase.ASKED:
+        shared().show(key, Phase(now.phase - 1))
+    elif previous and now.stop == place and shared().last(code, previous.id):
+        _present(key, previous)
+    elif previous:
+        st.session_state[progress.STOP.name] = previous.id
+
+
+def _finish(key: str) -> None:
+    """Take the class to the end, and this desk with it."""
+    shared().finish(key)
+    st.session_state[_SEEN] = st.session_state[progress.STOP.name] = END
 
 
 def _present(key: str, stop: Stop) -> None:
@@ -202,7 +249,7 @@ def _present(key: str, stop: Stop) -> None:
 
 
 def _foot(key: str, code: str) -> None:
-    """Draw the code, the addresses of the other screens, and what ends a class."""
+    """Draw the code, the addresses of the other screens, the votes as a file, and what ends a class."""
     st.text(spaced(code), width="content")
     st.link_button(
         _("Open the wall"),
@@ -215,15 +262,14 @@ def _foot(key: str, code: str) -> None:
         class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
     with st.popover(_("Seats"), key="class_seats", type="tertiary"):
         _seats(key)
-    widgets.download(
-        _("Results as CSV"),
-        as_csv(shared().asked(key)),
-        f"class-{code}.csv",
-        "text/csv",
-        key="class_csv",
-        type="tertiary",
-    )
+    _votes(key, "class_csv", type="tertiary")
     _ending(key)
+
+
+def _votes(key: str, name: str, **more: str) -> None:
+    """Offer the votes of the class as a file."""
+    file = f"class-{parts_of(key)[0]}.csv"
+    widgets.download(_("Results as CSV"), as_csv(shared().asked(key)), file, "text/csv", key=name, **more)
 
 
 def _seats(key: str) -> None:
@@ -252,6 +298,7 @@ def _ending(key: str) -> None:
         st.markdown(
             _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(date=until)
         )
+        _votes(key, "class_csv_last")
         st.button(_("End the class"), key="class_close", on_click=attempt, args=(end,))
 
 
@@ -277,28 +324,26 @@ def _phone() -> None:
     """Draw what a student is asked now, and look every few seconds whether it is still that."""
     if (seat := seat_held()) is None:
         st.rerun()
-    with st.container(key="class_phone"):
-        st.html(NOTHING_TO_SET)
-        try:
-            question = shared().question(seat.code)
-            chosen = shared().chosen(seat, question)
-        except SeatError:
-            # The lecturer has removed the empty seats while this phone slept.
-            attempt(class_session.take_seat, seat.code)
+    try:
+        question = shared().question(seat.code)
+        chosen = shared().chosen(seat, question)
+    except SeatError:
+        # The lecturer has removed the empty seats while this phone slept.
+        attempt(class_session.take_seat, seat.code)
+        st.rerun()
+    except ClassError as error:
+        st.warning(str(error))
+    else:
+        # Question and machine stand outside of what is drawn every few seconds.
+        if _seen(question) != st.session_state[_DRAWN]:
             st.rerun()
-        except ClassError as error:
-            st.warning(str(error))
-        else:
-            # The machine stands outside of what is drawn every few seconds.
-            if _solved(question) != _solved(st.session_state[_DRAWN]):
-                st.rerun()
-            _asked(seat, question, chosen)
-        st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
+        _asked(seat, question, chosen)
+    st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
-def _solved(question: Question | None) -> str | None:
-    """Return the stop whose right answer a class sees, if it does."""
-    return question.stop if question and question.phase == Phase.SOLVED else None
+def _seen(question: Question | None) -> tuple[str, bool] | None:
+    """Return the stop whose machine a class sees, and whether it runs; None where the class sees none."""
+    return (question.stop, question.phase >= Phase.RUNNING) if question and question.stop not in (None, END) else None
 
 
 def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
@@ -307,15 +352,21 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         st.info(_("You have joined the class. The first question will appear here."))
         return
     class_session.forget_refusal((question.stop, question.vote))
+    if question.stop == END:
+        st.title(class_results.LEARNED, anchor=False)
+        class_results.learned(seat.code)
+        st.button(_("Go on with the whole lesson"), key="class_alone", type="primary", on_click=leave)
+        return
     stop = lesson.stop(question.stop)
-    st.title(stop.heading, anchor=False)
-    st.markdown(stop.question)
     if question.phase > Phase.ASKED:
         _warn()
         solved = question.phase == Phase.SOLVED
         if solved:
             class_results.explain(stop, chosen)
         class_results.show(seat.code, stop, question.vote, solved, chosen)
+        return
+    if question.reached > Phase.ASKED:
+        st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
         return
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))

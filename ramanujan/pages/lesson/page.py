@@ -84,7 +84,7 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
             held=stops.asked_about(),
         )
     if number > len(path):
-        ending(path)
+        classroom.closing() if class_session.key_held() else ending(path)
     else:
         stops.draw(path[number - 1], number)
 

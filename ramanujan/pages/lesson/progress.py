@@ -7,13 +7,13 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.lesson import Stop
+from ramanujan.lesson.class_states import END
 from ramanujan.shell import address, class_session
 from ramanujan.translation import _
 
 ASKED, PREDICTED, MISSED, ANSWERED = "asked", "predicted", "missed", "answered"
 """Of a stop: nothing is chosen; something is, but the machine stands still; it ran, and the choice was wrong, but the
 right answer is not named; it is."""
-END = "end"
 
 PART = address.Choice("part", {"stops": _("Stops"), "tasks": _("Tasks"), "notes": _("Lecturer’s notes")}, "stops")
 STOP = address.Choice("stop", (*(stop.id for stop in lesson.STOPS), END), lesson.STOPS[0].id)
@@ -75,3 +75,10 @@ def following(stop: Stop) -> Stop | None:
     stops = path()
     at = stops.index(stop) + 1
     return stops[at] if at < len(stops) else None
+
+
+def previous(place: str) -> Stop | None:
+    """Return the stop before this one, or before the end; None before the first."""
+    stops = path()
+    at = len(stops) if place == END else [stop.id for stop in stops].index(place)
+    return stops[at - 1] if at else None

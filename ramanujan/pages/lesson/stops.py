@@ -24,6 +24,7 @@ from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
 
 _PLACES = ("hoop", "cylinder", "top")
+_SEVERAL = {2: "two", 3: "three"}
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
 _ASKED = "lesson_asked"
@@ -140,19 +141,18 @@ def draw(stop: Stop, number: int) -> None:
         show(stop, running)
 
 
-def show(stop: Stop, running: bool) -> None:
-    """Draw what a stop shows: its machines, or what stands in place of one."""
+def show(stop: Stop, running: bool, fixed: bool = False) -> None:
+    """Draw what a stop shows: its exhibit, if any, and its machines; where they are fixed, no hand drags them."""
     if stop.exhibit:
         st.markdown(stop.exhibit)
-        return
     with st.container(key=f"observed_{_arrangement(stop, running)}"):
-        observe(stop, running)
+        observe(stop, running, fixed)
 
 
 def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, DeltaGenerator]:
     """Return where words, picture and reason stand; machines side by side need all of the width."""
     arrangement, projector = _arrangement(stop, running), display_mode.is_projector()
-    if arrangement == "several":
+    if arrangement in _SEVERAL.values():
         return st.container(), st.container(), st.container()
     around = st.container(key=None if stop.exhibit else "beside")
     words, picture = around.columns([1, 2] if projector and arrangement == "dials" else [1, 1], gap="medium")
@@ -162,8 +162,8 @@ def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, D
 def _arrangement(stop: Stop, running: bool) -> str:
     """Return by what the style sheets know how much room the picture takes."""
     if len(stop.runs) > 1 and running:
-        return "several"
-    return "dials" if stop.dials and running else "one"
+        return _SEVERAL[len(stop.runs)]
+    return "dials" if stop.dials else "one"
 
 
 def ask(stop: Stop) -> None:
@@ -236,12 +236,14 @@ def _compare_hands(stop: Stop) -> None:
     page.moment(f"stage_{stop.id}_0", time, label)
 
 
-def observe(stop: Stop, running: bool) -> None:
+def observe(stop: Stop, running: bool, fixed: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
     hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
     # Machines side by side belong to the stop; a single one follows the sliders.
     own = {"watch": {}} if several else {}
+    if fixed:
+        own["limits"] = stages.LIMITS[1:] * 2
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
         machine = run.machine if several else sidebar.oscillator()
         compression = run.compression if several else sidebar.compression()

@@ -8,6 +8,7 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import spaced
+from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import ClassError, Phase, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, stops
@@ -17,7 +18,10 @@ from ramanujan.translation import _
 EVERY = 1.5
 """Seconds between two looks at what is new."""
 
-NOTHING_TO_TURN = "<style>#root#root :is(.st-key-pager, header) { visibility: hidden; }</style>"
+NOTHING_TO_TURN = (
+    "<style>html:root { font-size: min(2.6vh, 1.7vw) } "
+    "#root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
+)
 """Address and code stand in the bar of pages. A rule for all pages would need :has(), 2 s of Motion’s load."""
 
 _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
@@ -43,6 +47,8 @@ def _draw(code: str) -> None:
         if question.stop is None:
             with st.container(key="class_invitation"):
                 _how_to_join(code)
+        elif question.stop == END:
+            _look_back(code)
         else:
             class_session.take_settings(shared().machine(code))
             _show(code, lesson.stop(question.stop), question)
@@ -51,25 +57,23 @@ def _draw(code: str) -> None:
 
 def _show(code: str, stop: Stop, question: Question) -> None:
     """Draw a question as far as the class has come with it."""
-    st.title(stop.heading, anchor=False)
-    if question.phase < Phase.RUNNING:
-        st.markdown(stop.question)
-        if question.phase == Phase.REVEALED:
-            class_results.show(code, stop, question.vote, solved=False)
+    solved = question.phase == Phase.SOLVED
+    with st.container(key="wall_picture"):
+        stops.show(stop, running=question.phase >= Phase.RUNNING, fixed=True)
+    asks = question.phase == Phase.ASKED
+    with st.container(key="wall_words_asked" if asks else "wall_words"):
+        st.title(stop.heading, anchor=False)
+        if not solved:
+            st.markdown(stop.question)
+        if asks:
+            if question.vote.is_second:
+                st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
+            st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
             return
-        if question.vote.is_second:
-            st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
-        st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
-        return
-    words, picture, reason = stops.places(stop, running=True)
-    if question.phase == Phase.SOLVED:
-        with reason:
-            class_results.explain(stop)
-            class_results.show(code, stop, question.vote, solved=True, alone=True)
-    else:
-        words.markdown(stop.question)
-    with picture:
-        stops.show(stop, running=True)
+        class_results.show(code, stop, question.vote, solved)
+        if solved:
+            st.markdown(stop.explanation())
+            class_results.comment(code, stop, question.vote)
 
 
 @st.fragment(run_every=EVERY)
@@ -81,24 +85,37 @@ def _watch(code: str, drawn: Question) -> None:
         st.warning(str(error))
         return
     gone_on = (now.stop, now.vote, now.phase) != (drawn.stop, drawn.vote, drawn.phase)
-    if gone_on or (now.stop and class_session.settings_differ(shared().machine(code))):
+    if gone_on or (now.stop not in (None, END) and class_session.settings_differ(shared().machine(code))):
         st.rerun()
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
         if now.stop is None:
             st.markdown(class_results.joined(now.present), width="content")
-        else:
-            if now.phase == Phase.ASKED:
+        elif now.stop != END:
+            if now.reached == Phase.ASKED:
                 st.markdown(f"**{class_results.answered(now)}**", width="content")
             here = address.link({})
             st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
 
 
+def _look_back(code: str) -> None:
+    """Draw what the class has learned, and where the whole lesson is; the code of the class has gone."""
+    here = address.link({})
+    with st.container(key="wall_picture"):
+        st.title(class_results.LEARNED, anchor=False)
+        class_results.learned(code)
+    with st.container(key="wall_words"):
+        st.markdown(_("The whole lesson, to go on alone:"))
+        class_results.qr_code(here.geturl())
+        st.text(f"{here.netloc}{here.path}")
+
+
 def _how_to_join(code: str) -> None:
     """Draw code and address so that the last row can read them."""
     here = address.link({"class": code})
-    st.title(_("Join the class"), anchor=False)
-    words, picture = st.columns([2, 1], gap="large", vertical_alignment="center")
-    with words:
+    with st.container(key="wall_picture"):
+        class_results.qr_code(here.geturl())
+    with st.container(key="wall_words"):
+        st.title(_("Join the class"), anchor=False)
         st.markdown(_("On your phone, open"))
         with st.container(key="class_address"):
             # As plain text: an address is whatever the browser says it is.
@@ -106,12 +123,10 @@ def _how_to_join(code: str) -> None:
         st.markdown(_("then choose **Class** and type"))
         with st.container(key="class_letters"):
             st.text(spaced(code))
-    with picture:
-        class_results.qr_code(here.geturl())
-    if here.hostname in _ONLY_HERE:
-        st.warning(
-            _(
-                "Phones cannot open this address, because it means this computer only. Open the app under the "
-                "computer’s address in the network, then open a class there."
+        if here.hostname in _ONLY_HERE:
+            st.warning(
+                _(
+                    "Phones cannot open this address, because it means this computer only. Open the app under the "
+                    "computer’s address in the network, then open a class there."
+                )
             )
-        )
