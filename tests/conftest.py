@@ -18,7 +18,6 @@ from tests.browser import CHROMIUM, FLAGS, ROOT, open_address, running, started
 from tests.engines import bare, bare_address, browsers, engine, missing, playwright, window  # noqa: F401
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
-UNOPTIMIZED = "--js-flags=--no-opt --no-maglev"
 
 
 # In CI the same cases each time: a case that nobody has met yet is looked for on the machines of developers.
@@ -73,10 +72,10 @@ def server(pytestconfig: pytest.Config) -> Iterator[str]:
 
 @pytest.fixture(scope="session")
 def chromium(playwright: object) -> Iterator[object]:  # noqa: F811
-    """One headless browser for all tests of a worker; it does not optimize scripts that run for a second or two."""
+    """One headless browser for all tests of a worker."""
     if CHROMIUM is None:
         missing("chromium")
-    browser = playwright.chromium.launch(executable_path=CHROMIUM, args=[*FLAGS, UNOPTIMIZED])
+    browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
     yield browser
     browser.close()
 

@@ -1,35 +1,13 @@
 """The stage in a real browser: what it shows, what it costs, what a hand can do with it."""
 
-import json
 import math
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 import pytest
-from playwright.sync_api import expect
 
-from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
-from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from tests.browser import WATCH_LAG, inside, next_frame, settle, thumb
+from ramanujan import UNIT_MASS_RATIO, Oscillator
+from tests.browser import next_frame
 from tests.picture import Picture
-from tests.test_browser_speed import CUT
-
-
-@pytest.fixture
-def visit(visit):
-    """As everywhere, with the stage alone unless the whole page is asked for, and wait until the stage has drawn."""
-
-    def open_page(address="", *, whole=False, **options):
-        alone = "" if whole else ("&" if "?" in address else "?") + "hide=curve,steps"
-        page = visit(address + alone, **options)
-        page.wait_for_selector(".st-key-stage .readouts dd:not(:empty)")
-        page.wait_for_timeout(100)
-        return page
-
-    return open_page
-
-
-def text(page, selector: str) -> str:
-    return inside(page, f"root.querySelector({json.dumps(selector)}).textContent")
 
 
 @pytest.fixture
@@ -53,40 +31,6 @@ def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_
             said = picture.find(f"root.querySelector('[data-read={name}]').textContent")
             assert float(said.split()[0]) == pytest.approx(value, rel=accuracy)
         assert ("times its real speed" in picture.find("root.querySelector('.note').textContent")) == (k == 200)
-
-
-def test_a_copied_link_holds_the_machine(visit):
-    page = visit("?m=0.77&k=33.5")
-    page.locator(".st-key-link button").click()
-    expect(page.locator(".st-key-link .told")).not_to_be_empty()
-    said = page.locator(".st-key-link .told").inner_text()
-    assert said in ("Copied.", "Copy the link from here:")
-    assert said == "Copied." or page.locator(".st-key-link input").input_value() == page.url
-
-
-def test_a_drag_of_a_slider_moves_the_stage_within_two_frames_and_sends_nothing(visit):
-    page = visit(motion="no-preference")
-    x, y = thumb(page, "m_prime")
-    page.mouse.move(x, y)
-    page.mouse.down()
-    next_frame(page)
-    before = len(page.frames_sent)
-    page.evaluate(WATCH_LAG)
-    for i in range(1, 25):
-        page.mouse.move(x + 4 * i, y)
-        page.wait_for_timeout(40)
-    lags = page.evaluate("window.lags")
-    assert len(lags) >= 15
-    assert max(lags) <= 2
-    assert len(page.frames_sent) == before
-    next_frame(page)
-    live = float(text(page, "[data-read=normalized]"))
-    page.mouse.up()
-    settle(page)
-    # Negative control: letting go does send, and the server agrees with what the stage showed.
-    assert len(page.frames_sent) > before
-    assert float(text(page, "[data-read=normalized]")) == live
-    page.evaluate("delete window.lags")  # the watch ends
 
 
 def test_nothing_jumps_when_a_parameter_changes(picture):
@@ -200,103 +144,3 @@ def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_o
     page.evaluate("document.querySelectorAll('.stSlider').forEach((each) => each.remove())")
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
     assert "in step" in page.evaluate("said.at(-1)")
-
-
-def test_a_click_on_the_curve_takes_its_ratio(visit):
-    page = visit(whole=True, height=1200)
-    entry = page.locator(".st-key-m_prime_exact input")
-    panel = page.locator(".st-key-curve .nsewdrag")
-    panel.wait_for(state="attached")
-
-    def click(ratio: float) -> None:
-        """Click on the curve at a mass ratio, whatever lies there."""
-        box = panel.bounding_box()
-        x = math.log(ratio / CURVE_RANGE[0]) / math.log(CURVE_RANGE[1] / CURVE_RANGE[0])
-        _, top = page.evaluate("document.querySelector('.st-key-curve .js-plotly-plot').layout.yaxis.range")
-        y = 1 - float(normalized_frequency_squared(ratio)) / top
-        page.mouse.move(box["x"] + x * box["width"], box["y"] + y * box["height"])
-        next_frame(page)
-        page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
-        settle(page)
-
-    # To a pixel of the curve, a hundredth of the ratio, and to three digits.
-    click(0.4)
-    assert float(entry.input_value()) == pytest.approx(0.4, rel=0.02)
-    click(UNIT_MASS_RATIO)
-    expect(entry).to_have_value(str(UNIT_MASS_RATIO))
-    assert text(page, "[data-read=normalized]") == "1.000000"
-
-
-def test_the_ring_lies_on_the_present_machine_and_follows_a_drag_without_the_server(visit):
-    page = visit(whole=True, height=1200)
-    ring = page.locator(".st-key-curve .present-machine")
-    points = page.locator(".st-key-curve .scatterlayer .trace")
-
-    def centre(place) -> list[float]:
-        box = place.bounding_box()
-        return [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]
-
-    # Plotly itself has put a mark on equal masses and on the unit ratio; the star is not centred in its box.
-    assert centre(ring) == pytest.approx(centre(points.nth(3).locator(".point")), abs=0.6)
-    page.get_by_text("In step (1729)", exact=True).click()
-    settle(page)
-    assert centre(ring) == pytest.approx(centre(points.nth(4).locator(".point")), abs=2)
-    assert "Ω²m/k = 1.00000" in ring.get_attribute("aria-label")
-
-    before, sent = centre(ring), len(page.frames_sent)
-    x, y = thumb(page, "m_prime")
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.mouse.move(x + 60, y, steps=4)
-    next_frame(page)
-    after = centre(ring)
-    assert after[0] > before[0] + 20
-    assert after[1] > before[1] + 10
-    assert len(page.frames_sent) == sent
-    page.mouse.up()
-
-
-def test_no_page_is_wider_than_its_screen_and_no_name_of_a_curve_lies_on_another(visit):
-    page = visit(whole=True)
-    for key, value in (("m_prime", "1.234567890123"), ("k", "33.3")):
-        page.locator(f".st-key-{key}_exact input").fill(value)
-        page.locator(f".st-key-{key}_exact input").press("Enter")
-        settle(page)
-    names = page.locator(".st-key-curve .annotation-text")
-    for width, height in ((900, 720), (1280, 720), (1920, 1080), (390, 844)):
-        page.set_viewport_size({"width": width, "height": height})
-        page.wait_for_timeout(600)
-        assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") <= width
-        if width >= 1280:
-            controls = page.locator(".st-key-stage .controls").bounding_box()
-            assert controls["y"] + controls["height"] <= height, "the stage and its controls fit on the first screen"
-        if width == 900:
-            assert page.evaluate(CUT) == []
-            link = page.locator("[data-testid=stPageLink] p >> nth=0")
-            assert link.evaluate("(node) => node.scrollWidth <= node.clientWidth")
-        names.first.wait_for()
-        boxes = [name.bounding_box() for name in names.all()]
-        assert len(boxes) == 5
-        assert all(0 <= box["x"] <= width - box["width"] for box in boxes)
-        for a, b in combinations(boxes, 2):
-            assert (
-                a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
-                or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"]
-            )  # fmt: skip
-
-
-def test_a_change_sends_at_most_twenty_kilobytes(visit):
-    page = visit(whole=True)
-    page.get_by_text("In step (1729)", exact=True).click()
-    settle(page)
-    start = len(page.frames_received)
-    page.get_by_text("Light rollers", exact=True).click()
-    settle(page)
-    assert 1000 < sum(page.frames_received[start:]) <= 20_000
-    # A slider draws anew what follows it, and nothing else: a whole page is four times as many messages.
-    start = len(page.frames_received)
-    page.locator(".st-key-k input[type=range]").focus()
-    page.keyboard.press("ArrowRight")
-    settle(page)
-    assert 1000 < sum(page.frames_received[start:]) <= 10_000
-    assert len(page.frames_received[start:]) <= 15
