@@ -2,9 +2,13 @@
 
 import os
 import re
+import socket
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
+
+import pytest
 
 from tests.browser import ROOT
 
@@ -39,3 +43,25 @@ def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it
         done = run(tmp_path / name, "-c", lines + asks)
         assert done.stdout.startswith(said), done.stderr
         assert ("No module named 'ramanujan'" in done.stderr) == (not said)
+
+
+def test_every_benchmark_is_named_and_prints_its_help(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["", "--help"])
+    for file in (ROOT / "tests/benchmarks").glob("*.py"):
+        if hasattr(benchmark := import_module(f"tests.benchmarks.{file.stem}"), "main"):
+            assert f"python -m {benchmark.__name__}`" in README
+            with pytest.raises(SystemExit, match="0"):
+                benchmark.main()
+            assert benchmark.__doc__.split()[:4] == capsys.readouterr().out.partition("\n\n")[2].split()[:4]
+
+
+def test_a_port_that_is_taken_is_named_before_the_app_is_imported():
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = other.getsockname()[1]
+        place = ("--server.address", "127.0.0.1", "--server.port", str(port), "--server.headless", "true")
+        command = (sys.executable, "-X", "importtime", "-m", "streamlit", "run", "app.py", *place)
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60, check=False)
+    assert f"Port {port} is not available" in done.stdout + done.stderr
+    assert done.returncode == 1
+    assert "streamlit.web" in done.stderr
+    assert "sympy" not in done.stderr
