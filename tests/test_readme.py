@@ -13,6 +13,14 @@ import pytest
 from tests.browser import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+EVERY_PAGE = """
+
+def test_every_page():
+    for page in __import__("pathlib").Path("oscillator/ramanujan/pages").glob("*/page.py"):
+        at = AppTest.from_file("oscillator/app.py", default_timeout=60).run().switch_page(str(page.resolve())).run()
+        assert at.slider(key="m_prime").set_value(2.0).run().title, page
+        assert not at.exception, page
+"""
 
 
 def block(name: str) -> str:
@@ -29,9 +37,9 @@ def run(folder: Path, *command: str) -> subprocess.CompletedProcess:
 
 
 def test_the_app_test_runs_in_a_folder_of_its_own(tmp_path):
-    (tmp_path / "test_in_step.py").write_text(block("an app test"))
+    (tmp_path / "test_in_step.py").write_text(block("an app test") + EVERY_PAGE)
     done = run(tmp_path, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test_in_step.py")
-    assert "1 passed" in done.stdout, done.stdout[-2000:]
+    assert "2 passed" in done.stdout, done.stdout[-2000:]
 
 
 def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it_is(tmp_path):

@@ -5,6 +5,8 @@ from functools import cache
 import streamlit as st
 from plotly.colors import find_intermediate_color, hex_to_rgb, label_rgb
 
+from ramanujan.integrators import METHODS
+
 BODY_COLORS = {"block": "gray", "hoop": "orange", "cylinder": "blue", "slab": "green", "spring": "violet", "top": "red"}
 """Body → Streamlit's name of its colour: Markdown writes :orange[…], the stage var(--st-orange-color)."""
 
@@ -16,6 +18,8 @@ _OPTIONS = {
     **{body: f"{color}Color" for body, color in BODY_COLORS.items()},
     **{f"{body}_ink": f"{color}TextColor" for body, color in BODY_COLORS.items()},
 }
+
+_GRAY = "#808080"
 
 
 def current() -> str:
@@ -31,12 +35,12 @@ def colors() -> dict[str, str]:
 @cache
 def _colors(shown: str) -> dict[str, str]:
     # To ask for an option takes a tenth of a millisecond, and a page asks for all of them several times a run.
-    fallback = {"ink": "#808080", "paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
+    # An app test in another folder finds no theme.
+    fallback = {"paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
     bodies = {
-        use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, "#808080")
-        for use, option in _OPTIONS.items()
+        use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, _GRAY) for use, option in _OPTIONS.items()
     }
-    methods = st.get_option(f"theme.{shown}.chartCategoricalColors") or []
+    methods = st.get_option(f"theme.{shown}.chartCategoricalColors") or [_GRAY] * len(METHODS)
     return bodies | {f"method_{n}": color for n, color in enumerate(methods)}
 
 
