@@ -114,6 +114,14 @@ def test_evaluations_are_those_of_a_whole_run(method):
     assert error_history(method, 60, 5).evaluations == counted(method, 300)
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_the_angle_to_the_exact_motion_is_that_of_a_single_run(method):
+    found = work_precision(method, periods=5, steps_per_period=[9, 30], of="phase").error
+    for n, error in zip((9, 30), found, strict=True):
+        phases = error_history(method, n, 5).phase_error
+        assert error == pytest.approx(np.abs((phases + np.pi) % (2 * np.pi) - np.pi).max() / (2 * np.pi), rel=1e-9)
+
+
 # Numeric minus exact phase per radian for small z = hΩ: the leading term of each method's expansion.
 PHASE_ERROR = {
     "explicit_euler": lambda z: -(z**2) / 3,
@@ -163,6 +171,7 @@ def test_cheapest_is_sorted_and_within_the_tolerance(curves):
         (lambda: work_precision("rk4", periods=10**6, steps_per_period=[10**6]), "steps_per_period"),
         (lambda: work_precision("rk4", after=work_precision("yoshida4", periods=1)), "after"),
         (lambda: work_precision("rk4", periods=1, after=work_precision("rk4", periods=1)), "after"),
+        (lambda: work_precision("rk4", of="speed"), "of"),
         (lambda: cheapest([], 0), "tolerance"),
         (lambda: closed_form(MACHINE, [0]), "periods"),
         (lambda: arithmetics(-1.0), "mass_ratio"),

@@ -1,5 +1,7 @@
 """The pure modules of the page, each imported alone by the browser: bus, sentences, motion, playback, clock."""
 
+import math
+
 import pytest
 
 from tests.bare import Bare
@@ -88,10 +90,10 @@ def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
 
 
 def test_samples_are_joined_by_straight_lines_and_stay_at_their_ends(page):
-    samples = {"step": 0.5, "X": [0, 1, 4], "phi": [0, 2, 2], "Phi": [1, 1, 1]}
-    states = run(page, "stage/motion", "return [-1, 0.25, 0.75, 9].map((t) => it.sampleAt(given, t))", samples)
-    assert [state["X"] for state in states] == [0, 0.5, 2.5, 4]
-    assert states[2]["X_dot"] == 6
+    samples = {"per_period": 2, "q": [0, 1, 4]}
+    found = run(page, "stage/motion", "return [-1, 0.25, 0.75, 9].map((t) => it.sampleAt(given, t * it.TURN))", samples)
+    assert [q for q, _slope in found] == [0, 0.5, 2.5, 4]
+    assert found[2][1] * -2 * math.pi == pytest.approx(6)
 
 
 def test_the_clocks_begin_together_whenever_the_two_frequencies_change(page):

@@ -1,7 +1,11 @@
-"""Page 5 in a browser: two stages on one clock, work that can be stopped and left, room on a phone."""
+"""Page 5 in a browser: a computed machine over the exact one, work that can be stopped and left, room on a phone."""
 
+import re
+
+import pytest
 from playwright.sync_api import expect
 
+from ramanujan.accuracy.runs import error_history
 from tests.browser import settle
 
 CUT = """[...document.querySelectorAll(".stMain .stColumn")].flatMap((column) =>
@@ -18,12 +22,26 @@ def measure(page):
     page.get_by_text("Measuring 300 periods").wait_for(timeout=120_000)
 
 
-def test_stages_move_no_control_is_cut_and_measuring_can_be_watched_stopped_and_left(visit):
+def test_a_run_is_drawn_no_control_is_cut_and_measuring_can_be_watched_stopped_and_left(visit):
     """A window of 900 pixels beside another one: the sidebar leaves the page 560 of them."""
-    page = visit("speed?periods=300&steps=8", width=900, motion="no-preference")
-    for key in ("exact", "stepped"):
-        slab = page.locator(f".st-key-stage_{key} .moving .body.slab").first
-        expect(slab).not_to_have_attribute("transform", slab.get_attribute("transform"))
+    page = visit("speed?periods=300&steps=8", width=900)
+    run, label = page.locator(".st-key-run button"), page.locator(".st-key-stage_race .label")
+    result = page.locator(".st-key-race_result")
+    run.click()
+    expect(label).to_contain_text("Period 30 of 30: 241 evaluations", timeout=60_000)
+    expect(result).to_be_visible(timeout=60_000)
+    # The slab is at x₀ + (cos Ωt − 1)(8 + 6ε)/(7 + 6ε) x₀/2, the outline has q in place of cos Ωt.
+    x = "(node) => node.transform.baseVal[0].matrix.e"
+    exact, computed = (
+        page.locator(f".st-key-stage_race {each} .slab").evaluate(x) for each in (".moving", ".computed")
+    )
+    q = error_history("velocity_verlet", 8, 30).q[-1]
+    assert (exact, computed) == (pytest.approx(8), pytest.approx(8 + (q - 1) * 14 / 13 * 4, abs=1e-3))
+    # One who may see motion sees the run before its verdict.
+    page.emulate_media(reduced_motion="no-preference")
+    run.click()
+    expect(label).to_contain_text(re.compile("Period [1-9]"), timeout=60_000)
+    expect(result).to_be_hidden()
     page.emulate_media(reduced_motion="reduce")
     page.get_by_role("radio", name="float32", exact=True).click()
     settle(page)

@@ -161,7 +161,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
 def test_the_observed_machines_are_those_of_the_stop(opened):
     app = opened(stop="steps", chosen="steps.euler")
     euler, verlet = fed(app)
-    assert len(euler["samples"]["phi"]) > len(verlet["samples"]["phi"]) == 201
+    assert len(euler["samples"]["q"]) > len(verlet["samples"]["q"]) == 201
     app = opened(stop="contact", chosen="contact.top_block")
     assert fed(app)[0]["slipping"] == "hoop_slab"
     app = opened(stop="other-body", chosen="other-body.same")

@@ -15,7 +15,7 @@ import pytest
 import streamlit as st
 from streamlit.testing.v1 import AppTest
 
-from ramanujan import Oscillator
+from ramanujan import Oscillator, lesson
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import phase_errors
@@ -24,11 +24,11 @@ from ramanujan.accuracy.work_precision import WorkPrecision, cheapest
 from ramanujan.figures import speed as figures
 from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory
-from ramanujan.motion import motion, released
 from ramanujan.numerals import duration, number, power_of_ten
 from ramanujan.pages.speed import cache, costs, downsampling, verdicts
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way
+from ramanujan.shell.widgets import plain
 
 PAGE = "ramanujan/pages/speed/page.py"
 
@@ -74,7 +74,7 @@ def test_every_corner_is_shown(app, method, steps, precision):
         periods="30" if steps == "3" else "1",
         sweep="scale_float32",
     )
-    assert f"**{METHODS[method].title}, {steps} steps per period, {precision}**" in words(app)
+    assert f"**{METHODS[method].title}, {steps} steps per period, {precision}:**" in words(app)
     # hΩ = 2π/3 lies beyond Verlet's limit of 2.
     assert ("**unstable here**" in words(app)) == (method == "velocity_verlet")
     if method == "explicit_euler":
@@ -172,38 +172,37 @@ def test_says_what_the_paper_form_returns_at_the_edge(app):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("steps", [3, 12, 192])
-def test_stage_plays_whole_periods_in_few_bytes(method, steps):
-    machine, compression = Oscillator(), 0.12
-    run = one_run(method, steps, 10)
-    played, first, last, _ = downsampling.samples(run, machine, compression, 0.12)
-    assert 0 <= first < last <= 10
-    assert len(played["phi"]) == (last - first) * run.per_period + 1
-    assert played["step"] * run.per_period == pytest.approx(machine.period)
-    numbers = np.array([played[name] for name in ("X", "phi", "Phi")])
-    assert np.isfinite(numbers).all()
-    # The slab stays in the picture; rounding is to 1e-5 rad.
-    assert np.abs(numbers[1]).max() * 2 * machine.radius <= 1.5 * 0.12 + 1e-5
+def test_the_stage_plays_a_run_in_few_bytes_with_its_cost(method, steps):
+    history, run = error_history(method, steps, 30), one_run(method, steps, 30)
+    played = downsampling.played(run)
+    q, every = np.array(played["q"]), steps // played["per_period"]
+    inside = abs(history.q[::every]) < downsampling.ROOM
+    np.testing.assert_allclose(q[inside], history.q[::every][inside], atol=6e-5)
+    assert abs(q).max() <= downsampling.ROOM
+    assert played["log"][-1] == [number(history.evaluations, 6), number(np.abs(history.phase_error).max() / math.tau)]
+    assert len(played["log"]) == 31
     assert len(json.dumps(played)) < 10_000
 
 
-def test_a_fine_run_plays_the_exact_motion():
-    machine, compression = Oscillator(m_prime=2.0), 0.05
-    run = one_run("yoshida6", 192, 3)
-    played, first, _, leaves = downsampling.samples(run, machine, compression, 0.12)
-    assert (first, leaves) == (0, False)
-    times = np.arange(len(played["phi"])) * played["step"]
-    q, _ = motion(machine, released(machine, compression), times)
-    # Rounded to five digits after the point.
-    np.testing.assert_allclose([played[name] for name in ("X", "phi", "Phi")], q, atol=6e-6)
-
-
-def test_growing_run_is_shown_until_it_leaves():
-    run = one_run("explicit_euler", 24, 30)
-    _, _, last, leaves = downsampling.samples(run, Oscillator(), 0.08, 0.12)
-    assert leaves
-    assert last < 30
-    _, _, last, leaves = downsampling.samples(one_run("velocity_verlet", 24, 30), Oscillator(), 0.08, 0.12)
-    assert (last, leaves) == (30, False)
+def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_does(app):
+    page(app)
+    drawn = len(app.get("plotly_chart"))
+    app.selectbox(key="method").set_value("rk4").run()
+    for steps, done in ((13, False), (14, True)):
+        app.number_input(key="steps").set_value(steps).run()
+        app.button(key="run").click().run()
+        assert len(app.get("plotly_chart")) == drawn + 1
+        verdict = lesson.task("cheapest").judge(lesson.Setting(method="rk4", steps=steps))
+        assert verdict.done == done
+        [said] = [text.value for text in app.markdown if plain(verdict.sentence) in text.value]
+        assert ("Done." in said, "Not yet." in said) == (done, not done)
+    assert app.query_params["tries"] == "rk4.13,rk4.14"
+    figure = json.loads(next(each.proto.spec for each in app.get("plotly_chart") if "your run" in each.proto.spec))
+    [own] = [trace for trace in figure["data"] if trace.get("name") == "your run"]
+    assert (own["x"], own["y"]) == (
+        [30 * 14 * 4],
+        [pytest.approx(error_history("rk4", 14, 30).phase_error[-1] / -math.tau)],
+    )
 
 
 # ---- what many visitors want at once

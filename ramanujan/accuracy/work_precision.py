@@ -1,6 +1,6 @@
 """The work–precision diagram: error against cost of every integrator, and the cheapest run for a tolerance.
 
-The error of a run is its largest state error at any step (`runs`).
+The error of a run is the largest one at any step (`runs`): the state error, or the phase error in turns.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class WorkPrecision:
     method, dtype : name in METHODS; "float32" or "float64"
     periods : length of every run, in periods of the machine
     steps_per_period : n, so that h = T/n; ascending
-    error : the largest state error at any step of the run, see `runs`, for the worst rounding of h and Ω² that a
+    error : the largest error at any step of the run, see `runs`, for the worst rounding of h and Ω² that a
         machine can have; ∞ where the run left the range
     evaluations : evaluations of the acceleration in the run
     ends : q and v where the runs end, in units of the amplitude and of 1/Ω, each of shape (2, runs)
@@ -55,7 +55,7 @@ class WorkPrecision:
 
 @dataclass(frozen=True)
 class Choice:
-    """One run within a tolerance: method, precision, step size, largest state error and cost."""
+    """One run within a tolerance: method, precision, step size, largest error and cost."""
 
     method: str
     dtype: str
@@ -71,6 +71,7 @@ def work_precision(
     periods: int = 100,
     steps_per_period: Sequence[int] = STEPS_PER_PERIOD,
     after: WorkPrecision | None = None,
+    of: str = "state",
     between: Callable[[], object] = lambda: None,
 ) -> WorkPrecision:
     """Return error and evaluations of one method for each number of steps per period, for every machine the same.
@@ -83,6 +84,8 @@ def work_precision(
     periods : length of a run [periods], whole
     steps_per_period : n of every run, whole numbers from 3 on
     after : the same runs over fewer periods; they are continued, and `steps_per_period` is theirs
+    of : the error that counts: "state", relative to the amplitude, or "phase", the angle to the exact motion in turns,
+        at most ½
     between : called after every block of steps, some milliseconds of work; a server lets others work then
 
     Returns
@@ -99,6 +102,7 @@ def work_precision(
     periods = integer("periods", periods, 1, LONGEST_RUN // 3)
     chosen, kind = method_named("method", method), float_type("dtype", dtype)
     function("between", between)
+    one_of("of", of, ("state", "phase"))
     if after is None:
         steps = np.unique([steps_within(n, periods) for n in sequence("steps_per_period", steps_per_period)])
         if steps.size == 0:
@@ -119,7 +123,10 @@ def work_precision(
         running = slice(steps.size - q.shape[-1], None)
         exact = turns[first[running] + number[:, None] % steps[running]][:, None]
         with np.errstate(over="ignore", invalid="ignore"):
-            largest = np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
+            if of == "phase":
+                largest = abs(np.angle((q - 1j * v) * exact.conj())).max(axis=(0, 1)) / (2 * np.pi)
+            else:
+                largest = np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
         error[running] = np.fmax(error[running], largest)
         ends[..., running] = q[-1], v[-1]
         between()
@@ -157,7 +164,7 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
     Parameters
     ----------
     curves : results of `work_precision`
-    tolerance : largest allowed state error, relative to the amplitude
+    tolerance : largest allowed error
     by : the cost that counts, "evaluations" or "seconds"
 
     Returns

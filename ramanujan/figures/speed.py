@@ -41,7 +41,11 @@ class Part:
 
 
 def error_growth(
-    curves: Mapping[str, Curve], chosen: str, exact: tuple[np.ndarray, np.ndarray], colors: Colors
+    curves: Mapping[str, Curve],
+    chosen: str,
+    exact: tuple[np.ndarray, np.ndarray],
+    names: Sequence[str],
+    colors: Colors,
 ) -> Drawn:
     """Draw the energy error above, the phase error below, against the number of periods; all axes logarithmic.
 
@@ -50,10 +54,11 @@ def error_growth(
     curves : name of each method → numbers of periods, |energy error| and |phase error| [rad]
     chosen : the name of the method that is drawn strongly
     exact : numbers of periods and the closed form's phase error there [rad]
+    names : of all methods, in the order of their colours
     colors : the theme's
     """
     hover = _AFTER.format(periods="%{x:.4g}", error="%{customdata:.3g}") + _NAMED
-    tones = {name: look_of(number, colors)[0] for number, name in enumerate(curves)}
+    tones = {name: look_of(number, colors)[0] for number, name in enumerate(names)}
     # The chosen one is drawn last, on top.
     ordered = sorted(curves, key=lambda name: name == chosen)
     closed = (_("closed form"), colors["ink"], exact[0], exact[1], {"width": 2, "dash": "dash"}, 1.0)
@@ -95,10 +100,10 @@ def error_growth(
 def work_precision(
     curves: Mapping[tuple[str, str], Curve],
     *,
-    cost_title: str,
+    titles: tuple[str, str],
     tolerance: float,
-    cheapest: tuple[float, float] | None,
-    exact: tuple[float, float] | None,
+    singled: Mapping[str, tuple[float, float, str, int, str]],
+    tried: Sequence[tuple[float, float]] = (),
     colors: Colors,
 ) -> Drawn:
     """Draw error against cost, both logarithmic: solid with filled marks in float64, dotted with open ones in float32.
@@ -106,15 +111,15 @@ def work_precision(
     Parameters
     ----------
     curves : name of the method and its precision → cost, error and steps per period of each run
-    cost_title : title of the cost axis
+    titles : of the cost axis and of the error axis
     tolerance : the largest error allowed
-    cheapest : cost and error of the cheapest run
-    exact : cost and error of the closed form
+    singled : name → cost and error of a run that is marked, symbol, size and colour of its mark
+    tried : cost and error of runs with a small mark
     colors : the theme's
     """
     traces, named, methods = [], [], list(dict.fromkeys(name for name, _dtype in curves))
     hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + _NAMED
-    marked = [np.array([tolerance])] + [np.array([point[1]]) for point in (cheapest, exact) if point]
+    marked = [np.array([tolerance, *(error for _cost, error, *_look in singled.values())])]
     shown = logarithmic.shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
     for (name, dtype), (cost, error, steps) in curves.items():
         color, symbol = look_of(methods.index(name), colors)
@@ -127,24 +132,21 @@ def work_precision(
         traces.append(line(cost.astype(np.float32), within(error, shown), **look) | own)
         if double:
             named.append((name, color, logarithm(cost), logarithm(within(error, shown))))
-    singled_out = (
-        (cheapest, _("cheapest"), "circle-open", 22, "primary"),
-        (exact, _("closed form"), "star", 15, "ink"),
-    )
-    for point, name, symbol, size, color in singled_out:
-        if point is not None:
-            x, y = np.array([point[0]]), np.array([max(point[1], shown[0])])
-            mark = marks(x.tolist(), y.tolist(), symbol, size, colors[color], width=3)
-            traces.append(mark | {"name": name, "hovertemplate": hover})
-            named.append((name, colors[color], logarithm(x), logarithm(y)))
+    for cost, error in tried:
+        traces.append(marks([cost], [error], "diamond-open", 11, colors["ink"], width=2) | {"hovertemplate": hover})
+    for name, (cost, error, symbol, size, color) in singled.items():
+        x, y = np.array([cost]), np.array([max(error, shown[0])])
+        mark = marks(x.tolist(), y.tolist(), symbol, size, colors[color], width=3)
+        traces.append(mark | {"name": name, "hovertemplate": hover})
+        named.append((name, colors[color], logarithm(x), logarithm(y)))
     reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
-    reached += [point[0] for point in (cheapest, exact) if point]
+    reached += [cost for cost, *_others in (*singled.values(), *tried)]
     ends = min(reached), max(reached)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
     named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
-    y_axis = log_axis(_("largest error, relative to the amplitude"), shown)
-    x_axis = axis(cost_title, x_range, type="log", dtick=1)
+    y_axis = log_axis(titles[1], shown)
+    x_axis = axis(titles[0], x_range, type="log", dtick=1)
     notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 420))
     return figure(traces, colors, 480, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 

@@ -1,6 +1,5 @@
 """Tasks with an answer of their own: a time, a measurement, a formula, a method, a choice of bodies."""
 
-import math
 from functools import cache
 from itertools import count
 
@@ -15,9 +14,8 @@ from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
 from ramanujan.numerals import filled, number, told_from
 from ramanujan.translation import _
 
-TOLERANCE, PERIODS = 1e-3, 10
-"""Of the integrators' race: the largest error of the state over the amplitude, and the length of the run."""
-FEWEST_STEPS, MOST_STEPS = 4, 1000
+WITHIN, PERIODS = 0.01, 30
+"""Of the integrators' race: the largest angle to the exact motion [turns], and the length of the run."""
 HALF = 0.005
 NOTHING = 1e-6
 """A smaller share of the energy can be neither measured nor drawn: it is called none."""
@@ -66,33 +64,34 @@ def exact_ratio(setting: Setting) -> Verdict:
 
 
 @cache
-def run(method: str, steps: int) -> WorkPrecision:
-    """Return error and evaluations of one run, as on the page Speed and accuracy."""
-    return work_precision(method, periods=PERIODS, steps_per_period=[steps])
+def race(method: str, steps: int) -> WorkPrecision:
+    """Return the angle to the exact motion and the evaluations of one run."""
+    return work_precision(method, periods=PERIODS, steps_per_period=[steps], of="phase")
 
 
 @cache
-def fewest_evaluations() -> int:
-    """Return the fewest evaluations with which one of `METHODS` stays within the tolerance."""
-    best, *_others = cheapest_runs([work_precision(method, periods=PERIODS) for method in METHODS], TOLERANCE)
-    return best.evaluations
+def races() -> tuple[WorkPrecision, ...]:
+    """Return the same of every method with every number of steps; some seconds."""
+    return tuple(work_precision(method, periods=PERIODS, of="phase") for method in METHODS)
 
 
 def cheapest(setting: Setting) -> Verdict:
     """Judge a method and its steps: first the error, then the cost."""
-    chosen = run(setting.method, setting.steps)
+    chosen = race(setting.method, setting.steps)
     error, cost = chosen.error.item(), chosen.evaluations.item()
-    written = told_from(error, TOLERANCE) if math.isfinite(error) else "∞"
-    if error > TOLERANCE:
+    written = told_from(error, WITHIN)
+    if error > WITHIN:
         return missed(
-            _("The error is {error} of the amplitude. It must be at most {goal:1}."), error=written, goal=TOLERANCE
+            _("The computed machine is up to {error} of a turn away from the exact one. At most {goal:1} is allowed."),
+            error=written,
+            goal=WITHIN,
         )
     sentences = (
-        _("The error is {error}. None of the {methods} methods to choose from needs fewer than {cost} evaluations."),
-        _("The error is {error}, small enough. But {cost} evaluations are {times:2} times as many as necessary."),
+        _("It stays within {error} of a turn. No method here needs fewer than {cost} evaluations of the force."),
+        _("It stays within {error} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),
     )
-    fewest = fewest_evaluations()
-    return near(cost - fewest, 0, sentences, error=written, cost=cost, times=cost / fewest, methods=len(METHODS))
+    fewest = cheapest_runs(races(), WITHIN)[0].evaluations
+    return near(cost - fewest, 0, sentences, error=written, cost=cost, times=cost / fewest)
 
 
 def two_cubes(setting: Setting) -> Verdict:
@@ -158,9 +157,9 @@ TASKS = (
         "cheapest",
         _("The cheapest integrator"),
         _(
-            "An integrator has to compute {periods} periods with an error of at most {tolerance} of the amplitude. Can "
-            "you do it with as few evaluations of the acceleration as possible?"
-        ).format(periods=PERIODS, tolerance=number(TOLERANCE, 1)),
+            "A computed machine has to stay within {within} of a turn of the exact one for {periods} periods. Can you "
+            "do it with as few evaluations of the force as possible?"
+        ).format(within=number(WITHIN, 1), periods=PERIODS),
         (
             _("A method of higher order costs more per step but needs fewer steps."),
             _(

@@ -10,7 +10,6 @@ from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.runs import History, error_history
 from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
-from ramanujan.motion import released
 from ramanujan.numerals import power_of_ten
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -40,15 +39,9 @@ def energy_factor(method: str) -> float:
 
 
 def samples(method: str) -> dict[str, object]:
-    """Return the computed motion as the stage draws it: X and Φ follow φ as in the mode shape."""
+    """Return the computed motion as the stage draws it."""
     every = max(STEPS[method] // _SHOWN, 1)
-    phi = computed(method).q[::every] * released(EQUAL, COMPRESSION).phi
-    block, _phi, top = EQUAL.mode_shape
-    follow = {"X": block * (phi - phi[0]), "phi": phi, "Phi": top * (phi - phi[0])}
-    return {
-        "step": EQUAL.period / STEPS[method] * every,
-        **{name: [float(f"{value:.6g}") for value in values] for name, values in follow.items()},
-    }
+    return {"per_period": STEPS[method] // every, "q": computed(method).q[::every].round(5).tolist()}
 
 
 def _steps() -> str:

@@ -39,7 +39,7 @@ class Run:
     compression : x₀ at release [m]
     label : what stands under its picture, where several machines are shown side by side
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
-    samples : returns a computed motion to show instead of the exact one: step [s] and X, phi, Phi
+    samples : returns a computed motion to show instead of the exact one: per_period and q
     slipping : the contact that slips is marked
     initial : the state at release; without it, at rest with the spring compressed by x₀
     """

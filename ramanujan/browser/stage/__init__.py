@@ -28,7 +28,11 @@ and by `page.publish`, at every change:
     version      1
     parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
     initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
-    samples      step [s] and X, phi, Phi at equal steps, drawn instead of the exact motion; left out: exact
+    samples      q = φ/φ₀ at equal steps, per_period of them in a period, drawn instead of the exact motion of a
+                 machine that was released at rest; left out: exact
+    computed     the same, drawn as an outline over the exact motion, with log, the evaluations and the turns that it
+                 was off, as text, after each period, run, the number of the run, and pace, the seconds of a period
+                 while a new run is shown for the first time; left out: none
     slipping     the contact that is marked, such as hoop_slab; left out: none
     lit          the highlighted body, or spring; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
@@ -67,6 +71,7 @@ def payload(
     initial: InitialState | None = None,
     shape_factors: Mapping[str, float] = SHAPE_FACTORS,
     samples: Mapping[str, Any] | None = None,
+    computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
     lit: str | None = None,
 ) -> dict[str, Any]:
@@ -78,12 +83,13 @@ def payload(
     compression : x₀ [m]
     initial : the state at release; without it, at rest with the spring compressed by x₀
     shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
-    samples : a computed motion to draw instead of the exact one: step [s], X, phi, Phi
+    samples, computed : a computed motion, to draw instead of the exact one or as an outline over it
     slipping : the contact to mark, such as hoop_slab
     lit : the highlighted body, such as hoop, or spring
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
-    optional = {"initial": initial and asdict(initial), "samples": samples, "slipping": slipping, "lit": lit}
+    optional = {"initial": initial and asdict(initial), "samples": samples, "computed": computed}
+    optional |= {"slipping": slipping, "lit": lit}
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},

@@ -26,10 +26,9 @@ export function solve(parameters, initial) {
   };
 }
 
-/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift. */
-export function stateAt({ Omega, motion }, phase, time) {
-  const [cosine, sine] = [Math.cos(phase), Math.sin(phase)];
-  const state = {};
+/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift; `turned` is in place of cos Ωt and sin Ωt. */
+export function stateAt({ Omega, motion }, phase, time, turned = [Math.cos(phase), Math.sin(phase)]) {
+  const [cosine, sine] = turned, state = {};
   for (const [name, { a, b, c, d }] of Object.entries(motion)) {
     state[name] = a + b * time + c * cosine + d * sine;
     state[`${name}_dot`] = b + Omega * (d * cosine - c * sine);
@@ -37,18 +36,10 @@ export function stateAt({ Omega, motion }, phase, time) {
   return state;
 }
 
-/** The same from samples at equal steps, straight between two of them: an integrator's idea of the motion. */
-export function sampleAt(samples, time) {
-  const last = samples.phi.length - 2;
-  const i = clamp(Math.floor(time / samples.step), 0, last);
-  const part = clamp(time / samples.step - i, 0, 1);
-  const state = {};
-  for (const name of COORDINATES) {
-    const [from, to] = [samples[name][i], samples[name][i + 1]];
-    state[name] = from + part * (to - from);
-    state[`${name}_dot`] = (to - from) / samples.step;
-  }
-  return state;
+/** What an integrator has in place of cos Ωt and sin Ωt: q at equal steps, straight between two of them, and minus its slope. */
+export function sampleAt({ q, per_period }, phase) {
+  const at = clamp((phase / TURN) * per_period, 0, q.length - 1), i = Math.min(Math.floor(at), q.length - 2);
+  return [q[i] + (at - i) * (q[i + 1] - q[i]), ((q[i] - q[i + 1]) * per_period) / TURN];
 }
 
 /** The still of someone who asked for less motion: half a period in five exposures. */

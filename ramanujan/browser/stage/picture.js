@@ -19,11 +19,11 @@ const TRAIL = { positions: 8, apart: TURN / 60 }; // the last ones, so much of a
  * The picture under a root.
  *
  * geometry(parameters)                              the radius or a body's shape has changed
- * machine({ parameters, solution, data, parts })     any parameter has changed
+ * machine({ parameters, solution, data, playback })  any parameter or the computed motion has changed
  * frame({ known, playback, shift, write })           a frame: known = parameters, state, Omega; shift [m] of the view;
  *                                                   write: the running numbers, too
  * show(layers)                                      the set of layers that are seen
- * ghosts(states)                                    the still of the present machine, or none
+ * ghosts(states)                                    the still for less motion, several exposures, or none
  * leaves(known)                                     what has left its place in this state, if anything has
  * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
  */
@@ -70,13 +70,14 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     sizes.observe(svg);
   }
 
-  function machine({ parameters, solution, data, clock, parts: { hides } }) {
+  function machine({ parameters, solution, data, clock, playback, parts: { hides } }) {
     for (const name of BODIES) inMoving(`.${name}`).style.setProperty("--weight", weight(FORMULAS.mass[name](parameters)));
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
     const [left, right, top] = rollerWords(parameters);
     set(find(".picture"), { role: "img", "aria-label": fill(WORDS.picture, { left, right, top }) });
     // One body, or the spring, stands out; without a name, all are alike.
     host.classList.toggle("one-lit", Boolean(data.lit));
+    find(".computed").replaceChildren(...(data.computed ? [copied({ ...parameters, ...playback.now() })] : []));
     for (const node of moving.children) node.classList.toggle("lit", node.classList.contains(data.lit));
     dial.machine(solution, !hides("clocks") && !hides("motion"));
     layers.machine(parameters, solution, data, clock.seenFrom);
@@ -92,6 +93,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
     leave(known, playback.phase, shift);
+    if (playback.computed) follow(known, playback, shift);
     layers.frame(known, shift, write);
     dial.frame(playback, write);
   }
@@ -108,19 +110,25 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     trail.append(outline);
   }
 
-  /** The still of someone who asked for less motion: the machine in several exposures, that nobody can take hold of. */
-  function drawGhosts(states) {
-    find(".ghosts").replaceChildren(...states.map((known) => {
-      const ghost = moving.cloneNode(true);
-      set(ghost, { class: "ghost" });
-      for (const node of ghost.querySelectorAll("text, title, .grip, .handle")) node.remove();
-      for (const node of ghost.querySelectorAll("*")) {
-        const said = node.getAttributeNames().filter((name) => /^(tabindex$|role$|aria-)/.test(name));
-        for (const name of said) node.removeAttribute(name);
-      }
-      put(finder(ghost), placed(known, place));
-      return ghost;
-    }));
+  /** A copy of the machine in a state, that nobody can take hold of. */
+  function copied(known) {
+    const ghost = moving.cloneNode(true);
+    set(ghost, { class: "ghost" });
+    for (const node of ghost.querySelectorAll("text, title, .grip, .handle")) node.remove();
+    for (const node of ghost.querySelectorAll("*")) {
+      const said = node.getAttributeNames().filter((name) => /^(tabindex$|role$|aria-)/.test(name));
+      for (const name of said) node.removeAttribute(name);
+    }
+    put(finder(ghost), placed(known, place));
+    return ghost;
+  }
+
+  /** Draw the computed machine, and count what it has cost. */
+  function follow(known, playback, shift) {
+    const { log } = playback.computed, period = Math.min(Math.floor(playback.phase / TURN + 1e-9), log.length - 1);
+    const [evaluations, turns] = log[period];
+    put(finder(find(".computed")), placed({ ...known, ...playback.rival() }, place, shift));
+    find(".label").textContent = fill(WORDS.counted, { period, periods: log.length - 1, evaluations, turns });
   }
 
   return {
@@ -128,7 +136,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     machine,
     frame,
     show: layers.show,
-    ghosts: drawGhosts,
+    ghosts: (states) => find(".ghosts").replaceChildren(...states.map(copied)),
     leaves: (known) => leftPlace(known, place),
     toMetres: (clientX) => new DOMPoint(clientX, 0).matrixTransform(svg.getScreenCTM().inverse()).x / CM,
   };

@@ -16,12 +16,12 @@ export class Playback {
   exit = null; // the phase at which the machine has left its place, if somebody has gone beyond it
 
   /**
-   * Take a machine: its parameters, its solution, samples in place of the exact motion, what tells that it has left, and from
-   * where it is seen.
+   * Take a machine: its parameters, its solution, samples in place of the exact motion or a computed one beside it, what tells
+   * that it has left, and from where it is seen.
    */
-  take({ parameters, solution, samples, leaves, seenFrom }) {
+  take({ parameters, solution, samples, computed, leaves, seenFrom }) {
     const ratio = this.solution && this.solution.Omega / this.solution.plain;
-    Object.assign(this, { parameters, solution, samples, leaves, seenFrom });
+    Object.assign(this, { parameters, solution, samples, computed, leaves, seenFrom });
     this.exit = null;
     // The clocks compare frequencies: they start together whenever these change.
     if (!this.keeps && ratio !== solution.Omega / solution.plain) this.plainPhase = this.together = this.phase;
@@ -40,10 +40,15 @@ export class Playback {
   /** Coordinates and rates at a phase, with the plain mass's displacement and the way of the view over the floor [m]. */
   at(phase) {
     const time = phase / this.solution.Omega;
-    const state = this.samples ? sampleAt(this.samples, time) : stateAt(this.solution, phase, time);
+    const state = stateAt(this.solution, phase, time, this.samples && sampleAt(this.samples, phase));
     const plain = this.parameters.compression * Math.cos(this.plainPhase);
     const shift = this.seenFrom === "block" ? FORMULAS.displacement.block(state) : this.solution.drift * time;
     return { ...state, plain, shift };
+  }
+
+  /** Where the computed machine is, if there is one beside the exact one. */
+  rival() {
+    return this.computed && stateAt(this.solution, this.phase, this.time, sampleAt(this.computed, this.phase));
   }
 
   now() {
@@ -77,7 +82,7 @@ export class Playback {
     this.phase += this.solution.Omega * seconds;
     this.plainPhase += this.solution.plain * seconds;
     if (this.exit !== null && this.phase > this.exit) return this.leaves(this.at(this.exit + SCAN)) ?? "edge";
-    if (this.ended()) return "ended";
+    if (this.phase > this.end) return "ended";
     const left = this.leaves(this.now());
     if (left || !periods || this.phase <= TURN * periods) return left;
     if (!this.periodic()) return "again";
@@ -114,8 +119,10 @@ export class Playback {
     return !this.samples && Math.abs(X.b) < 1e-12 && Math.abs(Phi.b) < 1e-12;
   }
 
-  ended() {
-    return Boolean(this.samples) && this.time > this.samples.step * (this.samples.phi.length - 1);
+  /** The phase at which a computed motion ends. */
+  get end() {
+    const run = this.samples ?? this.computed;
+    return run ? (TURN * (run.q.length - 1)) / run.per_period : Infinity;
   }
 
   /** The phase at which the machine first leaves its place on the way to this one, or null. */

@@ -54,6 +54,7 @@ class Stage {
     if (!before) Object.assign(this.clock, this.keeper.clock());
     this.hide(data.hide ?? []);
     this.change(() => (this.data = data));
+    if (before && data.computed && data.computed.run !== before.computed?.run) this.race(this.calm.matches ? null : data.computed.pace);
     if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
     if (before) return;
     this.layers = new Set(this.keeper.layers() ?? this.layers);
@@ -84,12 +85,12 @@ class Stage {
   change(make) {
     const before = this.solution && this.playback.drawn();
     make();
-    const { initial, samples } = this.data, set = this.hand.values(), parameters = { ...this.data.parameters, ...set };
+    const { initial, samples, computed } = this.data, set = this.hand.values(), parameters = { ...this.data.parameters, ...set };
     const solution = solve(parameters, initial), shapes = SHAPES.map((name) => parameters[name]).join();
     if (shapes !== this.shapes) this.picture.geometry(parameters);
     Object.assign(this, { parameters, solution, shapes });
     const leaves = (state) => this.picture.leaves({ ...parameters, ...state });
-    this.playback.take({ parameters, solution, samples, leaves, seenFrom: this.clock.seenFrom });
+    this.playback.take({ parameters, solution, samples, computed, leaves, seenFrom: this.clock.seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
@@ -126,11 +127,20 @@ class Stage {
   /** Tell a story, in which a period of the plain mass lasts so many seconds; null ends it. */
   tell(lapse) {
     this.lapse = lapse;
+    this.root.host?.toggleAttribute("data-told", Boolean(lapse));
     this.playback.keeps = Boolean(lapse);
     if (lapse) {
       this.playback.reset();
       this.setClock({ playing: true });
     } else this.showSlowing();
+  }
+
+  /** Show a computed machine against the exact one, a period in so many seconds; null shows the end. */
+  race(pace) {
+    this.tell(pace);
+    if (pace) return;
+    this.still = false;
+    this.stay((playback) => playback.goTo(playback.end));
   }
 
   /** Have the picture drawn with the next frame. */
@@ -142,6 +152,7 @@ class Stage {
   run(seconds) {
     const left = this.playback.advance(seconds, this.periods);
     if (!left) return;
+    if (left === "ended" && this.lapse) return this.race(null);
     this.releaseAll();
     if (left === "again") return;
     this.voice.note(WORDS[left]);

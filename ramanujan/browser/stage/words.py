@@ -36,6 +36,10 @@ SENTENCES = {
     "parting": _("After {turns} plain-mass periods the hands are one full turn apart."),
     "nearly": _("Nearly in step: after {turns} plain-mass periods the hands are one full turn apart."),
     "in_step": _("In step: after a million periods the hands are less than {least} turns apart."),
+    "counted": _(
+        "Dashed: the computed machine. Period {period} of {periods}: {evaluations} evaluations of the force, {turns} "
+        "of a turn off."
+    ),
     "shared": _(
         "Mass m: {block}, {slab}, {top}. Mass m′: {hoop}, {cylinder}. All rollers have the radius R. The arrows at X, "
         "φ and Φ point in the positive direction."

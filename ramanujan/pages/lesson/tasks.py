@@ -5,11 +5,11 @@ from functools import partial
 
 import streamlit as st
 
+from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
 from ramanujan.browser import page, stage
 from ramanujan.browser.stage.words import BODIES as BODY_WORDS
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting, Task, Verdict
-from ramanujan.lesson.answers import FEWEST_STEPS, MOST_STEPS
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
 from ramanujan.pages.motion import page as motion
@@ -22,7 +22,7 @@ from ramanujan.translation import _
 RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
 GLIDE, SPIN = replace(motion.GLIDE, name="task_glide"), replace(motion.SPIN, name="task_spin")
 METHOD = address.Choice("task_method", {name: method.title for name, method in METHODS.items()}, "rk4")
-STEPS = address.Count("task_steps", MOST_STEPS, 100, FEWEST_STEPS)
+STEPS = address.Count("task_steps", STEPS_PER_PERIOD[-1], 100, STEPS_PER_PERIOD[0])
 PERIODS = address.Count("task_periods", 100, 10)
 WORDS = {body: BODY_WORDS[body] for body in BODIES}
 PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in other_bodies.PAPER.items()]

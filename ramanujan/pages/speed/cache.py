@@ -32,6 +32,7 @@ from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision, work_precis
 from ramanujan.figures import MASS_RATIO, Drawn
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
+from ramanujan.lesson import answers
 from ramanujan.pages.speed import downsampling, verdicts
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.shell.cache import giving_way
@@ -62,6 +63,13 @@ _ALONE = threading.Lock()
 def run(method: str, steps: int, periods: int, dtype: str) -> Run:
     """Return one integration, which is the same for every machine."""
     return downsampling.downsampled(error_history(method, steps, periods, dtype), steps, periods)
+
+
+@st.cache_resource(show_spinner=_("Computing all methods …"), max_entries=1)
+@giving_way()
+def races() -> tuple[WorkPrecision, ...]:
+    """Return the runs of all methods in the challenge."""
+    return answers.races()
 
 
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:

@@ -89,13 +89,17 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     best = ranked[0] if ranked else None
     sentence = verdicts.what_to_take(ranked, tolerance, by, closed)
     st.markdown(sentence)
+    singled = {}
+    if best:
+        singled[_("cheapest")] = getattr(best, by), best.error, "circle-open", 22, "primary"
+    if by == "seconds":
+        singled[_("closed form")] = closed.seconds.median, closed.phase_error, "star", 15, "ink"
     drawings.plot(
         figures.work_precision(
             {(METHODS[c.method].title, c.dtype): downsampling.costs(c, by) for c in curves},
-            cost_title=_COST_TITLES[by],
+            titles=(_COST_TITLES[by], _("largest error, relative to the amplitude")),
             tolerance=tolerance,
-            cheapest=(getattr(best, by), best.error) if best else None,
-            exact=(closed.seconds.median, closed.phase_error) if by == "seconds" else None,
+            singled=singled,
             colors=theme.colors(),
         ),
         "work_precision",

@@ -5,19 +5,16 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan import Oscillator
-from ramanujan.accuracy.runs import History
+from ramanujan.accuracy.runs import History, evaluations_of
 from ramanujan.accuracy.work_precision import SHOWN_STEPS, WorkPrecision
-from ramanujan.motion import released
+from ramanujan.numerals import number
 
 SAMPLES_PER_PERIOD = 32
 """A run with more steps than that is downsampled: straight pieces between so many points of a swing look round."""
 SCREEN_HEIGHT = 1080
 """Pixels that errors on screen are held against."""
-SHOWN_PERIODS = 8
-"""Periods that the stage plays before it begins again."""
-ROOM = 1.5
-"""How far a wrong slab may travel in the picture, in units of the largest compression that can be set."""
+ROOM = 3.0
+"""How far a wrong slab may travel, in units of the compression."""
 CURVE_POINTS = 96
 """Points of an error curve: about as many as it has pixels to rise in."""
 
@@ -33,6 +30,7 @@ class Run:
     q : φ over its amplitude at the samples, the start included, shape (periods·per_period + 1,)
     reach : where each error curve has its points [periods], shape (points,)
     phase, energy : the largest |phase error| [rad] and |energy error| so far, shape (points,)
+    turns : the largest |phase error| so far after each period [turns], shape (periods + 1,)
     phase_at_end : the phase error at the end, with its sign [rad]
     evaluations : evaluations of the force in the run
     """
@@ -46,31 +44,17 @@ class Run:
     reach: np.ndarray
     phase: np.ndarray
     energy: np.ndarray
+    turns: np.ndarray
     phase_at_end: float
     evaluations: int
 
 
-def samples(run: Run, machine: Oscillator, compression: float, most: float) -> tuple[dict[str, Any], int, int, bool]:
-    """Return what the stage plays of a run, its first and last period, and whether the slab leaves the picture.
-
-    The last periods are played, as long as the slab is still in the picture; they begin and end with whole periods, so
-    that both stages begin again together.
-    """
-    start = released(machine, compression).phi
-    room = ROOM * most / compression
-    inside = np.isfinite(run.q) & (np.abs(run.q) <= room)
-    leaves = not inside.all()
-    left = int(np.argmin(inside)) if leaves else run.q.size
-    last = max(1, (left - 1) // run.per_period)
-    first = max(0, last - SHOWN_PERIODS)
-    # Beyond the room it hangs at the edge until the period is over.
-    q = np.clip(np.nan_to_num(run.q[first * run.per_period : last * run.per_period + 1], nan=room), -room, room)
-    kappa_R, _, lambda_ = machine.mode_shape
-    phi = start * q.astype(float)
-    swing = phi - start
-    motion = {"X": kappa_R * swing, "phi": phi, "Phi": lambda_ * swing}
-    rounded = {name: np.round(values, 5).tolist() for name, values in motion.items()}
-    return {"step": machine.period / run.per_period, **rounded}, first, last, leaves
+def played(run: Run) -> dict[str, Any]:
+    """Return what the stage plays of a run; beyond the room it hangs at the edge."""
+    q = np.clip(np.nan_to_num(run.q, nan=ROOM), -ROOM, ROOM)
+    spent = evaluations_of(run.method, run.steps * np.arange(run.periods + 1)).clip(0)
+    log = [[number(cost, 6), number(off)] for cost, off in zip(spent.tolist(), run.turns.tolist(), strict=True)]
+    return {"per_period": run.per_period, "q": q.astype(float).round(4).tolist(), "log": log}
 
 
 def costs(curve: WorkPrecision, by: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -87,6 +71,7 @@ def downsampled(history: History, steps: int, periods: int) -> Run:
     ends = np.unique(np.rint(np.geomspace(1, steps * periods, CURVE_POINTS)).astype(int))
     with np.errstate(over="ignore"):
         q = history.q[::every].astype(np.float32)
+    phase = np.fmax.accumulate(np.abs(history.phase_error))
     return Run(
         method=history.method,
         dtype=history.dtype,
@@ -95,8 +80,9 @@ def downsampled(history: History, steps: int, periods: int) -> Run:
         per_period=steps // every,
         q=q,
         reach=(ends / steps).astype(np.float32),
-        phase=np.fmax.accumulate(np.abs(history.phase_error))[ends],
+        phase=phase[ends],
         energy=np.fmax.accumulate(np.abs(history.energy_error))[ends],
+        turns=phase[::steps] / (2 * np.pi),
         phase_at_end=float(history.phase_error[-1]),
         evaluations=history.evaluations,
     )

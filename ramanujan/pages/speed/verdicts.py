@@ -47,13 +47,19 @@ def method_facts(method: Method, steps: int) -> str:
 
 
 def errors_of(run: Run) -> str:
-    """Say how far a run is off at its end, and whether it shows."""
+    """Say which run this is, how far it is off at its end, and whether it shows."""
     worst = float(np.max(run.energy))
     evaluated = ngettext(
-        "In {n} period the force was evaluated {evaluations} times.",
-        "In {n} periods the force was evaluated {evaluations} times.",
+        "**{method}, {steps} steps per period, {precision}:** in {n} period the force was evaluated {cost} times.",
+        "**{method}, {steps} steps per period, {precision}:** in {n} periods the force was evaluated {cost} times.",
         run.periods,
-    ).format(n=run.periods, evaluations=number(run.evaluations, 3))
+    ).format(
+        method=METHODS[run.method].title,
+        steps=run.steps,
+        precision=run.dtype,
+        n=run.periods,
+        cost=number(run.evaluations, 3),
+    )
     grown = _("Its energy grew to **{factor} times** the true value.")
     if not math.isfinite(worst):
         return " ".join((evaluated, _("The energy has grown beyond the largest floating-point number.")))

@@ -1,0 +1,113 @@
+"""The game of page 5: as few evaluations as possible, while the computed machine stays beside the exact one.
+
+The question and its judge are those of the lesson’s task. The result is a point in the work–precision diagram, in which
+all methods appear once something has been tried.
+"""
+
+import numpy as np
+import streamlit as st
+
+from ramanujan import lesson
+from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
+from ramanujan.browser import stage
+from ramanujan.figures import speed as figures
+from ramanujan.integrators import METHODS
+from ramanujan.lesson import Setting
+from ramanujan.lesson.answers import PERIODS, WITHIN
+from ramanujan.pages.lesson import tasks
+from ramanujan.pages.speed import cache, downsampling, verdicts
+from ramanujan.shell import address, drawings, sidebar, stages, theme, widgets
+from ramanujan.translation import _
+
+TASK = lesson.task("cheapest")
+METHOD = address.Choice("method", {name: method.title for name, method in METHODS.items()}, "velocity_verlet")
+STEPS = address.Count("steps", STEPS_PER_PERIOD[-1], 12, STEPS_PER_PERIOD[0])
+TRIES = address.Several("tries", tuple(f"{method}.{steps}" for method in METHODS for steps in STEPS_PER_PERIOD))
+
+_RUN = "speed_run"
+"""Session state: how many runs have been asked for."""
+_MOST_TRIES = 12
+_SHOWN_IN = 12.0
+"""Seconds in which a run is shown for the first time."""
+
+
+def draw() -> None:
+    """Draw the challenge, and what came of it."""
+    st.title(_("Speed and accuracy"), anchor=False)
+    st.markdown(
+        _(
+            "**How accurate does a simulation have to be, and what does that cost?** Most simulations advance in small "
+            "time steps. This machine can also be solved exactly, so every error can be seen."
+        )
+    )
+    words, picture = st.container(key="beside").columns([4, 5], gap="small")
+    with words:
+        st.container(key="posed").markdown(TASK.text)
+        with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall"):
+            method = widgets.menu(METHOD, _("Method"), width="stretch")
+            steps = widgets.count(STEPS, _("Steps per period"), width=190)
+        label = _("Run {periods} periods").format(periods=PERIODS)
+        st.button(label, key="run", type="primary", icon=":material/play_arrow:", on_click=_try, args=(method, steps))
+        st.markdown(verdicts.method_facts(METHODS[method], steps))
+    with picture:
+        with st.container(key="observed_race"):
+            machine()
+        if address.keep(TRIES):
+            # The machine runs already while all methods are worked out for the first time.
+            cache.races()
+            tried, steps = _last()
+            with st.container(key="race_result"):
+                tasks.verdict(TASK, Setting(method=tried, steps=steps))
+
+
+def machine() -> None:
+    """Draw the exact machine, and the last run as an outline over it."""
+    computed = None
+    if address.held(TRIES):
+        computed = downsampling.played(cache.run(*_last(), PERIODS, "float64"))
+        computed |= {"run": st.session_state.get(_RUN, 0), "pace": _SHOWN_IN / PERIODS}
+    payload = stage.payload(sidebar.oscillator(), sidebar.compression(), computed=computed)
+    stages.mount(payload, key="stage_race", label=_("The exact motion"), clock="speed", compact=True, layers=())
+
+
+def diagram() -> None:
+    """Draw what has been tried among the results of all methods."""
+    curves = {curve.method: curve for curve in cache.races()}
+    found = []
+    for method, steps in map(_read, address.held(TRIES)):
+        curve = curves[method]
+        at = int(np.argmax(curve.steps_per_period == steps))
+        found.append((int(curve.evaluations[at]), float(curve.error[at])))
+    drawings.plot(
+        figures.work_precision(
+            {
+                (METHODS[name].title, curve.dtype): downsampling.costs(curve, "evaluations")
+                for name, curve in curves.items()
+            },
+            titles=(_("evaluations of the force"), _("largest angle between both machines [turns]")),
+            tolerance=WITHIN,
+            singled={_("your run"): (*found[-1], "diamond", 15, "ink")},
+            tried=found[:-1],
+            colors=theme.colors(),
+        ),
+        "tries",
+        _(
+            "Work–precision diagram of {periods} periods: the more often a method evaluates the force, the smaller the "
+            "angle between the computed and the exact machine."
+        ).format(periods=PERIODS),
+    )
+
+
+def _try(method: str, steps: int) -> None:
+    st.session_state[_RUN] = st.session_state.get(_RUN, 0) + 1
+    this = f"{method}.{steps}"
+    st.session_state[TRIES.name] = (*(each for each in address.held(TRIES) if each != this), this)[-_MOST_TRIES:]
+
+
+def _read(tried: str) -> tuple[str, int]:
+    method, steps = tried.split(".")
+    return method, int(steps)
+
+
+def _last() -> tuple[str, int]:
+    return _read(address.held(TRIES)[-1])
