@@ -37,7 +37,7 @@ _SCHEMA = """
 CREATE TABLE IF NOT EXISTS class (
     code TEXT PRIMARY KEY, key_hash TEXT NOT NULL, expires DOUBLE PRECISION NOT NULL,
     is_open INTEGER NOT NULL DEFAULT 1, stop TEXT, asking INTEGER NOT NULL DEFAULT 1,
-    number INTEGER NOT NULL DEFAULT 1, machine TEXT);
+    number INTEGER NOT NULL DEFAULT 1, machine TEXT, seen TEXT, seen_at DOUBLE PRECISION);
 CREATE TABLE IF NOT EXISTS question (
     code TEXT NOT NULL REFERENCES class ON DELETE CASCADE, stop TEXT NOT NULL, asking INTEGER NOT NULL,
     number INTEGER NOT NULL, options TEXT NOT NULL, phase INTEGER NOT NULL DEFAULT 0,
@@ -164,7 +164,7 @@ class Store:
         """Make the tables that are missing, in a transaction; those of an earlier version are removed first."""
         for statement in _SCHEMA.split(";")[:-1]:
             connection.execute(statement)
-        if "reached" in (column[0] for column in connection.execute("SELECT * FROM question WHERE 1 = 0").description):
+        if "seen_at" in (column[0] for column in connection.execute("SELECT * FROM class WHERE 1 = 0").description):
             return
         _LOG.warning("The database of the classes was made by an earlier version. Its classes are removed.")
         for table in _OLD:

@@ -157,6 +157,12 @@ class Classes:
         with self._store.writing() as execute:
             execute("UPDATE class SET machine = ? WHERE code = ?", (machine, code))
 
+    def set_seen(self, key: str, seen: str) -> None:
+        """Let every screen show what is seen of the machine at the lecturer's desk, and since when."""
+        code = self.code_of(key)
+        with self._store.writing() as execute:
+            execute("UPDATE class SET seen = ?, seen_at = ? WHERE code = ?", (seen, self._clock(), code))
+
     def asked(self, key: str) -> list[Asked]:
         """Return what the lecturer takes home of a class: `results`."""
         return self.results(self.code_of(key))
@@ -308,6 +314,12 @@ class Classes:
         """Return what the wall shows of the lecturer's sliders."""
         rows = self._store.read("SELECT machine FROM class WHERE code = ?", (code,))
         return rows[0][0] if rows else None
+
+    def seen(self, code: str) -> tuple[str | None, float]:
+        """Return what the desk has told last of what is seen there, and how long ago [s]."""
+        rows = self._store.read("SELECT seen, seen_at FROM class WHERE code = ?", (code,))
+        seen, at = rows[0] if rows else (None, None)
+        return seen, self._clock() - (at or 0.0)
 
     def distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
         """Return option → number of votes, in the order of the options; by default of the last vote that was shown."""

@@ -6,13 +6,17 @@ It is known from the session, and after a reload from the address (`class_keys`)
 gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote.
 """
 
+import json
 import secrets
 from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 import streamlit as st
 
 from ramanujan import Oscillator
+from ramanujan.browser import page
 from ramanujan.lesson.class_codes import parts_of, read_code, voter_of
 from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
 from ramanujan.lesson.stop import Stop
@@ -30,6 +34,8 @@ _HERE = "here"
 """In place of the IP address of whoever sits at the server’s own computer, which Streamlit leaves out."""
 _TOLD = "class_settings_told"
 """Session state: the settings of the desk, as this screen last told or took them."""
+_FOLLOWED = "class_followed"
+"""Session state: what the desk has told of its stage, and what this screen’s stage was told of it."""
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
 """Session state: why the last thing that somebody did here was refused."""
@@ -174,6 +180,26 @@ def take_settings(told: str | None) -> None:
 def settings_differ(told: str | None) -> bool:
     """Tell whether the desk has moved its sliders since the wall was drawn."""
     return told != st.session_state.get(_TOLD)
+
+
+def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
+    """Tell every screen what is seen of a stop's machine at this desk, if the class is at this stop."""
+    key = key_held()
+    with suppress(ClassError):
+        if key and shared().question(parts_of(key)[0]).stop == stop.id:
+            shared().set_seen(key, json.dumps({"stop": stop.id, **seen}))
+
+
+def follow(code: str) -> None:
+    """Let the stage of this screen show what is seen at the desk; told once, since from then on it runs by itself."""
+    text, ago = shared().seen(code)
+    if text is None:
+        return
+    told, seen = st.session_state.get(_FOLLOWED, (None, None))
+    if told != text:
+        seen = {**json.loads(text), "ago": ago}
+        st.session_state[_FOLLOWED] = text, seen
+    page.publish("class_seen_published", {f"seen/stop_{seen['stop']}": seen})
 
 
 def _sit_at_desk(key: str) -> None:

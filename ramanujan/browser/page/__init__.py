@@ -17,6 +17,8 @@ The topics of the bus, where NAME is the name of a stage:
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     dragged           true as soon as a slab has been dragged: the hint to do so has served its purpose
     seek/NAME         {time [s]}: somebody asks the stage to go to that time and to stay there
+    seen/CLOCK        what is seen at the desk of a class, which the stages on this clock show, too: `stage.SEEN`, and
+                      ago, how long ago that was [s]
     enter/KEY         a text that somebody else wants to be typed into the box of a slider
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar
     say               {sentence, urgent}: news for the page's live region
@@ -160,7 +162,7 @@ def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) ->
     head : its symbol, unit and meaning; label and longest text of the box; default of the slider
     on_typed : called with what was typed
     """
-    return _asks("exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
+    return asks("page/exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -171,7 +173,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    return _asks("pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
+    return asks("page/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
@@ -191,7 +193,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     def act(at: dict[str, Any]) -> None:
         on_turned(at["route"], min(max(at["step"], 1), len(headings)))
 
-    return _asks("steps", "lecture_turn", data, "at", act, example)
+    return asks("page/steps", "lecture_turn", data, "at", act, example)
 
 
 def turn(
@@ -214,7 +216,7 @@ def turn(
     held : changes when the server has refused a turn
     """
     data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "held": held}
-    return _asks("turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
+    return asks("page/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -226,7 +228,7 @@ def pager(on_turned: Callable[[str], None]) -> Any:
     ----------
     on_turned : called with the name of the sheet some time after the last turn, with "" for the first one
     """
-    return _asks("pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
+    return asks("page/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
 
 
 def stopwatch(key: str) -> float | None:
@@ -241,7 +243,7 @@ def stopwatch(key: str) -> float | None:
     return taken if _is_like(taken, 0.0) else None
 
 
-def _asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None], example: Any) -> Any:
+def asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callable[[Any], None], example: Any) -> Any:
     """Put a component on the page; a function is called with each value like the example that it sends by this event.
 
     What else comes, no page has sent.
@@ -251,7 +253,7 @@ def _asks(name: str, key: str, data: Mapping[str, Any], event: str, act: Callabl
         if _is_like(value := getattr(st.session_state.get(key), event, None), example):
             act(value)
 
-    return modules.component(f"page/{name}")(key=key, data=data, **{f"on_{event}_change": sent})
+    return modules.component(name)(key=key, data=data, **{f"on_{event}_change": sent})
 
 
 def _is_like(value: Any, example: Any) -> bool:

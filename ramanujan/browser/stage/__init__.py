@@ -22,6 +22,7 @@ The contract, version 1. To the page, once:
     periods      after so many periods the motion begins again; left out: never
     label        the text under the picture
     kept         prefix of the names under which the address keeps what is seen
+    tells        whether the stage tells the server what is seen of it, see `SEEN`
 
 and by `page.publish`, at every change:
 
@@ -39,10 +40,11 @@ and by `page.publish`, at every change:
 
 Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.browser.page` lists them.
 
-The page answers nothing: a slab that is let go moves its slider, see thumb.js.
+The page answers nothing but `SEEN`, and that at the desk of a class alone: a slab that is let go moves its slider, see
+thumb.js.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
@@ -62,6 +64,10 @@ PARTS = {
     **{name: f"{what}, with its tick box" for name, (_title, what) in LAYERS.items()},
 }
 """Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
+SEEN: Mapping[str, Any] = {"layers": "", "from": "", "speed": 1.0, "pace": 1.0, "turns": ""}
+"""What is seen of the stages on a clock, by an example: layers, view and speed as the address has them; pace, how many
+seconds of the machine pass in one of the beholder, 0 where it stands; turns, the periods since release of machine and
+plain mass, for each stage on the clock."""
 
 
 def payload(
@@ -112,6 +118,7 @@ def mount(
     periods: float | None = None,
     label: str | None = None,
     kept: str = "",
+    on_seen: Callable[[dict[str, Any]], None] | None = None,
     hide: Iterable[str] = (),
 ) -> None:
     """Put a stage on the page.
@@ -131,6 +138,7 @@ def mount(
     periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
     kept : prefix of the names under which the address keeps what is seen; one for each clock of a page
+    on_seen : called with what is like `SEEN` when a person has changed that, and when the machine begins anew
     hide : the parts that are hidden, of `PARTS`; another run may hide others
     """
     name = name or key
@@ -147,7 +155,10 @@ def mount(
         "label": label,
         "kept": kept,
     }
-    modules.component("stage/stage")(key=key, data=fixed)
+    if on_seen:
+        page.asks("stage/stage", key, {**fixed, "tells": True}, "seen", on_seen, SEEN)
+    else:
+        modules.component("stage/stage")(key=key, data=fixed)
     if data is not None:
         tell(data, key=key, name=name, hide=hide)
 

@@ -5,12 +5,12 @@ import { atRest } from "../page/lasting.js";
 import { finder } from "./parts.js";
 import { TURN } from "./motion.js";
 
-const PAUSE = 300; // ms from the last change to the address: a browser refuses to write it many times a second
+const PAUSE = 150; // ms from the last change to the address: a browser refuses to write it many times a second
 const SPEEDS = [1, 0.5, 0.1];
 const owners = new Map(); // page and prefix → the clock of whose stages the address speaks
 
-/** The keeper of one stage; `kept` is the prefix of its names in the address. */
-export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFirst, compact }, signal) {
+/** The keeper of one stage; `kept` is the prefix of its names in the address, `send` takes what is seen. */
+export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFirst, compact }, send, signal) {
   const place = `${location.pathname} ${prefix}`, mine = (owners.get(place) ?? name) === name;
   const known = new URLSearchParams(mine ? location.search : "");
   const stages = () => [...stage.clock.stages];
@@ -19,17 +19,20 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
   owners.set(place, name); // another stop of the lesson begins anew
 
   function write() {
-    const url = new URL(location.href), { clock, layers } = stage;
+    const url = new URL(location.href), { clock, layers } = stage, shown = [...layers].sort().join() || "none";
     const keep = (key, value, byDefault) => {
       if (value === byDefault) url.searchParams.delete(prefix + key);
       else url.searchParams.set(prefix + key, value);
     };
     const angles = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]);
     const turns = angles.map((angle) => Number((angle / TURN).toFixed(6)));
-    if (!compact) keep("layers", [...layers].sort().join() || "none", [...shownAtFirst].sort().join() || "none");
-    keep("speed", clock.speed, 1);
-    keep("from", clock.seenFrom, "ground");
-    keep("paused", clock.playing ? "" : turns.join(), "");
+    const { seenFrom: from, speed, playing } = clock, pace = playing ? stage.pace() : 0;
+    send({ layers: shown, from, speed, pace, turns: turns.join() });
+    if (!active) return;
+    if (!compact) keep("layers", shown, [...shownAtFirst].sort().join() || "none");
+    keep("speed", speed, 1);
+    keep("from", from, "ground");
+    keep("paused", playing ? "" : turns.join(), "");
     history.replaceState(history.state, "", url);
   }
 
@@ -48,6 +51,8 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
       active = turns.length === 2 && turns.every((turn) => Math.abs(turn) < 1e6);
       return active ? turns.map((turn) => turn * TURN) : null;
     },
+    /** Send what is seen, once it rests: the machine has begun anew. */
+    tell: soon,
     /** Write what a person has set, once it rests. */
     set() {
       active = true;

@@ -20,12 +20,16 @@ const STEPS = 24; // steps of the step buttons in one period
 const TEXT_INTERVAL = 0.12; // s between two updates of running numbers; faster ones cannot be read
 const SHAPES = ["radius", "beta_hoop", "beta_cylinder", "beta_top"];
 
-export default ({ data, parentElement }, signal) => void new Stage(parentElement, data, signal);
+export default (component, signal) => void new Stage(component, component.data, signal);
+
+const arrived = new WeakMap(); // what the desk of a class shows → when this page heard of it [ms]
 
 class Stage {
-  constructor(root, options, signal) {
+  constructor(component, options, signal) {
+    const root = component.parentElement;
     const { stage, watch, clock, layers, compact, limits, periods } = options;
-    Object.assign(this, { root, name: stage, limits: limits.compression, compact, periods, layers: new Set(layers) });
+    Object.assign(this, { root, name: stage, clockName: clock, limits: limits.compression, compact, periods });
+    this.layers = new Set(layers);
     this.host = root.querySelector(".stage");
     this.scrubber = root.querySelector(".scrub input");
     this.playback = new Playback();
@@ -40,11 +44,12 @@ class Stage {
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
     // A slider may move, and may be drawn after the stage.
     observe(document.body, { childList: true, subtree: true, attributeFilter: ["value"] }, wake, signal);
-    this.keeper = makeKeeper(this, options, signal);
+    this.keeper = makeKeeper(this, options, (seen) => component.data.tells && component.setTriggerValue("seen", seen), signal);
     signal.addEventListener("abort", () => ["time", "present", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
     bus.subscribe(`story/${stage}`, (pace) => this.tell(pace), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
+    bus.subscribe(`seen/${clock}`, (seen) => this.follow(seen), { signal });
   }
 
   // ---- what comes from Python, and what changes
@@ -56,12 +61,28 @@ class Stage {
     this.change(() => (this.data = data));
     if (before && data.computed && data.computed.run !== before.computed?.run) this.race(this.calm.matches ? null : data.computed.pace);
     if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
+    if (!this.parts.hides("motion")) this.keeper.tell();
     if (before) return;
     this.layers = new Set(this.keeper.layers() ?? this.layers);
     this.picture.show(this.layers);
     this.resume(this.keeper.paused());
     this.calmed();
+    this.follow(bus.last(`seen/${this.clockName}`));
     this.draw(0); // at once: the machine is seen a frame earlier
+  }
+
+  /** Show what is seen at the desk of a class: layers and view, and where the machine stands there or since when it runs. */
+  follow(seen) {
+    if (seen && !arrived.has(seen)) arrived.set(seen, performance.now());
+    const at = 2 * [...this.clock.stages].indexOf(this), turns = seen?.turns.split(",").slice(at, at + 2).map(Number) ?? [];
+    if (!this.solution || turns.length < 2) return;
+    const { Omega, plain } = this.solution, { layers, from, speed, pace, ago } = seen;
+    const passed = pace * (ago + (performance.now() - arrived.get(seen)) / 1000);
+    Object.assign(this.clock, { speed, seenFrom: from });
+    this.picture.show((this.layers = new Set(layers.split(","))));
+    this.change(() => this.resume([turns[0] * TURN + Omega * passed, turns[1] * TURN + plain * passed]));
+    this.clock.playing = pace > 0 && !this.calm.matches;
+    this.showClock();
   }
 
   /** Stand where a link has been paused. */
@@ -161,6 +182,7 @@ class Stage {
 
   release() {
     this.change(() => this.playback.reset());
+    this.keeper.tell();
   }
 
   /** What runs on one clock begins again together, or the comparison would be lost. */

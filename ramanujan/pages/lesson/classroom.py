@@ -337,6 +337,7 @@ def _phone() -> None:
         # Question and machine stand outside of what is drawn every few seconds.
         if _seen(question) != st.session_state[_DRAWN]:
             st.rerun()
+        class_session.follow(seat.code)
         _asked(seat, question, chosen)
     st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 

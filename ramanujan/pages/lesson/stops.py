@@ -244,6 +244,8 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
     own = {"watch": {}} if several else {}
     if fixed:
         own["limits"] = stages.LIMITS[1:] * 2
+    if class_session.key_held():
+        own["on_seen"] = partial(class_session.tell_seen, stop)
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
         machine = run.machine if several else sidebar.oscillator()
         compression = run.compression if several else sidebar.compression()

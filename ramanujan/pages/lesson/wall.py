@@ -15,7 +15,7 @@ from ramanujan.pages.lesson import class_results, stops
 from ramanujan.shell import address, class_session
 from ramanujan.translation import _
 
-EVERY = 1.5
+EVERY = 0.5
 """Seconds between two looks at what is new."""
 
 NOTHING_TO_TURN = (
@@ -87,6 +87,7 @@ def _watch(code: str, drawn: Question) -> None:
     gone_on = (now.stop, now.vote, now.phase) != (drawn.stop, drawn.vote, drawn.phase)
     if gone_on or (now.stop not in (None, END) and class_session.settings_differ(shared().machine(code))):
         st.rerun()
+    class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
         if now.stop is None:
             st.markdown(class_results.joined(now.present), width="content")
