@@ -18,7 +18,7 @@ Number = mpmath.mpf | np.ndarray
 
 mpmath.mp.dps = 100
 
-_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|cdot|d?dot)[a-zA-Z]+|[a-zA-Z])"
+_LETTER = r"(?:\\mathcal\{[A-Z]\}|\\(?!frac|sqrt|left|right|begin|end|cdot|d?dot|underline)[a-zA-Z]+|[a-zA-Z])"
 _PYTHON = {
     r"\left[\begin{matrix}": "matrix([[",
     r"\end{matrix}\right] \left[\begin{matrix}": "]])@matrix([[",
@@ -26,6 +26,7 @@ _PYTHON = {
     r"\end{matrix}\right]": "]])",
     r"\left|{\begin{matrix}": "det([[",
     r"\end{matrix}}\right|": "]])",
+    r"\underline{": "(",
     r"\left(": "(",
     r"\right)": ")",
     r"\frac{": "frac(",
@@ -50,6 +51,8 @@ _TOKEN = re.compile(
 )
 _SIDE_BY_SIDE = re.compile(r"\d(?:\\,| )+\d")
 """Two numbers that a reader takes for one."""
+MARGIN = re.compile(r"(?: &&)?\\quad\\footnotesize\\vert\\ .*?(?= \\\\|\\end\{aligned|\n|$)")
+"""What stands behind an equation: the operation that leads to it."""
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 
 
@@ -119,10 +122,10 @@ def last_place(decimal: str) -> mpmath.mpf:
 
 def equations(display: str, newline: str = "") -> list[str]:
     """Return the equations of one display, the lines of a broken one put together again."""
-    inside = display.removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
+    inside = MARGIN.sub("", display).removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
     found: list[str] = []
     for line in inside.split(newline) if newline else re.split(r"\\\\\[[\d.]+em\]", inside):
-        for part in re.split(r"&\\qquad", line):
+        for part in re.split(r"&\\hspace\{1.2em\}", line):
             text = part.strip()
             if text.startswith(r"&\quad"):
                 found[-1] += " " + text.removeprefix(r"&\quad").strip()
@@ -133,6 +136,6 @@ def equations(display: str, newline: str = "") -> list[str]:
 
 def sides(equation: str) -> tuple[str, str, str, bool]:
     """Return left side, right side, its decimal or "", without units and label, and whether the decimal is exact."""
-    left, right = _UNIT.sub("", equation).rpartition(r":\quad ")[2].split(" = ", 1)
+    left, right = _UNIT.sub("", equation).rpartition(r":\ ")[2].split(" = ", 1)
     right, sign, decimal = re.fullmatch(r"(.*?)(?: (=|\\approx) ([^=]*))?", right).groups(default="")
     return left, right, decimal, sign == "="

@@ -189,7 +189,11 @@ MUTATIONS = [
         "less_motion",
     ),
     Mutation(
-        "the wrong body is lit", "stage/picture.js", "contains(data.lit)", 'contains("hoop")', "chosen_body_has_its_ink"
+        "the wrong body is lit",
+        "stage/terms.js",
+        "=== bodies.get(lit)",
+        '=== bodies.get("hoop")',
+        "body_has_its_ink",
     ),
     Mutation(
         "a class counts as present who left three minutes ago",

@@ -7,6 +7,7 @@ from pathlib import Path
 from playwright.sync_api import expect
 
 from ramanujan.derivation import ROUTES
+from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import settle
 from tests.test_browser_access import switch
 from tests.test_look import THEME, rgb
@@ -206,22 +207,35 @@ ALONE = """() => [...document.querySelectorAll('[data-testid=stMain] .katex')].f
 
 
 BESIDE = "document.querySelector('.st-key-beside [data-testid=stBidiComponentIsolated]').shadowRoot"
+INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
+  .map((part) => part.style.color).filter(Boolean))].sort()"""
 LIT = f"[...{BESIDE}.querySelectorAll('.moving > *')].map((body) => [...body.classList])"
 
 
 def walk(page, route: str, check=lambda: None) -> None:
-    """Turn all steps of a route, and check each: its heading where the first one is, its first equation in sight."""
+    """Turn all steps of a route, and check each: its heading where the first one is, its first equation in sight.
+
+    The machine stands beside the step, and covers no formula.
+    """
     places = set()
     for number in range(1, len(ROUTES[route].steps) + 1):
         assert step(page) == number
         places.add(page.locator(STEP).bounding_box()["y"])
-        assert bottom(page.locator(".st-key-lecture .katex-display:visible").first) <= 722
+        first, machine = page.locator(".st-key-lecture .katex-display:visible").first, page.locator(".st-key-beside")
+        formula, picture = first.bounding_box(), machine.bounding_box()
+        assert bottom(first) <= 722
+        assert picture["width"] >= 400
+        assert picture["x"] > page.locator(STEP).bounding_box()["x"] + 400
+        is_beside = formula["x"] + formula["width"] <= picture["x"]
+        assert is_beside or formula["y"] >= picture["y"] + picture["height"] - 1
+        assert is_beside or route != "euler_lagrange"
         check()
-        page.keyboard.press("ArrowRight")
+        if number < len(ROUTES[route].steps):
+            page.keyboard.press("ArrowRight")
     assert len(places) == 1
 
 
-def test_headings_stay_where_they_are_and_the_chosen_body_has_its_ink(visit):
+def test_headings_stay_where_they_are_beside_the_machine_and_every_body_has_its_ink(visit):
     page = visit("derivation?route=newton&body=hoop")
     page.locator(STEP).wait_for()
     assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 11
@@ -234,37 +248,43 @@ def test_headings_stay_where_they_are_and_the_chosen_body_has_its_ink(visit):
     for theme in ("dark", "light"):
         switch(page, theme)
         settle(page)
-        inks = page.evaluate("""() => [...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
-            .map(part => getComputedStyle(part).color)""")
-        wanted = "rgb({}, {}, {})".format(*rgb(THEME[theme]["orangeTextColor"]))
-        assert wanted in inks
-        # Whatever is coloured has that ink, or none of its own.
-        assert len(set(inks) - {wanted}) <= 1
-    # The machine beside the steps lights the chosen body.
-    picture, lecture = (page.locator(f".st-key-{key}").bounding_box() for key in ("beside", "lecture"))
-    assert picture["y"] + picture["height"] <= lecture["y"] < 300
+        names = [*(f"{body}Text" for body in BODY_COLORS.values()), "primary"]
+        wanted = {"rgb({}, {}, {})".format(*rgb(THEME[theme][f"{name}Color"])) for name in names}
+        page.wait_for_function(f"(wanted) => {INKS}.join() === wanted", arg=",".join(sorted(wanted)))
     page.locator(MORE).click()
     for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
         if chosen != "hoop":
             page.locator(".st-key-body button", has_text=chosen).first.click()
         page.wait_for_function(f"{LIT}.every((names) => names.includes('lit') === names.includes('{name}'))")
+    # What is pointed at lights its partners: a term its body and the body's arrow, a body its terms.
+    page.keyboard.press("Escape")
+    for _turn in range(10):
+        page.keyboard.press("ArrowLeft")
+    page.locator(".st-key-step_4 .katex-html [style*=color]", has_text="m").first.hover()
+    assert page.evaluate(f"{BESIDE}.querySelectorAll('.block.lit, [data-mark=X_sense].lit').length") == 2
+    page.locator(".st-key-beside .moving > .body.slab").focus()
+    green = "rgb({}, {}, {})".format(*rgb(THEME["light"]["greenTextColor"]))
+    glows = """() => [...document.querySelectorAll('.st-key-step_4 .katex-html [style*="color"]')]
+        .filter((term) => getComputedStyle(term).textShadow !== "none").map((term) => term.style.color)"""
+    assert set(page.evaluate(glows)) == {green}
     alone = []
     for width in range(800, 1300, 45):
         page.set_viewport_size({"width": width, "height": 720})
         alone += page.evaluate(ALONE)
     assert alone == []
-    check_projector(visit("derivation?route=newton&body=hoop&view=projector", tab=page))
+    page.get_by_role("slider", name="Step").fill("14")
+    page.get_by_role("button", name="Next").click()
+    page.wait_for_url("**/1729*")
+    check_projector(visit("derivation?route=newton&view=projector", tab=page))
 
 
 def check_projector(page) -> None:
-    """Check that on a projector machine and choice of a body are seen beside every step."""
+    """Check that on a projector the machine is seen beside every step."""
     page.locator(STEP).wait_for()
-    assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 19
+    assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 13
 
     def beside() -> None:
-        for key in ("beside", "body"):
-            box = page.locator(f".st-key-{key}").bounding_box()
-            assert box["x"] >= 800
-            assert 0 < box["y"] <= 720 - box["height"]
+        box = page.locator(".st-key-beside").bounding_box()
+        assert 0 < box["y"] <= 720 - box["height"]
 
     walk(page, "newton", beside)

@@ -100,10 +100,13 @@ def unit(at: Lines) -> list[sp.Expr]:
 
 
 def root(at: Lines) -> list[sp.Expr]:
-    (square, value), condition = at("root"), at("unit")[-1]
+    *lines, value = at("root")
+    first, multiplied, cubes, square, other_cubes = map(difference, lines)
     return [
-        sp.diff(sp.cancel(difference(square) / difference(condition)), epsilon),
-        difference(square).subs(epsilon, value.rhs),
+        first - difference(at("unit")[-1]),
+        multiplied - 72 * first,
+        *(each - multiplied for each in (cubes, square, other_cubes)),
+        square.subs(epsilon, value.rhs),
         sp.Integer(0 if value.rhs.is_positive else 1),
     ]
 

@@ -36,7 +36,6 @@ ROOMS = readme_s_table()
 OTHER_PAGES = (
     "accuracy",
     "record",
-    "number_theory",
     "lesson",
     "answers",
     "derivation.export",

@@ -21,7 +21,6 @@ from ramanujan.pages.derivation import cache
 
 PAGE = "ramanujan/pages/derivation/page.py"
 TITLES = {name: ROUTES[name].title for name in ROUTES}
-COLOR = "#123456"
 
 
 @pytest.fixture
@@ -120,7 +119,7 @@ def test_a_new_route_is_on_the_page_and_no_sentence_counts_without_it(monkeypatc
 
     monkeypatch.setitem(ROUTES.data, "toy", build)
     numbers = Numbers(2.5, 1.0, 7.0)
-    assert r"\frac{14}{5} = 2.8" in cache.step("toy", 0, numbers, None, None).equations
+    assert r"\frac{14}{5} = 2.8" in cache.step("toy", 0, numbers).equations
     assert cache.results.__wrapped__(numbers)[-1][:2] == ("Toy", "1")
     pages = Path(cache.__file__).parent.parent
     files = (*pages.rglob("*.py"), pages.parent.parent / "README.md")
@@ -141,41 +140,27 @@ def test_the_terms_of_all_parts_add_up_to_the_equation(name):
         assert sp.expand(sum(sum(part) for part in own.values()) - relation.rhs) == 0
 
 
-@pytest.mark.parametrize("part", PARTS)
 @pytest.mark.parametrize("numbers", [None, Numbers(1.0, 1.0, 10.0)], ids=["symbols", "numbers"])
-def test_a_chosen_part_has_its_colour_where_it_occurs_and_nowhere_else(part, numbers):
-    colored = [
-        (step.key, shown)
+def test_what_belongs_to_a_part_has_its_ink_and_nothing_else(numbers):
+    inks = tuple((part, f"#{n}{n}{n}{n}{n}{n}") for n, part in enumerate(PARTS, start=1))
+    shown = {
+        (name, step.key): cache.step(name, number, numbers, inks).equations
         for name in ROUTES
         for number, step in enumerate(ROUTES[name].steps)
-        if COLOR in (shown := cache.step(name, number, numbers, part, COLOR)).equations + shown.by_body
-    ]
-    assert "lagrangian" in [key for key, _ in colored]
-    assert "ratio" not in [key for key, _ in colored]
-    for _, shown in colored:
-        # In T and ℒ one line for each part: its formula and its name, no other part's.
-        assert shown.by_body.count(COLOR) in (0, 2)
-        assert (
-            not shown.by_body
-            or f"\\textcolor{{{COLOR}}}{{\\text{{{PARTS[part]}}}}}" in shown.by_body
-            or part == "spring"
-        )
-    assert COLOR not in cache.step("matrix", 0, numbers, None, None).by_body
-
-
-@pytest.mark.parametrize("part", ["top", "spring"])
-def test_a_step_without_a_term_of_the_chosen_part_says_so(page, part):
-    choose(page, show="reading", body=part)
-    # A step is its words, then its formulas.
-    steps: list[list[str]] = []
-    for element in page.main:
-        if element.type == "markdown" and element.value.startswith("## "):
-            steps.append([element.value, ""])
-        elif element.type == "latex" and len(steps) < len(ROUTES["euler_lagrange"].steps):
-            steps[-1][1] += element.value
-    said = [f"it does not list the {PARTS[part]} separately" in words for words, _ in steps]
-    assert said == ["textcolor" not in formulas for _, formulas in steps]
-    assert {True, False} == set(said)
+    }
+    found = {place: re.findall(r"textcolor\{(.*?)\}", text) for place, text in shown.items()}
+    # A term for each energy of a body, in the order of the bodies, then the spring.
+    energies = [ink for part, ink in inks for _n in range(1 + (part in ("hoop", "cylinder", "top")))]
+    in_order = [*energies[:-3], *energies[-2:], energies[-3]]
+    assert found["euler_lagrange", "sum"] == in_order
+    assert found["matrix", "energies"] == [*in_order[:-1], in_order[-1], in_order[-1]]
+    for (part, ink), line in zip(inks, shown["euler_lagrange", "velocities"].split(r"\\"), strict=False):
+        if part not in ("spring", "top"):
+            assert f"\\textcolor{{{ink}}}{{v_{{\\text{{{part}}}}}}}" in line
+            assert len(set(re.findall(r"#\d+", line))) == 1
+    # On the block all others act; their forces keep their own inks.
+    assert set(found["newton", "forces"]) == {ink for part, ink in inks if part != "spring"}
+    assert not found["euler_lagrange", "ratio"]
 
 
 # Modes and notes

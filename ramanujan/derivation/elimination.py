@@ -18,8 +18,9 @@ class Elimination:
     """The three equations of motion, and the one that is left when X and Φ are expressed by φ.
 
     `momenta` are p = ∂ℒ/∂q̇ and `forces` ∂ℒ/∂q by coordinate; `motion` is ṗ − ∂ℒ/∂q (left side of … = 0), divided by
-    the `common` factor of its terms. `merged` are the three lines that eliminate Φ̈; the others are Φ̈ in terms of Ẍ,
-    Ẍ and Φ̈ in terms of φ̈, the φ equation as it is after insertion and with like terms gathered, and Ω².
+    the `common` factor of its terms. `merged` are the three lines that eliminate Φ̈: `times` the X equation has a term
+    that the first line replaces, `replaced` are that term and what comes in its place. The others are Φ̈ in terms of
+    Ẍ, Ẍ and Φ̈ in terms of φ̈, the φ equation as it is after insertion and with like terms gathered, and Ω².
     """
 
     lagrangian: sp.Expr
@@ -27,6 +28,8 @@ class Elimination:
     forces: dict[sp.Expr, sp.Expr]
     common: dict[sp.Expr, sp.Expr]
     motion: dict[sp.Expr, sp.Expr]
+    times: sp.Rational
+    replaced: tuple[sp.Expr, sp.Expr]
     merged: tuple[sp.Eq, ...]
     Phi_from_X: sp.Expr
     X_from_phi: sp.Expr
@@ -69,7 +72,7 @@ def eliminate(bodies: Machine) -> Elimination:
         forces,
         common,
         motion,
-        _merged(motion),
+        *_merged(motion),
         Phi_from_X,
         sp.factor(X_from_phi),
         sp.factor(Phi_from_X.subs(X_ddot, X_from_phi)),
@@ -79,17 +82,24 @@ def eliminate(bodies: Machine) -> Elimination:
     )
 
 
-def _merged(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:
-    """Return the Φ equation solved for its term in Φ̈, a multiple of the X equation, and that with the term inserted."""
+def _merged(
+    motion: dict[sp.Expr, sp.Expr],
+) -> tuple[sp.Rational, tuple[sp.Expr, sp.Expr], tuple[sp.Eq, ...]]:
+    """Return the factor of the X equation, the term that goes and the one that comes, and three lines.
+
+    These are the Φ equation solved for its term in Φ̈, that multiple of the X equation, and it with the term replaced.
+    """
     of_Phi = motion[Phi].coeff(Phi_ddot) * Phi_ddot
     by_X = of_Phi - motion[Phi]
     times, share = (-motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)).as_coeff_Mul()
     block, rollers = (sp.factor(times * motion[X].coeff(a)) * a for a in (X_ddot, phi_ddot))
-    return (
+    goes, comes = -of_Phi / share, -sp.cancel(by_X / share)
+    lines = (
         equation(of_Phi, by_X),
-        equation(in_order(block, -of_Phi / share), -rollers),
-        equation(in_order(block, -sp.cancel(by_X / share)), -rollers),
+        equation(in_order(block, goes), -rollers),
+        equation(in_order(block, comes), -rollers),
     )
+    return times, (goes, comes), lines
 
 
 @dataclass(frozen=True)

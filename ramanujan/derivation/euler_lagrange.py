@@ -9,8 +9,19 @@ from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, elim
 from ramanujan.derivation.energies import bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
-from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Machine, Omega_squared, gather, k, m, m_prime, phi, t
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, equation, step
+from ramanujan.derivation.symbols import (
+    COORDINATES,
+    MOMENTA,
+    Machine,
+    Omega_squared,
+    gather,
+    k,
+    m,
+    m_prime,
+    phi,
+    t,
+)
 from ramanujan.translation import _
 
 
@@ -27,11 +38,9 @@ def build(bodies: Machine) -> Route:
 def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the steps from ℒ to Ω²."""
     zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
-    cancelled = ", ".join(
-        _("${factor}$ from the equation of ${coordinate}$").format(factor=latex(factor), coordinate=latex(q))
-        for q, factor in result.common.items()
-        if factor != 1
-    )
+    insert, collect = _("insert {what}"), _("collect {what}")
+    above, below = sp.fraction(result.merged[0].lhs)
+    before_and_after = zip(result.motion[phi].as_ordered_terms(), result.inserted.args, strict=True)
     oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
     numerator, terms = result.quotient
     return (
@@ -46,6 +55,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             _("Differentiate with respect to the velocities"),
             _("Each coordinate $q$ has a momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
             *(equation(p, value) for p, value in zip(MOMENTA, result.momenta.values(), strict=True)),
+            operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(q.diff(t))}" for q in COORDINATES),
         ),
         step(
             "rates",
@@ -60,24 +70,37 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             ),
             *(equation(gather(p.diff(t)), result.forces[q]) for q, p in result.momenta.items()),
             labels=coordinates,
+            operations=tuple(rf"\tfrac{{d}}{{dt}}\,{latex(p)}" for p in MOMENTA),
         ),
         step(
             "motion",
             _("Cancel common factors"),
-            _("Bring all terms to one side. Common factors cancel: {factors}.").format(factors=cancelled),
+            _("Bring all terms to one side. Common factors cancel."),
             *(equation(result.motion[q], zero) for q in COORDINATES),
             labels=coordinates,
+            operations=tuple(
+                "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
+            ),
         ),
         step(
             "elimination",
             _("Eliminate the block and the top cylinder"),
             _(
-                "Multiply the equation of $X$ so that it contains the left side of the first line, the equation of "
-                "$\\Phi$. Replace that side by $\\ddot X$, solve for $\\ddot X$, and insert it into the first line."
-            ),
+                "The first line is the equation of $\\Phi$. Multiply the $X$ equation by ${times}$. It then contains "
+                "${above}/{below}$, which by the first line equals ${same}$. Solve for ${same}$, and insert it into "
+                "the first line."
+            ).format(times=result.times, above=latex(above), below=below, same=latex(result.merged[0].rhs)),
             *result.merged,
             equation(X_ddot, result.X_from_phi),
             equation(Phi_ddot, result.Phi_from_phi),
+            operations=(
+                "",
+                rf"\times {latex(result.times)}",
+                blackboard(insert, X_ddot),
+                blackboard(_("solve for {what}"), X_ddot),
+                blackboard(insert, X_ddot),
+            ),
+            marks=result.replaced,
         ),
         step(
             "insertion",
@@ -86,6 +109,8 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             equation(result.inserted, zero),
             equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
+            operations=(blackboard(insert, X_ddot), blackboard(collect, phi_ddot), blackboard(_("one fraction"))),
+            marks=tuple(after for before, after in before_and_after if before.has(X_ddot)),
         ),
         step(
             "frequency",

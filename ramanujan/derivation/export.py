@@ -177,13 +177,15 @@ def _broken(shown: list[Row], width: int) -> list[tuple[Row, list[str]]]:
 
 def _display(broken: list[tuple[Row, list[str]]]) -> str:
     """Return rows as left &= right, a long sum broken into lines."""
-    equations = " \\\\\n".join(f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) for row, lines in broken)
+    equations = " \\\\\n".join(
+        f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) + row.margin for row, lines in broken
+    )
     return f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
 
 
 def _markdown_section(number: int, step: Step, numbers: Numbers | None) -> str:
     said = step.about(numbers)
-    equations = (f"$$\n{row.latex}\n$$" for row in rows(step, numbers))
+    equations = (f"$$\n{row.latex}{row.margin}\n$$" for row in rows(step, numbers))
     return "\n\n".join([f"## {number}. {said.heading}", said.reason, *equations])
 
 

@@ -9,9 +9,10 @@ import sympy as sp
 
 from ramanujan.derivation import symbols
 from ramanujan.derivation.elimination import Elimination, unit_condition
-from ramanujan.derivation.printers import in_order
-from ramanujan.derivation.steps import Step, equation, step
+from ramanujan.derivation.printers import in_order, latex
+from ramanujan.derivation.steps import Step, blackboard, equation, step
 from ramanujan.derivation.symbols import Omega_squared, epsilon, epsilon_star, k, m, m_prime
+from ramanujan.number_theory import sums_of_two_cubes
 from ramanujan.translation import _
 
 if TYPE_CHECKING:
@@ -61,30 +62,53 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(epsilon, ratio),
         equation(Omega_squared * m / k, numerator / in_order(*terms)),
         equation(Omega_squared * m / k, unit.normalized_frequency_squared),
+        operations=("", rf"\div {latex(m)}", blackboard(_("one fraction"))),
     )
     exactly_one = step(
         "unit",
         _("Require exactly 1"),
         _(
-            "Set the first form equal to 1: its denominator must equal its numerator. The same number stands on both "
-            "sides and cancels, so the two other terms of the denominator must cancel each other. Multiply by the "
-            "remaining denominator and collect: this gives a quadratic equation for $\\varepsilon$ with integer "
+            "Set the first form equal to 1: its denominator must equal its numerator. The ${number}$ cancels. Multiply "
+            "by the denominator that is left. This gives a quadratic equation for $\\varepsilon$ with integer "
             "coefficients."
-        ),
+        ).format(number=latex(numerator)),
         equation(in_order(*terms), numerator),
         equation(two_terms, sp.Integer(0)),
         equation(multiplied, sp.Integer(0)),
         equation(quadratic, sp.Integer(0)),
+        operations=(
+            rf"{latex(symbols.normalized_frequency_squared)} = 1",
+            blackboard(_("cancel {what}"), numerator),
+            rf"\times \left({latex(below)}\right)",
+            blackboard(_("collect {what}"), epsilon),
+        ),
+        marks=(numerator,),
     )
+    (a, b, c), square = unit.quadratic.all_coeffs(), unit.completed_square
+    sums = sums_of_two_cubes(int(unit.discriminant))
+    paper_s, other = (in_order(*(sp.Pow(side, 3, evaluate=False) for side in reversed(pair))) for pair in sums)
     root = step(
         "root",
         _("Find the taxicab number"),
         _(
-            "Complete the square: this shows the discriminant, the number under the square root of the solution. Only "
-            "one root is positive, as a mass ratio must be. It is called $\\varepsilon_*$."
+            "Complete the square. At the right stand two cubes, and their sum is the smallest number that is a sum of "
+            "two positive cubes in two ways. Only one root is positive, as a mass ratio must be. It is called "
+            "$\\varepsilon_*$."
         ),
-        unit.completed_square,
+        equation(quadratic, sp.Integer(0)),
+        equation(in_order(4 * a**2 * epsilon**2, 4 * a * b * epsilon), -4 * a * c),
+        equation(square.lhs, paper_s),
+        square,
+        equation(square.lhs, other),
         equation(epsilon, unit.root),
+        operations=(
+            "",
+            rf"\times {latex(4 * a)}",
+            rf"+\,{latex(b**2)}",
+            "",
+            "",
+            blackboard(_("solve for {what}"), epsilon),
+        ),
     )
 
     leaves = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in (two_terms, quadratic))
@@ -107,7 +131,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
                 "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
                 "too small, and your machine oscillates faster than a plain mass."
             )
-        return replace(exactly_one, reason=reason, equations=leaves)
+        return replace(exactly_one, reason=reason, equations=leaves, operations=(), marks=())
 
     distance = replace(
         root,
@@ -116,6 +140,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
             "$\\varepsilon$ and this root."
         ),
         equations=(normalized[0], normalized[2], equation(epsilon - epsilon_star, ratio - unit.root)),
+        operations=(),
     )
     return (
         replace(only_ratio, present=lambda _numbers: replace(only_ratio, equations=normalized)),

@@ -4,8 +4,8 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 """
 
 import re
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -14,6 +14,9 @@ from ramanujan.derivation.printers import decimal_of, number_to_latex
 from ramanujan.derivation.steps import Step
 from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.templates import Highlight, template
+
+Dress = tuple[tuple[int, int, str], ...]
+"""Side and place of terms, each with the command of LaTeX that is put before it."""
 
 _UNITS = {
     **dict.fromkeys((Omega_squared, Omega_clamped_squared), r"\,\mathrm{s^{-2}}"),
@@ -24,7 +27,7 @@ _UNITS = {
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _SHORT, _SHORTEST = 8, 20
 """Characters of a left side that take no room from the right one, and of the shortest line of a right side."""
-_INVISIBLE = re.compile(r"\\[a-zA-Z]+|\\,|[{}^_ ]")
+_INVISIBLE = re.compile(r"\\textcolor\{#\w+\}|\\[a-zA-Z]+|\\,|[{}^_ ]")
 
 
 @dataclass(frozen=True)
@@ -36,11 +39,13 @@ class Row:
     left : its left side
     terms : the terms of its right side, each with its sign
     value : what follows a right side that is a number: its decimal and its unit, or ""
+    operation : what leads to the equation, for the margin, or ""
     """
 
     left: str
     terms: tuple[str, ...]
     value: str = ""
+    operation: str = field(default="", compare=False)
 
     @property
     def right(self) -> str:
@@ -51,6 +56,11 @@ class Row:
     def latex(self) -> str:
         """The equation in one line."""
         return f"{self.left} = {self.right}"
+
+    @property
+    def margin(self) -> str:
+        """The operation as LaTeX behind the equation, or ""."""
+        return rf"\quad\footnotesize\vert\ {self.operation}" if self.operation else ""
 
     def lines(self, width: int, beside: int = 0) -> list[str]:
         """Return the right side in lines of about so many characters; each but the first begins with a sign.
@@ -71,16 +81,14 @@ class Row:
         return found
 
 
-def rows(
-    step: Step, numbers: Numbers | None = None, make: Callable[[sp.Eq, str], Row | None] | None = None
-) -> list[Row]:
+def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row | None] | None = None) -> list[Row]:
     """Return the equations of a step as rows, with the numbers of a machine if they are given, none twice.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     numbers : of the machine; none for the symbols
-    make : equation and its label → a row, or None to leave it out; `row` by itself
+    make : equation, its label and dress → a row, or None to leave it out; `row` by itself
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import Numbers
@@ -88,15 +96,24 @@ def rows(
     'M_{e} = \\\\frac{99}{26} \\\\approx 3.8076923\\\\,\\\\mathrm{kg}'
     """
     said = step.about(numbers)
-    labels = said.labels or [""] * len(said.equations)
-    found = (
-        make(equation, label) if make else row(equation, numbers, label=label)
-        for equation, label in zip(said.equations, labels, strict=True)
-    )
-    return [each for each in dict.fromkeys(found) if each]
+    none = [""] * len(said.equations)
+    beside = zip(said.equations, said.labels or none, said.operations or none, strict=True)
+    found = {}
+    for equation, label, operation in beside:
+        dress = _underlined(equation, said.marks)
+        made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
+        if made:
+            found.setdefault(made, replace(made, operation=operation))
+    return list(found.values())
 
 
-def row(equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = (), label: str = "") -> Row:
+def row(
+    equation: sp.Eq,
+    numbers: Numbers | None = None,
+    highlight: Highlight = (),
+    label: str = "",
+    dress: Dress = (),
+) -> Row:
     """Return one equation as a row.
 
     Parameters
@@ -105,10 +122,24 @@ def row(equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = 
     numbers : of the machine; none for the symbols
     highlight : symbols in a colour
     label : LaTeX before the equation
+    dress : what is done to terms
     """
-    left, right = (side_terms(side, numbers, highlight) for side in equation.args)
-    labelled = [rf"{label}:\quad ", *left] if label else left
+    left, right = sides = [side_terms(side, numbers, highlight) for side in equation.args]
+    for side, place, command in dress:
+        sign, term = re.fullmatch(r"( [+-] |- )?(.*)", sides[side][place]).groups("")
+        sides[side][place] = rf"{sign}{command}{{{term}}}"
+    labelled = [rf"{label}:\ ", *left] if label else left
     return Row("".join(labelled), tuple(right), _value(equation, numbers) if numbers else "")
+
+
+def _underlined(equation: sp.Eq, marks: Collection[sp.Expr]) -> Dress:
+    """Return the dress of the terms of an equation that are marked."""
+    return tuple(
+        (side, place, r"\underline")
+        for side, expression in enumerate(equation.args if marks else ())
+        for place, term in enumerate(template(expression, with_slots=False).terms)
+        if term in marks
+    )
 
 
 def side_terms(side: sp.Basic, numbers: Numbers | None = None, highlight: Highlight = ()) -> list[str]:
@@ -156,6 +187,8 @@ def widest(shown: Iterable[Row]) -> int:
 
 def _marked(shown: Row, to_zero: bool, width: int, beside: int) -> str:
     if to_zero:
-        return f"&{shown.latex}"
+        return f"&{shown.latex}{shown.margin}"
+    margin = f" &&{shown.margin}" if shown.margin else ""
     first, *others = shown.lines(width, beside)
-    return rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
+    lines = rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
+    return f"{lines}{margin}"

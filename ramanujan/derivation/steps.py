@@ -34,6 +34,8 @@ class Step:
     present : numbers → what the step says about one given machine, still in symbols, where its own equations state a
         condition. None where numbers can be put into the equations themselves.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
+    operations : LaTeX in the margin of each equation: what leads to it, in the words of a blackboard; or none
+    marks : the terms that an operation takes out or brings in
     """
 
     key: str
@@ -42,6 +44,8 @@ class Step:
     equations: tuple[sp.Eq, ...]
     present: Callable[[Numbers], Step] | None = None
     labels: tuple[str, ...] = ()
+    operations: tuple[str, ...] = ()
+    marks: tuple[sp.Expr, ...] = ()
 
     def about(self, numbers: Numbers | None) -> Step:
         """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
@@ -55,6 +59,15 @@ class Step:
 def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) -> Step:
     """Return a step with these equations; `more` are the other fields of `Step`."""
     return Step(key, heading, reason, equations, **more)
+
+
+def blackboard(operation: str, what: sp.Basic = sp.S.One) -> str:
+    """Return an operation as LaTeX for the margin; `what` fills the slot of that name.
+
+    >>> print(blackboard("insert {what}", sp.Symbol("x")))
+    \\text{insert $x$}
+    """
+    return rf"\text{{{operation.format(what=f'${latex(what)}$')}}}"
 
 
 @dataclass(frozen=True)

@@ -88,5 +88,8 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
   };
   box.addEventListener("change", draw, { signal });
   slider.addEventListener("input", draw, { signal });
-  turnTo(slider.value);
+  // What is hidden has no size: it is drawn when it is shown.
+  const shown = new ResizeObserver(draw);
+  shown.observe(root.querySelector(".stacks"));
+  signal.addEventListener("abort", () => shown.disconnect());
 }

@@ -163,6 +163,13 @@ export const dom = {
 
   /** The box in which a lecture's steps are drawn. */
   lecture: () => document.querySelector(".st-key-lecture"),
+  /** The link to which the last step of a lecture leads. */
+  onward: () => document.querySelector(".st-key-lecture .st-key-onward a"),
+
+  /** Whether a node is part of a formula; the coloured term that contains it; a rule that lights all terms of a colour. */
+  isFormula: (node) => Boolean(node.closest?.(".katex")),
+  term: (node) => node.closest?.(".katex [style*='color']"),
+  termRule: (color) => `.katex [style*="${color}"] { -webkit-text-stroke: .04em; text-shadow: 0 0 .4em; }`,
 
   /** Whether a good part of a node is on the screen. */
   inView(node) {

@@ -14,10 +14,13 @@ const KEYS = { ArrowRight: 1, PageDown: 1, " ": 1, ArrowLeft: -1, PageUp: -1 };
 export class Turner {
   now = 0;
 
-  /** `moves`: the slider's event that turns; `turns(event, by)`: whether a key may turn that far; `turned(to)` hears of it. */
-  constructor(component, signal, { moves, turns, turned }) {
+  /**
+   * `moves`: the slider's event that turns; `turns(event, by)`: whether a key may turn that far; `turned(to)` hears of it;
+   * `onward()`: the link to which the last one leads, if there is one.
+   */
+  constructor(component, signal, { moves, turns, turned, onward = () => null }) {
     const root = component.parentElement;
-    Object.assign(this, { component, turned, slider: root.querySelector("input"), output: root.querySelector("output") });
+    Object.assign(this, { component, turned, onward, slider: root.querySelector("input"), output: root.querySelector("output") });
     this.buttons = [...root.querySelectorAll("button")];
     for (const button of this.buttons) button.addEventListener("click", () => this.go(this.now + Number(button.dataset.by)));
     this.slider.addEventListener(moves, () => this.go(Number(this.slider.value)));
@@ -33,7 +36,10 @@ export class Turner {
   /** Go somewhere, and return whether there was anything to go to. */
   go(wanted) {
     const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
-    if (to === this.now) return false;
+    if (to === this.now) {
+      if (wanted > to) this.onward()?.click();
+      return false;
+    }
     this.show(to);
     bus.publish("say", { sentence: this.slider.ariaValueText, urgent: true });
     this.turned(to);
@@ -49,6 +55,6 @@ export class Turner {
     this.output.textContent = `${now}/${count}`;
     const [back, next] = this.buttons;
     back.ariaDisabled = now === 1;
-    next.ariaDisabled = now === count;
+    next.ariaDisabled = now === count && !this.onward();
   }
 }

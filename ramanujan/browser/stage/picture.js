@@ -75,10 +75,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
     const [left, right, top] = rollerWords(parameters);
     set(find(".picture"), { role: "img", "aria-label": fill(WORDS.picture, { left, right, top }) });
-    // One body, or the spring, stands out; without a name, all are alike.
-    host.classList.toggle("one-lit", Boolean(data.lit));
     find(".computed").replaceChildren(...(data.computed ? [copied({ ...parameters, ...playback.now() })] : []));
-    for (const node of moving.children) node.classList.toggle("lit", node.classList.contains(data.lit));
     dial.machine(solution, !hides("clocks") && !hides("motion"));
     layers.machine(parameters, solution, data, clock.seenFrom);
   }

@@ -11,6 +11,7 @@ import { makeParts } from "./parts.js";
 import { makePicture } from "./picture.js";
 import { Playback } from "./playback.js";
 import { Slab } from "./slab.js";
+import { linkTerms } from "./terms.js";
 import { WORDS } from "./texts.js";
 import { Hand } from "./thumb.js";
 import { listenToControls, showControls } from "./toolbar.js";
@@ -37,6 +38,7 @@ class Stage {
     this.parts = makeParts(root);
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
+    if (layers.includes("coordinates")) this.light = linkTerms(root, signal);
     this.hand = new Hand(watch, () => this.data.parameters);
     listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -114,6 +116,7 @@ class Stage {
     this.playback.take({ parameters, solution, samples, computed, leaves, seenFrom: this.clock.seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
+    this.light?.(this.data.lit);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
     bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
     this.slab.show();

@@ -1,7 +1,8 @@
 """What page 2 keeps: the routes in symbols once for all, their steps as LaTeX, with and without the present masses."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from itertools import zip_longest
 
 import streamlit as st
@@ -11,38 +12,39 @@ from ramanujan import Oscillator
 from ramanujan.answers import Verdict, judge, shown_step
 from ramanujan.answers.grammar import UnreadableError, typeset
 from ramanujan.derivation import ROUTES, Route
-from ramanujan.derivation.energies import PARTS, belongs_to, names, terms
+from ramanujan.derivation.energies import belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.printers import InOrder, colored, latex
+from ramanujan.derivation.printers import InOrder, colored
 from ramanujan.derivation.remarks import conserved_momenta
-from ramanujan.derivation.rows import Row, aligned, extent, row, rows, side_terms, widest
+from ramanujan.derivation.rows import Dress, Row, aligned, row, rows
 from ramanujan.derivation.steps import equation
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, Omega_squared, machine
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way, route
 
-LINE_WIDTH, BESIDE_MACHINE = 54, 44
-"""Characters of a formula that fit beside the sidebar in a window of 1280 points, and beside the machine on a
-projector; longer sums are broken."""
+LINE_WIDTH = 34
+"""Characters of a formula that fit beside the machine; longer sums are broken."""
 
 _MANY = 6
-"""Rows of equations that no longer fit on one screen below each other."""
+"""Rows of equations that stand closer together, or in two columns."""
 
-_HALF_WIDTH = 40
-"""Characters of a formula that leave room for another beside it; a fraction counts above and below its bar."""
+_CUBE = sp.Integer(3)
+"""The power of a side in a volume."""
+
+Inks = tuple[tuple[str, str], ...]
+"""Parts of the machine, and the larger cube, each with its colour, #rrggbb."""
 
 
 @dataclass(frozen=True)
 class ShownStep:
-    """A step as the page shows it: words, its equations as one block of LaTeX, T or ℒ body by body (or nothing)."""
+    """A step as the page shows it: words, and its equations as one block of LaTeX."""
 
     heading: str
     reason: str
     equations: str
-    by_body: str
 
 
 @st.cache_data(show_spinner=False, max_entries=1024)
@@ -50,25 +52,15 @@ def step(
     name: str,
     number: int,
     numbers: Numbers | None,
-    part: str | None,
-    color: str | None,
-    width: int = LINE_WIDTH,
+    inks: Inks = (),
     *,
     equal_masses: bool = False,
 ) -> ShownStep:
-    """Return a step of a route, counted from 0, with the terms of one part of the machine in its colour."""
+    """Return a step of a route, counted from 0, with what belongs to a part of the machine in its ink."""
     symbolic = route(name, equal_masses).steps[number]
     said = symbolic.about(numbers)
-    split = next((e for e in said.equations if part and terms(e)), None)
-    by_body = _by_body(split, numbers, part, color) if split is not None else ""
-
-    def written(symbolic: sp.Eq, label: str) -> Row | None:
-        # Line by line, the sum over the bodies says what the sum in one line says.
-        is_sum = symbolic == split and isinstance(symbolic.rhs, InOrder)
-        return None if is_sum else _row(symbolic, numbers, part, color, label)
-
-    shown = rows(symbolic, numbers, written)
-    return ShownStep(said.heading, said.reason, _aligned(shown, width) if shown else "", by_body)
+    shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
+    return ShownStep(said.heading, said.reason, _aligned(shown))
 
 
 def all_routes() -> list[Route]:
@@ -154,50 +146,28 @@ def _modes() -> Modes:
     return modes(machine())
 
 
-def _row(symbolic: sp.Eq, numbers: Numbers | None, part: str | None, color: str | None, label: str) -> Row:
-    """Return an equation; one about the chosen part is in its colour, in any other only what names the part."""
-    if not part:
-        return row(symbolic, numbers, label=label)
-    if belongs_to(part, symbolic):
-        plain = row(symbolic, numbers, label=label)
-        return Row(colored(plain.left, color), tuple(colored(term, color) for term in plain.terms), plain.value)
-    return row(symbolic, numbers, tuple((each, color) for each in sorted(names(part, symbolic), key=str)), label)
+def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, inks: Mapping[str, str]) -> Row:
+    """Return an equation in inks: each part's terms of T and ℒ, a line about one part alone, and what names a part."""
+    if inks and isinstance(symbolic.rhs, InOrder):
+        is_cube = symbolic.rhs.args[0].as_base_exp()[1] == _CUBE
+        owners = ["cube"] if is_cube else [part for part, own in terms(symbolic).items() for _term in own]
+        dress += tuple((1, place, rf"\textcolor{{{inks[part]}}}") for place, part in enumerate(owners))
+    named = {part: own for part in inks if (own := names(part, symbolic)) or belongs_to(part, symbolic)}
+    if len(named) == 1 and belongs_to(part := next(iter(named)), symbolic):
+        plain = row(symbolic, numbers, label=label, dress=dress)
+        return Row(
+            colored(plain.left, inks[part]), tuple(colored(term, inks[part]) for term in plain.terms), plain.value
+        )
+    highlight = tuple((each, inks[part]) for part, own in named.items() for each in sorted(own, key=str))
+    return row(symbolic, numbers, highlight, label, dress)
 
 
-def _aligned(shown: list[Row], width: int = LINE_WIDTH) -> str:
+def _aligned(shown: list[Row]) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    broken = [each.lines(width, widest(shown)) for each in shown]
-    fits = all(len(right) == 1 and extent(right[0]) <= _HALF_WIDTH for right in broken)
-    if len(shown) >= _MANY and fits and all(each.right != "0" for each in shown):
-        return _block(_in_two_columns(shown), ".5em")
-    return aligned([shown], width, ".5em" if sum(map(len, broken)) < _MANY else ".15em")
-
-
-def _in_two_columns(shown: list[Row]) -> Iterator[str]:
-    """Yield the rows side by side, the first half at the left."""
-    written = [f"{row.left} &= {row.right}" for row in shown]
-    half = (len(written) + 1) // 2
-    for left, right in zip_longest(written[:half], written[half:], fillvalue=""):
-        yield rf"{left} &\qquad {right}" if right else left
-
-
-def _block(rows: Iterable[str], gap: str) -> str:
-    return r"\begin{aligned}" + rf" \\[{gap}] ".join(rows) + r"\end{aligned}"
-
-
-def _by_body(stated: sp.Eq, numbers: Numbers | None, part: str, color: str) -> str:
-    """Return T or ℒ with a line for each part of the machine, the chosen one in its colour."""
-    lines: list[str] = []
-    for name, own in terms(stated).items():
-        ink = color if name == part else None
-        signed = "".join(_with_sign(side_terms(term, numbers)[0]) for term in own)
-        # The first row carries what is split up, the others their sign.
-        start, formula = (r"&\quad", signed) if lines else (f"{latex(stated.lhs)} &=", signed.removeprefix("{}+"))
-        formula, word = rf"\textstyle {formula}", rf"\text{{{PARTS[name]}}}"
-        lines.append(rf"{start} {colored(formula, ink)} &&{colored(word, ink)}")
-    return _block(lines, gap=".15em")
-
-
-def _with_sign(term: str) -> str:
-    # With nothing before it, TeX would take the sign for one that belongs to the number, and move it close.
-    return f"{{}}-{term[1:].lstrip()}" if term.startswith("-") else f"{{}}+{term}"
+    lines = [each.lines(LINE_WIDTH) for each in shown]
+    if len(shown) < _MANY or any(len(each) > 1 for each in lines) or any(each.right == "0" for each in shown):
+        return aligned([shown], LINE_WIDTH, ".5em" if sum(map(len, lines)) < _MANY else ".15em") if shown else ""
+    half, written = (len(shown) + 1) // 2, [f"{each.left} &= {each.right}" for each in shown]
+    pairs = zip_longest(written[:half], written[half:], fillvalue="")
+    block = r" \\[.5em] ".join(r" &\hspace{1.2em} ".join(filter(None, pair)) for pair in pairs)
+    return rf"\begin{{aligned}}{block}\end{{aligned}}"

@@ -1,10 +1,11 @@
 """Page 2: the routes from the machine to Ω², its three modes, and a place to try the formulas oneself."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
+from ramanujan import UNIT_MASS_RATIO
 from ramanujan.browser import page, stage
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
@@ -14,7 +15,8 @@ from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, try_it
-from ramanujan.shell import address, display_mode, messages, sidebar, stages, theme, widgets
+from ramanujan.pages.taxicab.page import stacks
+from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import giving_way, numbers_stated, symbols
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
@@ -76,30 +78,23 @@ def show() -> None:
 
 
 def the_route() -> Setting:
-    """Draw the choices, the machine and the steps; on a projector all of them share one sheet."""
+    """Draw the choices, the steps, and the machine beside them; on a projector all of them share one sheet."""
     setting, projector = the_setting(), display_mode.is_projector()
     with sheet("lecture", _("The steps")):
-        # One who reads keeps the machine and the choices in view; in a lecture the title stands beside the machine.
-        beside = setting.is_lecture and not projector
-        above = st.container(gap=None)
+        st.title(_("Many ways to one frequency"), anchor=False)
+        head = st.container(horizontal=True, vertical_alignment="center", key="choices")
         with st.container(key="lectured" if setting.is_lecture else "reading"):
-            head = st.container(horizontal=True, vertical_alignment="center") if projector else None
-            steps, picture = st.columns([3, 1], vertical_alignment="bottom" if beside else "top")
-        with steps if beside else above:
-            st.title(_("Many ways to one frequency"), anchor=False)
+            picture, steps = st.container(), st.container()
         with picture:
             stages.mount(None, key="beside", clock="beside", layers=("coordinates",), compact=True)
-            tell_beside()
-        place = steps if projector else st.container()
         # The first visitor of a server waits for all routes: the choices name them.
-        with place, st.skeleton(height=_STEP_HEIGHT):
+        with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
-        with head or steps:
+        with head:
             choose(picture if projector else None)
-            if setting.is_lecture:
-                turn_pages(setting.route, [step.heading for step in setting.steps])
-        with place:
-            the_steps(setting, address.held(BODY))
+            turn_pages(setting)
+        with steps:
+            the_steps(setting)
     if not projector:
         explain(setting)
         take_home(setting)
@@ -124,27 +119,15 @@ def present() -> Numbers:
 def choose(beside: DeltaGenerator | None) -> None:
     """Draw the choice of the route; the others are folded, but on a projector they stand beside the step."""
     hidden = {"label_visibility": "collapsed"}
-    with st.container(horizontal=True, vertical_alignment="center", key="choices"):
-        titles = {name: cache.route(name).title for name in ROUTE.options}
-        widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
-        more = beside or st.popover(_("Show"), icon=":material/tune:", key="more")
-    with more:
-        widgets.pills(BODY, _("Highlight the terms of"), wrap=True)
+    titles = {name: cache.route(name).title for name in ROUTE.options}
+    widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
+    with beside or st.popover(_("Show"), icon=":material/tune:", key="more"):
         if not display_mode.is_projector():
+            widgets.pills(BODY, _("Highlight the terms of"), wrap=True)
             widgets.chips(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):
             widgets.chips(VALUES, _("Symbols or numbers"), **hidden)
         widgets.chips(MASSES, _("For which masses"), on_change=stay, **hidden)
-
-
-@st.fragment(key="beside")
-def tell_beside() -> None:
-    """Tell the machine beside the steps, and the sliders' boxes, what is set."""
-    stages.tell(
-        stage.payload(sidebar.oscillator(), sidebar.compression(), lit=address.held(BODY)),
-        key="beside",
-        more=sidebar.followed(),
-    )
 
 
 def start_over() -> None:
@@ -164,17 +147,26 @@ def turned(route: str, step: int) -> None:
         st.session_state[STEP.name] = step
 
 
-@st.fragment
-def turn_pages(route: str, headings: list[str]) -> None:
-    """Draw what turns the pages of a lecture; a turn reruns nothing else."""
+@st.fragment(key="beside")
+def turn_pages(setting: Setting) -> None:
+    """Draw what turns the pages of a lecture, and tell the machine and the sliders’ boxes what is set.
+
+    A turn reruns nothing else. At the last step, which asks for it, the machine is in step with the plain mass.
+    """
     address.keep(STEP)
-    page.steps(route, headings, turned)
+    machine = sidebar.oscillator()
+    if setting.is_lecture:
+        page.steps(setting.route, [step.heading for step in setting.steps], turned)
+        if setting.steps[min(address.held(STEP), len(setting.steps)) - 1].key == "root":
+            machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
+    told = stage.payload(machine, sidebar.compression(), lit=address.held(BODY))
+    stages.tell(told, key="beside", more=sidebar.followed())
 
 
 # ---- the steps
 
 
-def the_steps(setting: Setting, part: str | None) -> None:
+def the_steps(setting: Setting) -> None:
     """Draw the steps of the route; of a lecture the page shows one."""
     steps = len(setting.steps)
     if address.held(STEP) > steps:
@@ -183,29 +175,30 @@ def the_steps(setting: Setting, part: str | None) -> None:
     address.keep(STEP)
     if not setting.is_lecture:
         for number in range(1, steps + 1):
-            draw(setting, number, part)
+            draw(setting, number)
         return
     # The steps that are hidden (page.css; steps.js shows one) leave no gaps.
-    with st.container(border=True, key="lecture", gap=None):
+    with st.container(key="lecture", gap=None):
         for number in range(1, steps + 1):
             with st.container(key=f"step_{number}"):
-                draw(setting, number, part)
+                draw(setting, number)
 
 
-def draw(setting: Setting, number: int, part: str | None) -> None:
+def draw(setting: Setting, number: int) -> None:
     """Draw a step, counted from 1."""
-    ink = theme.colors()[f"{part}_ink"] if part else None
-    width = cache.BESIDE_MACHINE if display_mode.is_projector() else cache.LINE_WIDTH
-    step = cache.step(setting.route, number - 1, setting.numbers, part, ink, width, equal_masses=setting.equal_masses)
-    reason = step.reason
-    if part and ink not in step.by_body + step.equations:
-        nothing = _("Nothing is highlighted in this step: it does not list the {part} separately.")
-        reason += f" *{nothing.format(part=PARTS[part])}*"
-    st.markdown(f"## {number}. {step.heading}\n\n{reason}")
-    if step.by_body:
-        st.latex(step.by_body)
-    if step.equations:
-        st.latex(step.equations)
+    colors = theme.colors()
+    inks = (*((part, colors[f"{part}_ink"]) for part in PARTS), ("cube", colors["primary"]))
+    step = cache.step(setting.route, number - 1, setting.numbers, inks, equal_masses=setting.equal_masses)
+    is_last = setting.steps[number - 1].key == "root"
+    if is_last:
+        with st.container(key="figure"):
+            stacks()
+    st.markdown(f"## {number}. {step.heading}\n\n{step.reason}")
+    st.latex(step.equations)
+    if is_last:
+        onward = navigation.PAGES["taxicab"]
+        with st.container(key="onward"):
+            st.page_link(onward.file, label=_("Why 1729? Go on to its page"), icon=f":material/{onward.icon}:")
 
 
 def explain(setting: Setting) -> None:

@@ -103,7 +103,7 @@ SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"rates": _ALL},
     {"elimination": slice(-2, None)},
     {"insertion": _FIRST, "frequency": _LAST},
-    {"ratio": _NONE, "unit": _LAST, "root": _ALL},
+    {"ratio": _NONE, "unit": _LAST, "root": slice(3, None, 2)},
 )
 """For each line: steps of the route, the last of which gives the heading, and which of their equations are results."""
 
@@ -125,7 +125,7 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
     *_before, last = wanted
     in_full = {**wanted, last: _ALL}
     results = [row for key, part in wanted.items() for row in steps[key][1][part]]
-    symbols = [row for key, part in in_full.items() for row in steps[key][1][part]]
+    symbols = dict.fromkeys(row for key, part in in_full.items() for row in steps[key][1][part])
     numbers = [row for key, part in in_full.items() for row in rows(steps[key][0], given)[part]]
     return SummaryStep(
         steps[last][0].heading,

@@ -111,17 +111,22 @@ def two_stacks() -> None:
     )
     sums, smallest = cache.sums_of_cubes(PAPER.cubes), number_theory.smallest_taxicab()
     st.markdown(sentence.format(number=PAPER.discriminant, cubes=sums, smallest=smallest))
-    page.cubes(
-        [(larger, smaller) for smaller, larger in PAPER.cubes],
-        [in_words(*cubes) for cubes in PAPER.cubes],
-        [f"{x}³ + {y}³ = {x**3} + {y**3} = {PAPER.discriminant}" for x, y in PAPER.cubes],
-    )
+    stacks()
     expanded, same_terms = cache.discriminant_written_out()
     sentence = _(
         "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
         "${expanded}={sum}$."
     )
     st.markdown(sentence.format(expanded=expanded, sum=same_terms))
+
+
+def stacks() -> None:
+    """Draw the two stacks."""
+    page.cubes(
+        [(larger, smaller) for smaller, larger in PAPER.cubes],
+        [in_words(*cubes) for cubes in PAPER.cubes],
+        [f"{x}³ + {y}³ = {x**3} + {y**3} = {PAPER.discriminant}" for x, y in PAPER.cubes],
+    )
 
 
 def in_words(smaller: int, larger: int) -> str:
