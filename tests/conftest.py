@@ -15,7 +15,7 @@ from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
 
 from tests.browser import CHROMIUM, FLAGS, ROOT, open_address, running, started
-from tests.engines import bare, bare_address, browsers, engine, missing, playwright, window  # noqa: F401
+from tests.engines import bare, bare_address, browsers, engine, missing, playwright, some, window  # noqa: F401
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
 

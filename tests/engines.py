@@ -7,7 +7,7 @@ is set. A test that not every browser can take part in names those that can:
 
 import os
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 
 import pytest
@@ -77,6 +77,13 @@ def browsers(
 def engine(request: pytest.FixtureRequest) -> str:
     """The name of the browser in which a test runs: it runs in each of them."""
     return request.param
+
+
+@pytest.fixture
+def some(engine: str) -> Callable[[Iterable[object]], list[object]]:
+    """Choose from cases: all of them in Chromium, or where RAMANUJAN_DEEP is set; of three one in other browsers."""
+    step = 1 if engine == "chromium" or os.environ.get("RAMANUJAN_DEEP") else 3
+    return lambda cases: list(cases)[::step]
 
 
 @pytest.fixture

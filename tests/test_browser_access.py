@@ -25,9 +25,11 @@ OPEN = """() => {
 }"""
 OF_THE_SCREEN = ["color-contrast", "link-in-text-block", "scrollable-region-focusable", "target-size"]
 """The rules whose verdict hangs on the theme or on the width."""
-FOUND = """([within, rules]) => axe.run(within, { runOnly: rules, resultTypes: ["violations"] })
+FOUND = """([within, rules]) => axe.run({ include: within, exclude: ".katex-html" },
+    { runOnly: rules, resultTypes: ["violations"] })
   .then((result) => result.violations.flatMap((each) => each.nodes.map((node) =>
     `${each.id}: ${node.target.flat().join(" ")} ${node.html.slice(0, 160)}`)))"""
+"""What axe-core finds outside of formulas, whose inks test_look compares with their papers."""
 REACHED = """() => [...document.querySelectorAll(".stMarkdown *, [class*=st-key-]")].every((box) => box.tabIndex === 0
   || box.scrollWidth <= box.clientWidth || !/auto|scroll/.test(getComputedStyle(box).overflowX)
   || box.querySelector("button, input, a, [tabindex='0']"))"""

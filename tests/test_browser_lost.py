@@ -45,7 +45,7 @@ def late(visit, server) -> Iterator[Callable]:
     with network(server) as way:
         pages = []
 
-        def open_page(link: str = ""):
+        def open_page(link: str = "?hide=curve,steps"):
             pages.append(visit(link, network=way.address))
             return pages[-1]
 

@@ -1,6 +1,7 @@
 """The page's side in a browser: theme, one clock, the screen reader's tree, the host's page."""
 
 import io
+import json
 import re
 from xml.etree import ElementTree
 
@@ -51,12 +52,13 @@ The page asks for the rest when the machine is drawn, and not because ten second
 
 @pytest.mark.parametrize(("height", "link"), [(720, "?k=20&m=7"), (2400, "")])
 def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chromium, server, height, link):
-    page = chromium.new_page(viewport={"width": 1280, "height": height})
+    page = chromium.new_page(viewport={"width": 1280, "height": height}, bypass_csp=True)
     page.add_init_script(FIRST)
     held = []
     if link:  # a machine that stands still, and what waits for it comes after it
         page.emulate_media(reduced_motion="reduce")
         page.route("**/arrival.js", lambda route: held.append(route))
+    chromium.start_tracing(page=page, categories=["devtools.timeline"])
     with page.expect_request("**/arrival.js"):
         page.goto(server + link, wait_until="commit")
         page.wait_for_function("window.first")
@@ -64,6 +66,11 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chro
         route.continue_()
     page.locator(".st-key-curve .scatterlayer path").first.wait_for(state="attached")
     page.locator(".st-key-steps details").last.wait_for(state="attached")
+    # No word that Plotly measures lets the browser style the whole page anew.
+    events = json.loads(chromium.stop_tracing())["traceEvents"]
+    styled = [each["args"].get("elementCount", 0) for each in events if each["name"] == "UpdateLayoutTree"]
+    assert len(styled) > 50
+    assert len([count for count in styled if count > 1000]) < 10
     first = page.evaluate("first")
     assert first["heavy"] == 0
     box = page.locator(".st-key-stage").bounding_box()
@@ -162,7 +169,7 @@ def check_assumptions(page):
 @pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])
 def test_before_the_first_words_a_sketch_keeps_their_places(chromium, server, width, height):
     """The server does not answer; heading, words and picture have their places, and on a wide screen the sidebar."""
-    page = chromium.new_page(viewport={"width": width, "height": height})
+    page = chromium.new_page(viewport={"width": width, "height": height}, bypass_csp=True)
     page.route_web_socket(re.compile("_stcore"), lambda _silent: None)
     page.goto(server)
     page.wait_for_selector("[data-testid=stApp]", state="attached")

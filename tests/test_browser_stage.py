@@ -144,3 +144,49 @@ def test_less_motion_is_a_still_described_in_words_and_its_wish_is_followed_at_o
     page.evaluate("document.querySelectorAll('.stSlider').forEach((each) => each.remove())")
     picture.show(Oscillator(1, UNIT_MASS_RATIO, 10), 0.08)
     assert "in step" in page.evaluate("said.at(-1)")
+
+
+MACHINE = Oscillator(1.0, 2.0, 10.0)
+TELLING = {
+    f"{MACHINE.normalized_frequency_squared:.7f}"[:6],
+    f"{MACHINE.natural_frequency:.3f}",
+    f"{MACHINE.period:.2f}",
+    f"{1 / abs(MACHINE.normalized_frequency_squared**0.5 - 1):.1f}",
+    "slower",
+}
+WORDS = """[...root.querySelectorAll(":not(script, style)")].flatMap((node) => [
+  ...[...node.childNodes].filter((each) => each.nodeType === 3).map((each) => each.data),
+  ...[...node.attributes].filter((each) => /^(aria|title)/.test(each.name)).map((each) => each.value),
+]).join("\\n")"""
+"""All words of the stage, those for the eye and those for a screen reader."""
+
+
+def test_what_is_hidden_is_neither_drawn_nor_said(bare):
+    """What the page says around the stage is in test_scene_view."""
+    for hide in (("clocks", "numbers"), ()):
+        here = bare()
+        here.page.evaluate("() => bus.subscribe('say', ({ sentence }) => (window.said ??= []).push(sentence))")
+        picture = Picture(here, machine=MACHINE, hide=hide)
+        words = [picture.find(WORDS)]
+        for action in ("forward", "back"):
+            picture.find(f"root.querySelector('[data-do={action}]').click()")
+            next_frame(picture.page)
+            words.append(picture.find(WORDS))
+        said = "\n".join([*words, *here.page.evaluate("window.said ?? []")])
+        # The negative control: where nothing is hidden, all of it is found.
+        assert {text for text in TELLING if text in said} == (set() if hide else TELLING)
+        parts = picture.find("root.querySelectorAll('.dial, .gauge, .verdict, .parting, .readouts, .legend b').length")
+        assert (parts == 0) == bool(hide)
+        assert (here.page.evaluate("bus.last('present/oscillator').normalized ?? null") is None) == bool(hide)
+        assert (picture.find("root.querySelector('[data-step]')?.dataset.step ?? ''") == "") == bool(hide)
+
+
+def test_a_machine_whose_motion_is_hidden_stands_still(bare):
+    picture = Picture(bare(), hide=("motion",))
+    picture.page.evaluate("wish(false)")
+    place = slab(picture)
+    picture.find("root.querySelector('.stage').focus()")
+    picture.page.keyboard.press("ArrowRight")
+    picture.page.wait_for_timeout(200)
+    assert slab(picture) == place
+    assert picture.find("root.querySelector('[data-do=play]')?.checkVisibility() ?? false") is False

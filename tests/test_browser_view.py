@@ -6,50 +6,9 @@ import re
 import pytest
 from playwright.sync_api import TimeoutError, expect
 
-from ramanujan import Oscillator
 from tests.browser import STAGE, next_frame, settle
 from tests.test_browser_language import OVERLAPS
 from tests.test_worksheet import key_of, name_of
-
-MACHINE = Oscillator(1.0, 2.0, 10.0)
-LINK = "m=1&m_prime=2&k=10"
-TELLTALE = {
-    "Ω²m/k": f"{MACHINE.normalized_frequency_squared:.7f}"[:6],
-    "Ω": f"{MACHINE.natural_frequency:.3f}",
-    "period": f"{MACHINE.period:.2f}",
-    "turns to part": f"{1 / abs(MACHINE.normalized_frequency_squared**0.5 - 1):.1f}",
-    "slower": "slower",
-}
-WORDS = """(nodes) => nodes.flatMap((node) => [
-  ...[...node.childNodes].filter((each) => each.nodeType === 3).map((each) => each.data),
-  ...[...node.attributes].filter((each) => /^(aria|title)/.test(each.name)).map((each) => each.value),
-]).join("\\n")"""
-"""All words of some elements, those for the eye and those for a screen reader."""
-
-SAID = "globalThis.ramanujan?.last?.('machine/oscillator') && ramanujan.last('say') === undefined"
-"""The stage has drawn, and the live region has said what it had to say."""
-
-
-def words(page) -> str:
-    """Return all that the page says, also inside the components, into which Playwright looks."""
-    return page.locator("body :not(script, style)").evaluate_all(WORDS)
-
-
-def use(page) -> str:
-    """Do what a reader may do to find out, and return all that the page says meanwhile."""
-    page.wait_for_function(SAID)
-    said = [words(page)]
-    for name in ("Step forward", "Step back"):
-        if page.get_by_role("button", name=name, exact=True).count():
-            page.get_by_role("button", name=name, exact=True).click()
-            next_frame(page)
-            said.append(words(page))
-    entry = page.locator(".st-key-m_exact input")
-    entry.fill("1.000")
-    entry.press("Enter")
-    settle(page)
-    page.wait_for_function(SAID)
-    return "\n".join([*said, words(page)])
 
 
 def test_a_link_keeps_all_that_is_seen(visit):
@@ -92,35 +51,6 @@ def test_a_link_keeps_all_that_is_seen(visit):
     other.wait_for_url(lambda url: "paused" not in url)
     assert "from=block" in other.url
     assert "speed=0.5" in other.url
-
-
-def test_what_a_link_hides_is_nowhere_on_the_page(visit):
-    page = visit(f"?{LINK}&hide=numbers,curve,clocks")
-    said = use(page)
-    assert "Velocities" in said
-    assert not [name for name, words in TELLTALE.items() if words in said]
-    assert page.locator(".js-plotly-plot").count() == 0
-    parts = ".dial, .gauge, .verdict, .parting, .readouts, .legend b"
-    assert page.locator(f".st-key-stage :is({parts})").count() == 0
-    assert page.evaluate("ramanujan.last('present/oscillator').normalized") is None
-    assert page.locator(".st-key-stage [data-step]:not([data-step=''])").count() == 0
-    # Negative control: the same search finds every word on the page that hides nothing.
-    said = use(visit(f"?{LINK}", tab=page))
-    assert [name for name, words in TELLTALE.items() if words not in said] == []
-    check_hidden_motion(visit(f"?{LINK}&hide=motion,curve,steps", motion="no-preference", tab=page))
-
-
-def check_hidden_motion(page) -> None:
-    """Check that a machine whose motion is hidden stands still."""
-    where = "node => node.getAttribute('transform')"
-    slab = page.locator(".st-key-stage .moving .body.slab")
-    expect(slab).to_have_attribute("transform", re.compile(r"^translate\(8,? -?0\)$"))
-    before = slab.evaluate(where)
-    page.locator(".st-key-stage .stage").focus()
-    page.keyboard.press("ArrowRight")
-    page.wait_for_timeout(200)
-    assert slab.evaluate(where) == before
-    assert page.get_by_role("button", name="Pause", exact=True).count() == 0
 
 
 # ---- on a projector
@@ -194,7 +124,7 @@ SHEETS = {
     "derivation?route=newton&step=4": 4,
     "motion?spin=3&mu=0.01": 6,
     "1729?left=sphere&top=shell": 8,
-    "speed?periods=1": 7,
+    "speed?periods=1&sheet=costs": 7,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
     f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,
@@ -202,8 +132,8 @@ SHEETS = {
 """Page → how many sheets it has."""
 
 
-def projected(visit, path: str, **more):
-    page = visit(f"{path}{'&' if '?' in path else '?'}view=projector", **more)
+def projected(visit, path: str, *scripts: str, **more):
+    page = visit(f"{path}{'&' if '?' in path else '?'}view=projector", *scripts, **more)
     page.wait_for_selector(PLACE, state="attached")
     page.wait_for_function(DRAWN)
     next_frame(page)
@@ -214,14 +144,20 @@ def projected(visit, path: str, **more):
 def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrolling(visit, half):
     page = None
     for path in list(SHEETS)[half::2]:
-        page = projected(visit, path, tab=page)
+        page = projected(visit, path, *([] if page else [SEEN]), tab=page)
         check_sheets(page, path)
 
 
 def check_sheets(page, path: str) -> None:
     """Check the sheets of one page, one after the other."""
-    titles = page.locator(".st-key-pager select option").all_inner_texts()
+    sheets = page.locator(".st-key-pager select")
+    titles = sheets.locator("option").all_inner_texts()
     assert len(titles) == SHEETS[path] == len(set(titles))
+    # While it was loaded, the sheet that was asked for was seen in large words, and no other.
+    (seen,) = page.evaluate("[...window.seen]")
+    assert seen.endswith(" true")
+    assert ("sheet=" not in path) or seen == f"{path.partition('sheet=')[2]} true"
+    sheets.select_option(titles[0])
     wrong = []
     for sheet, title in enumerate(titles, start=1):
         expect(page.locator(PLACE)).to_have_text(title)
@@ -241,14 +177,6 @@ def check_sheets(page, path: str) -> None:
         assert page.evaluate(BAR) == 0
         page.wait_for_function(f"({OUT})().length === 0", timeout=5000)
         assert page.evaluate(SIZES, 23.9) == []
-
-
-def test_while_a_projector_s_page_is_loaded_no_other_sheet_is_seen_and_none_in_small_words(visit):
-    for sheet, path in (("in_step", "1729?"), ("costs", "speed?sheet=costs&")):
-        page = visit(f"{path}view=projector", SEEN)
-        page.wait_for_selector(PLACE, state="attached")
-        page.wait_for_function(DRAWN)
-        assert page.evaluate("[...window.seen]") == [f"{sheet} true"]
 
 
 def test_a_lecturer_projects_a_page_turns_its_sheets_and_gives_a_lesson_by_clicker(visit):
