@@ -1,31 +1,35 @@
-"""A class in browsers: a desk on a phone, a wall, five voters, a whole lesson by clicker, and the file of the votes."""
+"""A class in browsers: a desk on a phone, two walls, five voters, the short lesson, and the file of the votes."""
 
 import csv
+import io
 import random
 from collections import Counter
+from pathlib import Path
 
 import pytest
+import zxingcpp
+from PIL import Image
 from playwright.sync_api import Page, expect
 
 from ramanujan import lesson
 from tests.browser import settle
 
-CUT = """() => {
-  const main = document.querySelector("[data-testid=stMain]");
-  return Math.max(main.scrollHeight - main.clientHeight, main.scrollWidth - main.clientWidth);
-}"""
-"""By how much the wall, which nobody scrolls, is too large [px]."""
+WRONG = (Path(__file__).parent / "wall.js").read_text(encoding="utf-8")
+SIZES = ((1024, 768), (1920, 1080), (1280, 720), (3840, 2160))
+"""Of walls; the lesson is played on the first two."""
+STOPS = [stop for stop in lesson.STOPS if stop.short]
+AT = "ramanujan.last('time/stage_two-clocks_0')"
 VOTES = ".st-key-class_phone [role=radiogroup] label"
 EVERYBODY = ("three tabs", "changing", "reloading", "leaving", "late")
-LATE, LEFT = 4, 6
+LATE, LEFT = 3, 5
 """Stops at which one student comes, and another one is gone."""
 
 
 ASK_WHEN_TOLD = """(() => {
   const asks = new Map(), begin = setInterval, end = clearInterval;
   globalThis.setInterval = (ask, pause, ...more) => {
-    const id = begin(pause > 1000 ? () => undefined : ask, pause, ...more);
-    if (pause > 1000) asks.set(id, ask);
+    const id = begin(pause > 400 ? () => undefined : ask, pause, ...more);
+    if (pause > 400) asks.set(id, ask);
     return id;
   };
   globalThis.clearInterval = (id) => (asks.delete(id), end(id));
@@ -60,42 +64,61 @@ def screen(visit):
     return show
 
 
-def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
-    draw, cast, cut = random.Random(1729), [], []
-    desk = screen("stops=all")
+def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_voted(screen):
+    draw, cast, wrong = random.Random(1729), [], []
+    desk = screen("")
     desk.locator(".st-key-class_door button").first.click()
     desk.locator(".st-key-class_open button").click()
     wall_link = desk.get_by_role("link", name="Open the wall").get_attribute("href")
     query = wall_link.partition("?")[2]
-    wall = screen(query, 1280, 720)
+    walls = [screen(query, *size) for size in SIZES[:2]]
+    wall = walls[0]
     code = query.partition("class=")[2][:6]
     phones = {"three tabs": screen(f"class={code}")}
     tabs = [screen(f"class={code}", beside=phones["three tabs"]) for _ in range(2)]
     phones |= {name: screen(f"class={code}") for name in EVERYBODY[1:-1]}
     for phone in (*phones.values(), *tabs):
         phone.get_by_text("The first question will appear here").wait_for()
-    hear(wall)
+    hear(*walls)
     wall.get_by_text("4 students have joined").wait_for()
     letters = wall.locator(".st-key-class_letters [data-testid=stText]")
     assert letters.text_content().replace(" ", "") == code
-    assert letters.evaluate("node => parseFloat(getComputedStyle(node).fontSize)") > 100
+    assert letters.evaluate("node => parseFloat(getComputedStyle(node).fontSize)") > 90
+    for width, height in reversed(SIZES):
+        wall.set_viewport_size({"width": width, "height": height})
+        [read] = zxingcpp.read_barcodes(Image.open(io.BytesIO(wall.screenshot())))
+        assert read.text.endswith(f"/lesson?class={code}")
     secret = desk.url.partition("lecturer=")[2].partition("&")[0].partition("-")[2]
     assert len(secret) > 20
 
     def press(then: str) -> None:
-        """Press the clicker, and wait until it can do the next thing."""
+        """Press what goes on with a thumb, and wait until the desk can do the next thing."""
         desk.bring_to_front()
-        desk.keyboard.press("PageDown")
+        box = desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]").bounding_box()
+        assert box["y"] + box["height"] <= 844
+        desk.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
         desk.locator(then).wait_for()
         settle(desk)
-        hear(wall)
+        hear(*walls)
 
     def whole(state: str) -> None:
-        wall.bring_to_front()
-        if (over := wall.evaluate(CUT)) > 2:
-            cut.append((stop.id, state, over))
+        for each in walls:
+            settle(each)
+            each.bring_to_front()
+            wrong.extend((stop.id, state, each.viewport_size["width"], said) for said in each.evaluate(WRONG))
 
-    for number, stop in enumerate(lesson.STOPS, start=1):
+    def followed() -> None:
+        """Wait until the walls' machines stand where that of the desk does."""
+        place = desk.evaluate(AT)
+        assert not place["playing"]
+        for each in walls:
+            while [each.evaluate(AT)[key] for key in ("time", "periods")] != [
+                pytest.approx(place[key], abs=1e-4) for key in ("time", "periods")
+            ]:
+                hear(each)
+                each.wait_for_timeout(100)
+
+    for number, stop in enumerate(STOPS, start=1):
         if number == LATE:
             phones["late"] = late = screen("")
             late.locator(".st-key-class_door button").first.click()
@@ -105,15 +128,14 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
         if number == LEFT:
             phones.pop("leaving").get_by_role("button", name="Leave the class").click()
         press(".st-key-class_reveal")
-        # Until the last one has left, and at the end, all answer; between, one at a time.
-        whole_class = number <= LEFT or number == len(lesson.STOPS)
-        answering = dict(list(phones.items())[0 if whole_class else number % 4 :: 1 if whole_class else 4])
-        hear(*answering.values())
+        hear(*phones.values())
         expect(wall.locator("h1")).to_have_text(stop.heading)
         whole("asked")
-        chosen = {name: draw.randrange(len(stop.options)) for name in answering}
-        for name, phone in answering.items():
+        expect(wall.locator(".face")).to_be_visible(visible=stop.dials)
+        chosen = {name: draw.randrange(len(stop.options)) for name in phones}
+        for name, phone in phones.items():
             expect(phone.locator("h1")).to_have_text(stop.heading)
+            expect(phone.locator("svg.machine")).to_be_visible()
             if name == "changing" or (name, number) == ("reloading", 2):
                 vote(phone, (chosen[name] + 1) % len(stop.options))
             if (name, number) == ("reloading", 3):
@@ -133,9 +155,9 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
                 tab.close()
         votes = Counter(list(stop.options)[option] for option in chosen.values())
         cast.append(votes)
-        hear(*answering.values(), desk, wall)
-        expect(desk.locator(".st-key-class_desk")).to_contain_text(f"{len(answering)} of ")
-        if number == len(lesson.STOPS):
+        hear(*phones.values(), desk, wall)
+        expect(desk.locator(".st-key-class_desk")).to_contain_text(f"{len(phones)} of ")
+        if number == len(STOPS):
             # Who has left is not waited for.
             while "4 of 4 here" not in desk.locator(".st-key-class_desk").inner_text():
                 hear(*phones.values(), desk)
@@ -143,23 +165,40 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
         assert wall.locator("[data-testid=stProgress]").count() == 0
 
         press(".st-key-class_run")
-        total = len(answering)
+        total = len(phones)
         shares = [f"{votes[o]} of {total}, {round(100 * votes[o] / total)}\u202f%" for o in stop.options]
         expect(wall.locator("[data-testid=stProgress]")).to_have_text(shares)
         whole("revealed")
         press(".st-key-class_solve")
-        picture = wall.locator("pre, .katex" if stop.exhibit else "svg.machine .body.slab").first
+        picture = wall.locator("svg.machine .body.slab").first
         picture.wait_for()
         assert wall.get_by_text("This is right").count() == 0
         whole("running")
+        if number == 1:
+            # A wall that is opened later begins where the others are.
+            stage = desk.locator(".st-key-stage_two-clocks_0")
+            for _ in range(2):
+                stage.locator("[data-do=play]").click()
+                desk.wait_for_timeout(400)
+            followed()
+            stage.locator(".scrub input").fill("0.7")
+            settle(desk)
+            walls.append(screen(query, *SIZES[2]))
+            followed()
+            walls.pop().close()
         press(".st-key-class_desk :text('This is right')")
         wall.get_by_text("This is right").wait_for()
         assert picture.is_visible()
         whole("solved")
+        if number == 1:
+            desk.locator(".st-key-moment button").click()
+            settle(desk)
+            followed()
+            assert wall.evaluate(AT)["periods"] == pytest.approx(stop.periods)
         if number % 3 != 2:
             continue
         # The machine and the word on one's own answer are on the phone, too; one phone at a time.
-        name = list(answering)[number % len(answering)]
+        name = list(phones)[number % len(phones)]
         own, phone = list(stop.options)[chosen[name]], phones[name]
         hear(phone)
         said = "it was your answer" if own == stop.answer() else stop.reply(own).replace("*", "")[:30]
@@ -168,12 +207,11 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
         widths = [page.evaluate("document.querySelector('[data-testid=stMain]').scrollWidth") for page in (phone, desk)]
         assert max(widths) <= 390
         assert secret not in wall.content() + wall.url + phone.content() + phone.url
-    assert cut == []
     assert not wall.locator("header a, .st-key-pager button").first.is_visible()
     press(".st-key-table_learned")
     expect(wall.locator("h1")).to_have_text("What the class has learned")
     whole("end")
-    assert cut == []
+    assert wrong == []
 
     with desk.expect_download() as download:
         desk.get_by_role("button", name="Results as CSV").click()
@@ -181,10 +219,10 @@ def test_a_class_plays_the_whole_lesson_and_takes_home_what_it_voted(screen):
     told = [(row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows]
     assert told == [
         (stop.id, option, "yes" if option == stop.answer() else "no", votes[option], "")
-        for stop, votes in zip(lesson.STOPS, cast, strict=True)
+        for stop, votes in zip(STOPS, cast, strict=True)
         for option in stop.options
     ]
     present = {row["stop"]: int(row["present"]) for row in rows}
-    assert [present[stop.id] for stop in lesson.STOPS[: LEFT - 1]] == [4] * (LATE - 1) + [5] * (LEFT - LATE)
-    assert present[lesson.STOPS[-1].id] == 4
+    assert [present[stop.id] for stop in STOPS[: LEFT - 1]] == [4] * (LATE - 1) + [5] * (LEFT - LATE)
+    assert present[STOPS[-1].id] == 4
     assert [row["asked_at"] for row in rows] == sorted(row["asked_at"] for row in rows)
