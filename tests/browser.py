@@ -46,8 +46,11 @@ WATCH_LAG = f"""() => {{
 """Counts, into window.lags, the animation frames from each move of the m′ slider to the stage's readout."""
 
 _FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY}
-_QUIET = 250
-"""Milliseconds of silence, by the page's own timer, after which it has drawn; a slider waits 200 before it sends."""
+_QUIET = 350
+"""Milliseconds of silence, by the page's own timer, after which it has drawn.
+
+Before they send, a slider waits 200 and a turn of steps 300; what is kept in the address waits 150.
+"""
 
 
 class running:  # noqa: N801 (reads as a sentence: with running(app) as address)

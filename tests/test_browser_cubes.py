@@ -1,4 +1,4 @@
-"""The stacks of cubes as they are drawn: unit cubes to be counted, from every side, pulled apart, turned by hand."""
+"""The stacks of cubes as they are drawn: unit cubes to be counted, from every side, pulled apart."""
 
 import re
 
@@ -16,10 +16,6 @@ READ = f"""[...{CUBES}.querySelectorAll("svg")].map((svg) => [...svg.querySelect
   Number(/ (-?[\\d.]+)\\)/.exec(layer.getAttribute("transform"))[1]),
   [...layer.querySelectorAll("path")].map((path) => [path.getAttribute("class"), path.getAttribute("d")]),
 ]))"""
-MIDDLE = f"""(() => {{
-  const {{ x, y, width, height }} = {CUBES}.querySelector("svg").getBoundingClientRect();
-  return [x + width / 2, y + height / 2];
-}})()"""
 
 
 @pytest.fixture
@@ -55,16 +51,3 @@ def test_every_unit_cube_of_three_faces_can_be_counted_from_every_side(drawn):
             # Each layer is one unit cube high, and half a unit cube above the one below it.
             assert np.diff([rise for rise, _ in mine]) == pytest.approx([-15 * np.cos(ELEVATION)] * (side - 1))
             assert all(d.count("M") == side + 3 for _, paths in mine for kind, d in paths[:4] if kind == "grid")
-
-
-@pytest.mark.parametrize("engine", ["chromium", "firefox"])
-def test_a_hand_turns_the_stacks_while_it_holds_them(drawn):
-    before, (x, y), mouse = drawn.evaluate(f"Number({TURN}.value)"), drawn.evaluate(MIDDLE), drawn.mouse
-    mouse.move(x, y)
-    mouse.down()
-    for by in range(10, 50, 10):
-        mouse.move(x + by, y)
-    mouse.up()
-    assert drawn.evaluate(f"Number({TURN}.value)") == pytest.approx((before + 20) % 360, abs=1.1)
-    mouse.move(x, y)
-    assert drawn.evaluate(f"Number({TURN}.value)") == pytest.approx((before + 20) % 360, abs=1.1)

@@ -28,7 +28,6 @@ def bottom(place) -> float:
 
 def press(page, key: str) -> int:
     page.keyboard.press(key)
-    page.wait_for_timeout(400)  # after a turn the page waits 300 ms before it tells the server
     settle(page)
     return step(page)
 

@@ -16,7 +16,7 @@ from ramanujan import Oscillator
 from ramanujan.shell import navigation
 from tests.browser import inside, next_frame, settle, thumb
 from tests.slow_network import network
-from tests.test_browser_controls import normalized
+from tests.test_browser_controls import hold, normalized
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "1"))
 COMPRESSION = ".st-key-compression input[type=range]"
@@ -64,14 +64,9 @@ def address(page) -> dict[str, list[str]]:
     return parse_qs(urlsplit(page.url).query)
 
 
-def drag(page, key: str, by: int, steps: int = 4, pause: int = 0) -> None:
+def drag(page, key: str, by: int, steps: int = 4) -> None:
     """Drag the thumb of a slider by so many pixels."""
-    x, y = thumb(page, key)
-    page.mouse.move(x, y)
-    page.mouse.down()
-    for i in range(1, steps + 1):
-        page.mouse.move(x + by * i / steps, y)
-        page.wait_for_timeout(pause)
+    hold(page, key, by, steps)
     page.mouse.up()
 
 
@@ -102,7 +97,7 @@ def check_slow_answer(page, late_by) -> None:
     drag(page, "m_prime", 40)
     watch(page, "seen", "present/oscillator", "normalized")
     # While the answer is on its way, another slider moves; it must not show the old m′ again.
-    drag(page, "m", 72, steps=24, pause=40)
+    drag(page, "m", 72, steps=24)
     settle(page)
     seen, machine = page.evaluate("window.seen"), page.evaluate(TOLD)
     final = Oscillator(machine["m"], machine["m_prime"], machine["k"], machine["radius"])
@@ -314,7 +309,6 @@ def test_quick_changes_over_a_slow_network_never_end_the_app(late):
             page.evaluate(f"{LINKS}[{place}].click()")
             page.wait_for_timeout(100)
     page.evaluate(f"{LINKS}[0].click()")
-    page.wait_for_timeout(600)
     page.wait_for_selector("[data-testid=stMainBlockContainer] h1", timeout=60_000)
     settle(page)
     assert page.get_by_role("dialog").count() == 0, page.get_by_role("dialog").first.inner_text()

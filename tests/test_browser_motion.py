@@ -23,7 +23,6 @@ def nudge(page, key, press="ArrowRight"):
     before = len(page.frames_received)
     page.locator(f".st-key-{key} input[type=range]").first.focus()
     page.keyboard.press(press)
-    page.wait_for_timeout(300)
     settle(page)
     return sum(page.frames_received[before:])
 

@@ -162,7 +162,7 @@ def check_assumptions(page):
     sent = len(page.frames_sent)
     page.evaluate(f"{module('page/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))")
     expect(page.locator(".st-key-compression [data-testid=stSliderThumbValue]")).to_have_text("5.0")
-    page.wait_for_timeout(400)
+    settle(page)
     assert len(page.frames_sent) == sent
 
 

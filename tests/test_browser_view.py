@@ -39,7 +39,7 @@ def test_a_link_keeps_all_that_is_seen(visit):
     for _ in range(2):
         page.get_by_role("button", name="Step forward").click()
     page.wait_for_url(lambda url: "paused=" in url)
-    page.wait_for_timeout(500)
+    settle(page)
     seen = page.evaluate(drawn)
     other = visit(page.url.rpartition("/")[2])
     again = other.evaluate(drawn)

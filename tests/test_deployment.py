@@ -206,5 +206,4 @@ def move(tab: object, steps: int) -> None:
     slider(tab).focus()
     for _ in range(steps):
         tab.keyboard.press("ArrowRight")
-    tab.wait_for_timeout(400)
     settle(tab)
