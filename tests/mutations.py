@@ -207,7 +207,7 @@ MUTATIONS = [
         "../shell/sidebar.py",
         "wish.func is not take_exact",
         "wish.func is take_exact",
-        "preset_wins",
+        "every_slider_preset_and_typed_value",
     ),
     Mutation(
         "a formula may have a larger exponent",
