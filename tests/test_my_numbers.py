@@ -227,9 +227,7 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
         blocks = [*(between for _reason, between in step.ways), step.in_full, step.numbers]
         of_blocks = [line for block in filter(None, blocks) for line in equations(block)]
         yield from (("euler_lagrange", key, False, line) for line in (*step.results, *of_blocks))
-    for *_, symbols, result in page.results.__wrapped__(numbers or Numbers(1.0, 1.0, 1.0)):
-        for right in (symbols, *([result] if given else [])):
-            yield "matrix", "", False, rf"\Omega^{{2}} = {right}"
+    yield from (("matrix", "", False, line) for line in page.result.__wrapped__(numbers))
 
 
 def plain(display: str) -> str:

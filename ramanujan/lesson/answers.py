@@ -151,7 +151,6 @@ TASKS = (
         exact_ratio,
         fields=("formula",),
         hides=FREQUENCY,
-        stage=False,
     ),
     Task(
         "cheapest",

@@ -1,5 +1,6 @@
 """The machine as a still picture: its release, to scale, drawn from the core's geometry, as SVG or as TikZ."""
 
+import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ _DECK, _THICK, _STEP, _GAP = 8.0, 4.5, 3.0, 2.5
 """Heights of the block's lower step and of the slab, the upper step over the slab, the gaps [cm]; as on the stage."""
 _LETTER = 5.0
 """Size of a letter [cm of the picture]."""
+_IN_TEX = str.maketrans({"′": "'", "φ": r"\varphi", "Φ": r"\Phi", "₀": "_0"})
 _TIKZ_WIDTH = 340.0
 """Width of the picture as TikZ [pt]; a slide of beamer, 16:9, has 398 for its content."""
 
@@ -69,7 +71,7 @@ def machine_tikz(machine: Oscillator, compression: float, colors: Mapping[str, s
         channels = (round(float(each)) for each in re.findall(r"[\d.]+", colors[body])) if body else ()
         fill = body and ", fill={{rgb,255:red,{};green,{};blue,{}}}".format(*channels)
         lines.append(f"  \\path[draw, line width=0.5pt, even odd rule{fill}] svg {{{d}}};")
-    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text}$}};".replace("′", "'") for text, x, y in drawn.letters]
+    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text.translate(_IN_TEX)}$}};" for text, x, y in drawn.letters]
     return "\n".join([*lines, "\\end{tikzpicture}\n"])
 
 
@@ -95,6 +97,14 @@ def _drawn(machine: Oscillator, compression: float) -> _Picture:
     }
     rims = {body: _circle(*centre, R) for body, centre in rollers.items()}
     rims["hoop"] += _circle(*rollers["hoop"], 0.78 * R)
+    left, measured, (x, y) = at["block"], -deck - _THICK - 2.6, rollers["top"]
+    marks = [
+        f"M{left:g} {-_DECK:g}v-7M{left:g} {-_DECK - 4.5:g}h-6l2 -1.2m-2 1.2l2 1.2",
+        f"M{slab[1]:g} {-deck - _THICK / 2:g}V{measured - 1:g}M{slab[1]:g} {measured:g}H{slab[1] + x0:g}",
+        f"M{x:g} {y:g}l{-0.6 * R:g} {-0.8 * R:g}",
+        *(_sense(*centre, 1.12 * R) for centre in rollers.values()),
+    ]
+    angles = [("Φ" if body == "top" else "φ", x + 1.12 * R + 3, y - 0.4 * R) for body, (x, y) in rollers.items()]
     return _Picture(
         view=(-8, -ceiling, right + 16, ceiling + 3),
         outlines=[
@@ -103,10 +113,16 @@ def _drawn(machine: Oscillator, compression: float) -> _Picture:
             *((rim, body) for body, rim in rims.items()),
             (lying, "slab"),
             (_coil(*spring), ""),
+            *((mark, "") for mark in marks),
         ],
         letters=[
             ("m", (riser + right) / 2, -upper / 2),
-            *((letter, *rollers[body]) for body, letter in (("hoop", "m′"), ("cylinder", "m′"), ("top", "m"))),
+            *((letter, *rollers[body]) for body, letter in (("hoop", "m′"), ("cylinder", "m′"))),
+            ("m", x, y + 0.4 * R),
+            ("R", x - 0.55 * R, y - 0.25 * R),
+            ("X", left - 4, -_DECK - 8.5),
+            ("x₀", slab[1] - 4, measured),
+            *angles,
             ("m", sum(slab) / 2 + at["slab"], -deck - _THICK / 2),
             ("k", (spring[0] + spring[1]) / 2, -spring[2] - 4.5),
         ],
@@ -121,6 +137,15 @@ def _circle(x: float, y: float, r: float) -> str:
         for (a, b), (c, d) in pairwise(ends)
     )
     return f"M{x:g} {y - r:g}{''.join(quarters)}z"
+
+
+def _sense(x: float, y: float, r: float) -> str:
+    """Return an arrow around a circle in the positive sense, clockwise, from 44° to 74° from the top."""
+    (sin, cos), (end_sin, end_cos) = ((math.sin(a), math.cos(a)) for a in map(math.radians, (44, 74)))
+    k = 4 / 3 * math.tan(math.radians(30) / 4) * r
+    start, end = (x + r * sin, y - r * cos), (x + r * end_sin, y - r * end_cos)
+    bent = f"{start[0] + k * cos:g} {start[1] + k * sin:g} {end[0] - k * end_cos:g} {end[1] - k * end_sin:g}"
+    return f"M{start[0]:g} {start[1]:g}C{bent} {end[0]:g} {end[1]:g}l-2 -.7m2 .7l.5 -2"
 
 
 def _coil(start: float, end: float, y: float) -> str:

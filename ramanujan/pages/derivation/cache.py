@@ -9,9 +9,10 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import Oscillator
-from ramanujan.answers import Verdict, judge, shown_step
+from ramanujan.answers import QUESTIONS, Verdict, judge, question, shown_step
 from ramanujan.answers.grammar import UnreadableError, typeset
-from ramanujan.derivation import ROUTES, Route
+from ramanujan.answers.questions import Question
+from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.energies import belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
@@ -68,21 +69,31 @@ def all_routes() -> list[Route]:
     return [route(name) for name in ROUTES]
 
 
+@st.cache_data(show_spinner=False)
+def asked_in(name: str, number: int) -> tuple[str, ...]:
+    """Return the questions that a step of a route, counted from 0, is the first to answer."""
+    steps = route(name).steps
+
+    def first(asked: Question) -> Step | None:
+        if name == "euler_lagrange":
+            return route(name)[asked.steps[-1]]
+        return next((step for step in steps if any(asked.right in each.args for each in step.equations)), None)
+
+    return tuple(each for each in QUESTIONS if first(question(each)) is steps[number])
+
+
 @st.cache_resource(show_spinner=False)
-def all_agree() -> bool:
-    """Tell whether every route ends in the same expression: each difference from the first is worked out and is 0."""
-    first, *others = (each.natural_frequency_squared for each in all_routes())
-    return all(sp.cancel(first - other) == 0 for other in others)
+def agrees(name: str) -> bool:
+    """Tell whether a route ends in the same expression as the first one: the difference is worked out and is 0."""
+    first = next(iter(all_routes()))
+    return sp.cancel(first.natural_frequency_squared - route(name).natural_frequency_squared) == 0
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def results(numbers: Numbers) -> list[tuple[str, str, str, str]]:
-    """Return for each route its title, the number of its steps, and its Ω² in symbols and with these numbers."""
-    found = []
-    for way in all_routes():
-        frequency = equation(Omega_squared, way.natural_frequency_squared)
-        found.append((way.title, str(len(way.steps)), row(frequency).right, row(frequency, numbers).right))
-    return found
+def result(numbers: Numbers | None) -> list[str]:
+    """Return Ω² as LaTeX in symbols and, if they are given, with numbers."""
+    frequency = equation(Omega_squared, next(iter(all_routes())).natural_frequency_squared)
+    return [row(frequency, given).latex for given in ([None, numbers] if numbers else [None])]
 
 
 @st.cache_data(show_spinner=False, max_entries=256)

@@ -14,7 +14,7 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
-from ramanujan.pages.derivation.tryout import QUESTION, try_it
+from ramanujan.pages.derivation.tryout import QUESTION, ask, is_solved, take, title, try_it
 from ramanujan.pages.taxicab.page import stacks
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import giving_way, numbers_stated, symbols
@@ -71,7 +71,7 @@ def show() -> None:
         try_it()
     page.give_back("route", "show", "values", "masses", "body")
     if not setting.numbers:
-        sidebar.follow("beside", "results", "modes")
+        sidebar.follow("beside", "results", "modes", "asked_machine")
 
 
 # ---- what is shown, and how
@@ -194,11 +194,25 @@ def draw(setting: Setting, number: int) -> None:
         with st.container(key="figure"):
             stacks()
     st.markdown(f"## {number}. {step.heading}\n\n{step.reason}")
-    st.latex(step.equations)
+    asked = () if setting.numbers or setting.equal_masses else cache.asked_in(setting.route, number - 1)
+    result(setting.route, step.equations, asked if not display_mode.is_projector() else ())
     if is_last:
         onward = navigation.PAGES["taxicab"]
         with st.container(key="onward"):
             st.page_link(onward.file, label=_("Why 1729? Go on to its page"), icon=f":material/{onward.icon}:")
+
+
+@st.fragment
+def result(route: str, equations: str, asked: tuple[str, ...]) -> None:
+    """Draw the equations of a step; who wants to type one first sees them once it is right."""
+    if asked and st.toggle(_("Type it yourself first"), key=f"first_{route}_{asked[0]}"):
+        key = f"asked_{route}_{asked[0]}"
+        name = asked[0] if len(asked) == 1 else st.selectbox(_("Which one?"), asked, format_func=title, key=key)
+        take(name, route)
+        ask(name, with_step=False, place=route)
+        if not is_solved(name):
+            return
+    st.latex(equations)
 
 
 def explain(setting: Setting) -> None:
@@ -236,17 +250,20 @@ def take_home(setting: Setting) -> None:
 
 @st.fragment(key="results")
 def compare() -> None:
-    """Draw the table in which all routes meet."""
+    """Draw the one result of all routes, and for each route a tick that leads to it."""
     st.header(_("All routes give the same frequency"), anchor=False)
-    rows = [
-        (title, steps, f"$\\displaystyle {symbols}$", f"$\\Omega^2 = {numbers}$")
-        for title, steps, symbols, numbers in cache.results(present())
-    ]
-    titles = (_("Route"), _("Steps"), _("$\\Omega^2$ in symbols"), _("$\\Omega^2$ with your numbers"))
-    columns = 3 if display_mode.hides("numbers") else 4
-    widgets.table([row[:columns] for row in (titles, *rows)], "results")
-    if cache.all_agree():
-        st.markdown(_(":material/check: SymPy has checked that the difference between any two results is exactly 0."))
+    for line in cache.result(None if display_mode.hides("numbers") else present()):
+        st.latex(line)
+    with st.container(horizontal=True):
+        for way in cache.all_routes():
+            agrees = cache.agrees(way.name)
+            st.page_link(
+                navigation.PAGES["derivation"].file,
+                label=_("{route}, {n} steps").format(route=way.title, n=len(way.steps)),
+                icon=":material/check:" if agrees else ":material/close:",
+                query_params={ROUTE.name: way.name},
+            )
+    st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
 
 
 def margin() -> None:

@@ -8,8 +8,9 @@ import streamlit as st
 
 from ramanujan.answers import QUESTIONS, question
 from ramanujan.answers.questions import EQUATION
+from ramanujan.browser import stage
 from ramanujan.pages.derivation import cache
-from ramanujan.shell import address, widgets
+from ramanujan.shell import address, sidebar, stages, widgets
 from ramanujan.translation import _
 
 QUESTION = address.Choice("question", tuple(QUESTIONS), next(iter(QUESTIONS)))
@@ -40,7 +41,7 @@ def try_it() -> None:
     name = widgets.menu(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
     take(name)
     ask(name)
-    if solved := [name for name in QUESTIONS if (found := given(name)) and found.right_since]:
+    if solved := [*filter(is_solved, QUESTIONS)]:
         st.markdown(_("**Solved so far: {n} of {all}**").format(n=len(solved), all=len(QUESTIONS)))
         st.markdown("\n".join(f"- :green[:material/check_circle:] {title(name)}" for name in solved))
 
@@ -51,9 +52,14 @@ def title(name: str) -> str:
     return quantity[:1].upper() + quantity[1:]
 
 
-def take(name: str) -> None:
+def is_solved(name: str) -> bool:
+    """Tell whether a question has been answered rightly."""
+    return bool((found := given(name)) and found.right_since)
+
+
+def take(name: str, place: str = "") -> None:
     """Judge what has been typed as the answer to a question, and keep it."""
-    if text := st.session_state.get(f"answer_{name}"):
+    if text := st.session_state.get(f"answer_{place}{name}"):
         keep(name, text, cache.verdict(name, text).kind == "right")
 
 
@@ -78,16 +84,39 @@ def _time_zone() -> tzinfo:
         return UTC
 
 
-def ask(name: str, with_step: bool = True) -> None:
-    """Ask for one formula, with hints; the last one, where it is offered, shows the step."""
+def ask(name: str, with_step: bool = True, place: str = "") -> None:
+    """Ask for one formula, with hints; the last one, where it is offered, shows the step.
+
+    Beside a question that has no other `place` stands the machine with its coordinates.
+    """
+    if place:
+        pose(name, with_step, place)
+        return
+    with st.container(key="asked"):
+        words, picture = st.columns([3, 2])
+    with picture:
+        stages.mount(None, key="stage_asked", layers=("coordinates",), compact=True)
+        tell_machine()
+    with words:
+        pose(name, with_step)
+
+
+@st.fragment(key="asked_machine")
+def tell_machine() -> None:
+    """Tell the machine beside a question what is set."""
+    stages.tell(stage.payload(sidebar.oscillator(), sidebar.compression()), key="stage_asked")
+
+
+def pose(name: str, with_step: bool, place: str = "") -> None:
+    """Draw a question with its box and the verdict, and with hints, unless another `place` has the step’s reason."""
     asked = question(name)
     st.markdown(asked.prompt())
     names = " ".join(f"`{each}`" for each in (*asked.accepted, "sqrt( )"))
     st.markdown(_(":small[You may use numbers and] {names}").format(names=names))
-    with st.form("answer", border=False):
+    with st.form(f"form_{place}{name}", border=False):
         text = st.text_input(
             _("Your equation") if asked.kind == EQUATION else _("Your formula"),
-            key=f"answer_{name}",
+            key=f"answer_{place}{name}",
             placeholder=_("For example {formula}").format(formula=asked.example),
         )
         st.form_submit_button(_("Check"), type="primary")
@@ -97,7 +126,7 @@ def ask(name: str, with_step: bool = True) -> None:
         if read:
             st.latex(read)
         box(widgets.plain(verdict.message), icon=icon)
-    if widgets.hints(name, asked.hints, _("Show me this step") if with_step else ""):
+    if not place and widgets.hints(name, asked.hints, _("Show me this step") if with_step else ""):
         st.latex(cache.step_to_answer(name))
     with st.spinner(_("Deriving the answer …"), show_time=False):
         cache.verdict(name, "1")

@@ -72,7 +72,8 @@ def verdict(task: Task, setting: Setting) -> Verdict:
 
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
-    shown = {"key": f"stage_task_{task.id}", "layers": (), "narrow": not is_projector(), "hide": task.hides}
+    layers = ("coordinates",) if "formula" in task.fields else ()
+    shown = {"key": f"stage_task_{task.id}", "layers": layers, "narrow": not is_projector(), "hide": task.hides}
     with st.container(key="observed_task"):
         if "release" not in task.fields:
             payload = stage.payload(setting.machine, setting.compression)
