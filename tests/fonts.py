@@ -4,6 +4,8 @@
 
 The ranges are those that page.css promises. The files bear other names than their originals, as the licence asks.
 
+The icons are those whose names stand in the app's own modules or in Streamlit's scripts.
+
 The upright fonts set symbols in italics by themselves: small Greek letters always, and a Latin letter that stands alone
 (OpenType's contextual alternates). So Ω²m/k is a formula wherever it stands, in a text, on a button or in a figure, and
 the text itself stays plain for screen readers, searches and copies. Letters of words, units and initials stay upright.
@@ -70,6 +72,35 @@ def main() -> None:
             font["name"].setName(text, number, 3, 1, 0x409)
         font.flavor = "woff2"
         font.save(PAGE / "fonts" / f"{name}.woff2")
+    icons().save(PAGE / "icons.woff2")
+
+
+def icons() -> TTFont:
+    """Return Streamlit's font of icons with those alone that the app or Streamlit may draw; a name is a ligature."""
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
+    scripts = [path.read_text(encoding="utf-8") for path in (ORIGINALS.parent / "js").glob("*.js")]
+    named = set(re.findall(r"(?:[`'\"]|:material/)([a-z0-9_]{2,40})[`'\":]", "\n".join(texts + scripts)))
+    [source] = ORIGINALS.glob("MaterialSymbols-Rounded.*.woff2")
+    font = TTFont(source)
+    drawn = ligatures(font)
+    options = subset.Options(layout_closure=False, hinting=False, name_IDs=[*COPYRIGHT_AND_LICENCE, FAMILY])
+    cutter = subset.Subsetter(options)
+    cutter.populate(text="abcdefghijklmnopqrstuvwxyz0123456789_ ", glyphs=[drawn[name] for name in named & set(drawn)])
+    cutter.subset(font)
+    font.flavor = "woff2"
+    return font
+
+
+def ligatures(font: TTFont) -> dict[str, str]:
+    """Return name → glyph of the icons of a font: it draws a name as one sign."""
+    letters = {glyph: chr(code) for code, glyph in font.getBestCmap().items()}
+    return {
+        "".join(letters[part] for part in (first, *each.Component)): each.LigGlyph
+        for lookup in font["GSUB"].table.LookupList.Lookup
+        for table in lookup.SubTable
+        for first, drawn in getattr(getattr(table, "ExtSubTable", table), "ligatures", {}).items()
+        for each in drawn
+    }
 
 
 def cut(original: str, axes: dict[str, object], codes: set[int]) -> TTFont:

@@ -1,16 +1,20 @@
 """One colour for each body, everywhere, and readable: the theme, the stage's style sheet and the figures agree."""
 
+import re
 import warnings
 from itertools import combinations
 
 import numpy as np
 import pytest
 from daltonlens import convert, simulate
+from fontTools.ttLib import TTFont
 
 from ramanujan.integrators import METHODS
+from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.theme import BODY_COLORS
 from tests.bare import THEME
 from tests.browser import ROOT
+from tests.fonts import PAGE, ligatures
 
 STYLE = (ROOT / "ramanujan" / "browser" / "stage" / "stage.css").read_text()
 
@@ -76,3 +80,10 @@ def test_every_method_has_a_colour_of_its_own_in_which_its_name_can_be_read(them
     assert min(min(differences(methods, model, deficiency)) for model in EYES) >= 10
     bodies = [THEME[theme][f"{color}Color"] for color in BODY_COLORS.values()]
     assert min(differences([a, b], next(iter(EYES)), None)[0] for a in methods for b in bodies) >= 8
+
+
+def test_a_page_has_every_icon_that_the_app_draws():
+    sources = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
+    named = set(re.findall(r":material/(\w+):", "".join(sources))) | {page.icon for page in PAGES.values()}
+    assert len(named) > 20
+    assert named <= set(ligatures(TTFont(PAGE / "icons.woff2")))

@@ -98,9 +98,15 @@ class PageFiles:
 
 
 class _StreamlitFiles(StaticFiles):
-    """Streamlit's scripts, styles and fonts; their names hold a hash of their content."""
+    """Streamlit's scripts, styles and fonts; their names hold a hash of their content.
+
+    Of its four thousand icons a page gets those alone that it may draw (tests/fonts.py).
+    """
 
     async def get_response(self, path: str, scope: dict[str, Any]) -> Response:
+        if "MaterialSymbols" in path:
+            headers = {"content-type": _TYPES["woff2"], "cache-control": "public, max-age=86400"}
+            return Response(modules.contents()["page/icons.woff2"], headers=headers)
         file, asked = await super().get_response(path, scope), Headers(scope=scope)
         file.headers.update(_FOR_GOOD)
         if not isinstance(file, FileResponse) or not path.endswith(_TEXT) or "range" in asked:
