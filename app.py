@@ -39,5 +39,6 @@ else:
     if display_mode.is_projector():
         display_mode.pager()
     sidebar.begin(said)
-    sidebar.draw(page.withheld(), page.lead(), page.aside())
+    if not page.lead():
+        sidebar.draw(page.withheld(), page.aside())
     runner.run()

@@ -148,7 +148,7 @@ MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIs
 
 _WAIT = """async (ms) => {
   await new Promise((done) => setTimeout(done, ms));
-  return Boolean(document.querySelector(".st-key-opening_words")) && !document.querySelector(".st-key-update_seen");
+  return Boolean(document.querySelector(".st-key-composition")) && !document.querySelector(".st-key-update_seen");
 }"""
 """Waits for so long, and tells whether the first page has still to ask for what follows its machine."""
 
@@ -189,6 +189,11 @@ def slab_over_block(page: Page) -> float:
     place = "(name) => root.querySelector('.moving ' + name).transform.baseVal[0].matrix.e"
     slab, block = inside(page, f"['.slab', '.block'].map({place})")
     return slab - block
+
+
+def press_preset(page: Page, name: str) -> None:
+    """Press a preset; the first page has them in a fold."""
+    page.locator(".st-key-preset button", has_text=name).dispatch_event("click", timeout=1000)
 
 
 def thumb(page: Page, key: str) -> tuple[float, float]:

@@ -14,7 +14,7 @@ from playwright.sync_api import expect
 
 from ramanujan import Oscillator
 from ramanujan.shell import navigation
-from tests.browser import inside, next_frame, settle, thumb
+from tests.browser import inside, next_frame, press_preset, settle, thumb
 from tests.slow_network import network
 from tests.test_browser_controls import hold, normalized
 
@@ -51,7 +51,7 @@ def late(visit, server) -> Iterator[Callable]:
 
         def by(seconds: float) -> None:
             page, way.seconds, pages[-1].late = pages[-1], 0.0, 0.0
-            page.get_by_text("Reset", exact=True).click()
+            press_preset(page, "Reset")
             page.evaluate("document.activeElement.blur()")
             settle(page)
             way.seconds = page.late = seconds
@@ -120,7 +120,7 @@ def check_many_drags(page, late_by) -> None:
     before = page.locator(".st-key-k input[type=range]").input_value()
     page.mouse.wheel(0, 240)
     page.mouse.wheel(0, -240)
-    page.get_by_text("Light rollers", exact=True).click()
+    press_preset(page, "Light rollers")
     settle(page)
     told = page.evaluate(TOLD)
     assert told["k"] == float(before)
@@ -152,7 +152,7 @@ def check_preset_and_typed_value(page, late_by) -> None:
         return [float(page.locator(f".st-key-{key}_exact input").input_value()) for key in keys]
 
     # The message about k leaves before the page has heard of the preset, and still carries the old m′.
-    page.get_by_text("Light rollers", exact=True).click()
+    press_preset(page, "Light rollers")
     slider.focus()
     page.keyboard.press("ArrowRight")
     page.wait_for_timeout(400)
@@ -174,7 +174,10 @@ def check_preset_after_typing(page, late_by, seconds: float, stage: str = "oscil
     late_by(seconds)
     for preset in ("Equal masses", "Reset"):
         page.locator(BOX).fill("4.44")
-        page.get_by_text(preset, exact=True).dblclick()
+        button = page.get_by_text(preset, exact=True)
+        if not button.is_visible():
+            page.locator(".st-key-more summary").first.click()
+        button.dblclick()
         settle(page)
         expect(page.locator(BOX)).to_have_value("1.0")
         assert page.locator(M_PRIME).input_value() == "1"
@@ -282,7 +285,7 @@ def check_broken_network(page, late) -> None:
             page.mouse.up()
             next_frame(page)
         late.way.up(killed)
-        page.wait_for_selector(f"{COMPRESSION}:enabled", timeout=60_000)
+        page.wait_for_selector(f"{COMPRESSION}:enabled", state="attached", timeout=60_000)
         expect(notice).to_be_hidden()
         settle(page)
         page.mouse.up()

@@ -50,6 +50,13 @@ class Page:
         """What the page keeps in the address beside the machine."""
         return self._says("URL_PARAMETERS")
 
+    def lead(self) -> bool:
+        """Draw the controls with what the page shows above all, and return whether it did; else the sidebar has them.
+
+        Streamlit forgets the sliders of a page's own script when another page comes: this is called outside of it.
+        """
+        return self._says("lead", lambda: False)()
+
     def uses_sidebar(self) -> bool:
         """Tell whether what the sidebar sets matters on the page as it is now; else the sidebar is folded."""
         return self._says("uses_sidebar", lambda: True)()
@@ -61,10 +68,6 @@ class Page:
     def aside(self) -> Collection[str]:
         """Return the parameters that only change how a machine on the page moves: their sliders are folded."""
         return self._says("ASIDE", ())
-
-    def lead(self) -> Collection[str]:
-        """Draw what stands above the page's machine with sliders in it, and return their keys."""
-        return self._says("lead", tuple)()
 
     def warm_up(self) -> None:
         """Import the page, and let it derive what its first visitor would wait for."""

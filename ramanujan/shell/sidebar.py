@@ -1,4 +1,6 @@
-"""The sidebar: sliders, exact entries, presets, link; what a person has set, as an `Oscillator`.
+"""The controls: sliders, exact entries, presets, link; what a person has set, as an `Oscillator`.
+
+They stand in the sidebar; the first page has them on the page itself.
 
 Each parameter is one slider, bound to the address, and the slider is the only holder of its value. The box above it
 shows that value in full, and what is typed into it comes as one message: the box holds nothing itself. What cannot be
@@ -13,7 +15,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import page
-from ramanujan.shell import address, cache, display_mode, messages, pending_updates, stages, widgets
+from ramanujan.shell import address, cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
 from ramanujan.translation import _
 
@@ -40,50 +42,66 @@ _LINKED = "linked"
 """Session state: key of a parameter → its value when the session began."""
 
 
-def draw(withheld: Collection[str], drawn: Collection[str], aside: Collection[str]) -> None:
+def draw(withheld: Collection[str], aside: Collection[str]) -> None:
     """Draw the sidebar. Call it once a run, after `begin` and before the page.
 
     Parameters
     ----------
     withheld : presets that are not offered, because they would tell what the page asks
-    drawn : keys of the parameters whose sliders stand on the page itself
     aside : keys of those that matter little on this page: they are folded, beside those that always are
     """
     if not st.session_state.pop(_BEGUN, False):
         raise RuntimeError("sidebar.begin() comes first: a widget that has been drawn can no longer be set")
-    # In the first run the sliders show what the link has set, without what it got wrong.
-    st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
     with st.sidebar, st.container(key="controls"):
         page.sheet()
-        if stages.alone():
-            return
         if offered := [name for name in PRESETS if name not in withheld]:
-            st.pills(
-                _("Presets"),
-                offered,
-                format_func=PRESETS.__getitem__,
-                key=_PRESET,
-                on_change=_take_preset,
-                required=True,  # else the second press of a double click takes the first one back
-                label_visibility="collapsed",
-            )
+            presets(offered)
         folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
         for key in PARAMETERS:
-            if key not in folded and key not in drawn:
+            if key not in folded:
                 slider(key)
         with st.expander(_("More")):
-            st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-            for key in sorted(folded, key=lambda key: not PARAMETERS[key].aside):
-                slider(key)
-        # The list is sent to those who open it: on the first page it would be a twentieth of every change.
-        with st.expander(_("Symbols"), key="symbols", on_change="rerun") as symbols:
-            if symbols.open:
-                entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
-                st.markdown("\n".join(f"- {entry}" for entry in entries))
-        page.publish("boxes_published", followed())
+            radius()
+            for key in folded:
+                if key != "radius":
+                    slider(key)
+        symbols()
         page.link(address.PRIVATE)
         display_mode.switch()
-        pending_updates.draw()
+        end()
+
+
+def presets(offered: Collection[str] = tuple(PRESETS)) -> None:
+    """Draw buttons for machines that are worth a look, and for the way back."""
+    st.pills(
+        _("Presets"),
+        offered,
+        format_func=PRESETS.__getitem__,
+        key=_PRESET,
+        on_change=_take_preset,
+        required=True,  # else the second press of a double click takes the first one back
+        label_visibility="collapsed",
+    )
+
+
+def radius() -> None:
+    """Draw the slider of the one parameter that changes no frequency."""
+    st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
+    slider("radius")
+
+
+def symbols() -> None:
+    """Draw the list of symbols; it is sent to those who open it: else it would be a twentieth of every change."""
+    with st.expander(_("Symbols"), key="symbols", on_change="rerun") as opened:
+        if opened.open:
+            entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
+            st.markdown("\n".join(f"- {entry}" for entry in entries))
+
+
+def end() -> None:
+    """Tell the boxes what the sliders hold, after all of these have been drawn."""
+    page.publish("boxes_published", followed())
+    pending_updates.draw()
 
 
 def follow(*fragments: str) -> None:
@@ -120,7 +138,7 @@ def _wishes() -> list[partial]:
 
 
 def begin(said: list[str]) -> None:
-    """Set what was asked for since the last run, and say what was wrong with it. Call it once a run, before `draw`.
+    """Set what was asked for since the last run, and say what was wrong with it. Call it once a run, before any slider.
 
     What was typed comes first: to press anything else, one leaves the box.
 
@@ -131,6 +149,8 @@ def begin(said: list[str]) -> None:
     st.session_state.pop(_FOLLOW, None)
     st.session_state[_BEGUN] = True
     st.session_state[_FIRST] = _FIRST not in st.session_state
+    # In the first run the sliders show what the link has set, without what it got wrong.
+    st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
     if not messages.runs_again():
         pending_updates.hold()
     for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
@@ -245,7 +265,7 @@ def _take_preset() -> None:
 
 
 def slider(key: str) -> None:
-    """Draw the slider of a parameter with its box; in one run in one place only, before the sidebar ends."""
+    """Draw the slider of a parameter with its box; in one run in one place only, before `end`."""
     page.exact(key, widgets.head(PARAMETERS[key]), partial(enter, key))
     messages.show_note(key)
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)

@@ -15,11 +15,11 @@ The topics of the bus, where NAME is the name of a stage:
     story/NAME        how many seconds a period of the plain mass lasts while a story is told, during which the hands
                       keep the angle between them; null ends it
     present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
-    dragged           true as soon as a slab has been dragged: the hint to do so has served its purpose
     seek/NAME         {time [s]}: somebody asks the stage to go to that time and to stay there
     seen/CLOCK        what is seen at the desk of a class, which the stages on this clock show, too: `stage.SEEN`, and
                       ago, how long ago that was [s]
     enter/KEY         a text that somebody else wants to be typed into the box of a slider
+    goal/KEY          a value that a slider’s thumb snaps to, published by the story while it is not told
     exact/KEY         {value, text, judged}: what the box of a slider shows; published by the sidebar
     say               {sentence, urgent}: news for the page's live region
 """

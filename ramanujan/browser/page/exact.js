@@ -1,10 +1,14 @@
 // The head of a slider: its symbol, its meaning, and a box that shows the value in full and takes any number or fraction.
 // Only the slider holds the value. The box shows the slider's value, also while the thumb moves. It sends a typed text to the
-// server as one message, and no value of its own. The address is written where slider and server agree.
+// server as one message, and no value of its own. The address is written where slider and server agree. Where the page looks for
+// a value between the slider's steps, the topic goal/KEY, a thumb that comes near snaps to it, and it is sent as if it were typed.
 
 import { bus } from "./bus.js";
-import { observe } from "./lasting.js";
+import { atRest, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
+
+const NEAR = 6; // px from the goal within which a thumb snaps to it; a key snaps within a step
+const PAUSE = 400; // ms after the last move until the goal is sent: the slider sends its step before
 
 export default function (component, signal) {
   const { data: { key }, parentElement: root } = component, box = root.querySelector("input");
@@ -18,10 +22,37 @@ export default function (component, signal) {
     if (!edited) box.value = box.dataset.shown = held();
   };
 
-  // The slider is drawn after its head, and may be drawn anew.
-  observe(document.body, { subtree: true, attributeFilter: ["value", "aria-valuetext"] }, show, signal);
-
   const send = (text) => component.setTriggerValue("typed", text);
+  let seen, before, keyed = false; // what the slider showed last, what it held, and whether a key has been pressed since
+  const arrived = atRest(PAUSE, () => {
+    const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
+    if (dom.isDragged(slider)) arrived();
+    else if (slider && dom.value(slider) === goal && told.value !== goal) send(String(goal));
+  }, signal);
+  const snap = () => {
+    const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
+    if (!slider || slider.value === seen) return;
+    const reach = dom.isDragged(slider) ? NEAR * dom.perPixel(slider) : keyed && before !== goal ? Number(slider.step) : 0;
+    const near = Boolean(reach && goal) && Math.abs(slider.value - goal) <= reach;
+    dom.snap(slider, near ? goal : null);
+    keyed = false;
+    seen = slider.value;
+    before = dom.value(slider);
+    if (near) arrived();
+  };
+  for (const type of ["keydown", "pointerup"])
+    addEventListener(type, (event) => {
+      keyed = event.type === "keydown" && event.composedPath().includes(dom.slider(key));
+      if (!keyed) arrived();
+    }, { capture: true, signal });
+
+  // The slider is drawn after its head, and may be drawn anew.
+  const look = () => {
+    snap();
+    show();
+  };
+  observe(document.body, { subtree: true, attributeFilter: ["value", "aria-valuetext"] }, look, signal);
+
   const commit = () => {
     if (box.value === box.dataset.shown) return;
     box.dataset.shown = box.value;
@@ -37,6 +68,7 @@ export default function (component, signal) {
 
   bus.subscribe(`exact/${key}`, (given) => {
     told = given;
+    before = given.value;
     show();
   }, { signal });
   bus.subscribe(`enter/${key}`, (text) => {

@@ -7,6 +7,7 @@ import reach from "./reach.js";
 import ring from "./ring.js";
 import { dom, reportBroken } from "./streamlit_dom.js";
 import theme from "./theme.js";
+import touch from "./touch.js";
 import voice from "./voice.js";
 
 const forever = new AbortController().signal;
@@ -21,6 +22,6 @@ if (new URLSearchParams(location.search).get("view") === "projector") import("./
 observe(document.body, { childList: true, subtree: true }, atRest(REST, reportBroken, forever), forever);
 
 export default function (component, signal) {
-  const updates = [theme, voice, reach, ring, connection, arrival].map((begin) => begin(component, signal));
+  const updates = [theme, voice, reach, ring, connection, touch, arrival].map((begin) => begin(component, signal));
   return () => updates.forEach((update) => update?.());
 }

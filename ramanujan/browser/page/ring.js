@@ -7,6 +7,7 @@ import { along, area, draw, erase } from "./marks.js";
 import { fill, number } from "./sentences.js";
 
 const RING = "present-machine";
+const IN_STEP = 1e-12; // only rounding is as small
 
 export default function ({ data: { ring } }, signal) {
   let graph = null;
@@ -18,6 +19,7 @@ export default function ({ data: { ring } }, signal) {
       const { xaxis, yaxis, meta } = graph.layout;
       const node = draw(graph, RING, 0, along(xaxis, ratio), along(yaxis, normalized));
       node.style.borderColor = meta.ring;
+      node.classList.toggle("in-step", Math.abs(normalized - 1) < IN_STEP);
       node.role = "img";
       node.ariaLabel = fill(ring.label, { ratio: number(ratio, 4), normalized: number(normalized, 6) });
     }

@@ -3,7 +3,6 @@
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
-import { deferSliders } from "./touch.js";
 
 const PULL = 16; // px that the handle must be pulled to open or close the sheet; less is a tap
 
@@ -49,12 +48,6 @@ export default function ({ parentElement }, signal) {
     back = null;
     set(false, false);
   });
-  for (const type of ["touchstart", "touchmove", "wheel"]) on(window, type, letSwipesThrough, { capture: true, passive: true });
-  deferSliders(signal);
+  signal.addEventListener("abort", () => delete root.dataset.sheet);
   dom.showPresentPage();
-}
-
-/** Plotly takes every touch for the start of a drag, and a wheel for a zoom: it hears of taps alone, which come as clicks. */
-function letSwipesThrough(event) {
-  if (dom.graphOf(event.target)) event.stopImmediatePropagation();
 }

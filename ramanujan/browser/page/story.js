@@ -34,6 +34,7 @@ export default function ({ data: { stage, slider, ratio, openings, rest, pace, s
   const tell = (story) => {
     scenes = story;
     bus.publish(`story/${stage}`, story && pace);
+    bus.publish(`goal/${slider}`, null);
     button.textContent = story ? said.stop : ended ? said.again : said.begin;
   };
   const finish = () => {
@@ -72,12 +73,17 @@ export default function ({ data: { stage, slider, ratio, openings, rest, pace, s
   const presses = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
   const touched = (event) => scenes && !presses(event) && yieldTo();
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, touched, { capture: true, signal });
-  signal.addEventListener("abort", () => scenes && bus.publish(`story/${stage}`, null));
+  signal.addEventListener("abort", () => {
+    bus.forget(`goal/${slider}`);
+    if (scenes) bus.publish(`story/${stage}`, null);
+  });
   bus.subscribe(`time/${stage}`, ({ periods }) => scenes && goTo(periods), { signal });
   bus.subscribe(`present/${stage}`, ({ ratio: present, parameters }) => {
     machine = parameters;
     if (scenes) return;
     const there = Math.abs(present / ratio - 1) < SAME;
+    bus.publish(`goal/${slider}`, goal());
+    if (there && !found) bus.publish("say", { sentence: said.there, urgent: false });
     found ||= there;
     output.textContent = there ? said.there : fill(said.ratio, { ratio: fixed(present, 4) });
     output.classList.toggle("there", there);

@@ -5,6 +5,7 @@
 import { observe } from "./lasting.js";
 
 const left = new WeakMap(); // what the server told → the slider whose thumb a hand has dragged away from it
+const snapped = new WeakMap(); // slider → the value between its steps to which its thumb has snapped, until the server tells it
 
 const SAVE = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
 
@@ -18,13 +19,29 @@ export const dom = {
    */
   shows(slider, value, told) {
     if (!slider) return false;
-    const off = Math.abs(Number(slider.value) - value), near = off <= 0.501 * Number(slider.step);
-    if (!near && slider.closest("[data-dragging]")) left.set(told, slider);
+    const off = Math.abs(dom.value(slider) - value), near = off <= 0.501 * Number(slider.step);
+    if (snapped.has(slider)) return off === 0 && snapped.delete(slider);
+    if (!near && dom.isDragged(slider)) left.set(told, slider);
     return near && (off < 1e-9 || left.get(told) !== slider);
   },
 
   /** What a slider holds, as text: what the server says of it in full, unless its thumb has been moved since. */
-  held: (slider, told) => (slider && !dom.shows(slider, told.value, told) ? slider.value : told.text ?? ""),
+  held: (slider, told) => (slider && !dom.shows(slider, told.value, told) ? String(dom.value(slider)) : told.text ?? ""),
+
+  /** The value of a slider: to which its thumb has snapped, else that of its step. */
+  value: (slider) => snapped.get(slider) ?? Number(slider.value),
+
+  /** Let a slider's thumb snap to a value between its steps, or leave it for its step (null). */
+  snap(slider, value) {
+    snapped.delete(slider);
+    if (value === null) return;
+    snapped.set(slider, value);
+    dom.moveSlider(slider, value);
+  },
+
+  /** Whether a pointer holds a slider's thumb, and how much of its range a pixel is. */
+  isDragged: (slider) => Boolean(slider?.closest("[data-dragging]")),
+  perPixel: (slider) => (slider.max - slider.min) / slider.closest("[role=group]").clientWidth,
 
   /**
    * Move a slider's thumb on the page. React hears of it by the event, Streamlit draws the thumb, and sends nothing, since
@@ -248,7 +265,7 @@ export const ASSUMPTIONS = {
   ],
   "the sidebar stSidebar contains the controls": [
     "the sheet of a phone, the printed page",
-    () => one(".stSidebar [data-testid=stSidebarUserContent] .st-key-controls"),
+    () => each(".st-key-controls", (controls) => controls.closest(".stSidebar [data-testid=stSidebarUserContent]")),
   ],
   "the sidebar's links are a list in a nav, and the present page is marked": [
     "the bar of pages of a phone",

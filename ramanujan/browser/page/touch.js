@@ -1,14 +1,14 @@
-// A finger on a slider: only a horizontal move or a tap is meant for the slider, everything else scrolls. The touch is kept
-// from Streamlit until it is known which of them it is; the browser itself ends it where the page scrolls.
+// A finger on a figure scrolls the page. On a slider only a horizontal move or a tap is meant for the slider, everything else
+// scrolls: the touch is kept from Streamlit until it is known which of them it is; the browser itself ends it where the page scrolls.
 
 import { dom } from "./streamlit_dom.js";
 
 const INTENT = 8; // px along the slider after which a touch is a drag
 
-export function deferSliders(signal) {
+export default function (_component, signal) {
   let waiting = null; // the pointerdown of the touch that is not yet known to be a drag
   let replayed = false;
-  const on = (type, handler) => window.addEventListener(type, handler, { capture: true, signal });
+  const on = (type, handler, options) => window.addEventListener(type, handler, { capture: true, signal, ...options });
   const replay = (event) => {
     replayed = true;
     waiting.target.dispatchEvent(new PointerEvent(event.type, event));
@@ -22,6 +22,9 @@ export function deferSliders(signal) {
   on("touchstart", (event) => {
     if (dom.isSliderTrack(event.target)) event.stopImmediatePropagation();
   });
+  // Plotly takes every touch for the start of a drag, and a wheel for a zoom: it hears of taps alone, which come as clicks.
+  for (const type of ["touchstart", "touchmove", "wheel"])
+    on(type, (event) => dom.graphOf(event.target) && event.stopImmediatePropagation(), { passive: true });
   on("pointermove", (event) => {
     if (replayed || waiting?.pointerId !== event.pointerId) return;
     const [x, y] = [event.clientX - waiting.clientX, event.clientY - waiting.clientY];

@@ -28,7 +28,7 @@ export function layout({ radius }, [, largest]) {
   const upper = slab.bottom + thick + step;
   const top = riser + R + roll + gap;
   const right = top + R + gap + 2;
-  const shelf = upper + R * 0.45; // of the plain mass, with its caption above
+  const shelf = upper + R * 0.45; // the top of the bench for the plain mass
   const view = fitted({ left: -9, right: right + travel + 2, bottom: -8.5, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
   const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
@@ -181,14 +181,19 @@ export function bodyNames(parameters) {
   return { ...words, hoop: at("left", left), cylinder: at("right", right), top: fill(words.top, { body: top }) };
 }
 
-/** The floor, far beyond the view, so that it ends at the edge of the screen and not before, and what holds the plain mass. */
+/**
+ * The floor, far beyond the view, so that it ends at the edge of the screen and not before, and the bench behind the machine on
+ * which the plain mass slides. Both springs begin at one line, and the mark of rest above the slab's is that of the plain mass.
+ */
 export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
-  const wide = 10, high = 6.5, end = slab.right;
+  const wide = 10, high = 6.5, end = slab.right, post = 1.4, left = -6;
   return {
     ".earth": { d: `M${from} 0H${to}V2.2H${from}z` },
     ".ground": { d: `M${from} 0H${to}` },
-    ".shelf": { d: `M${end - travel - wide - 2} ${-shelf}H${riser}` },
-    ".wall": { d: `M${riser} ${-shelf + 1.5}V${-shelf - high - 3}` },
+    ".bench": {
+      d: `M${left} 0V${-shelf}H${riser}V${-shelf - high - 3}h${post}V0h${-post}V${post - shelf}H${left + post}V0z`,
+    },
+    ".plain .rest": { d: `M${end} ${-shelf}v${-high - 2}` },
     ".plain .form": { x: end - wide, y: -shelf - high, width: wide, height: high },
     ".plain .body text": { x: end - wide / 2, y: -shelf - high / 2 },
     ".plain .caption": { x: riser - 1, y: -shelf - high - 4 },
@@ -212,6 +217,7 @@ export function outlines(g, parameters) {
     ".block .form": block,
     ".block .shade": block,
     ".block .bevel": { d: `M${BEVEL} ${-BEVEL}V${BEVEL - g.deck}H${g.riser + BEVEL}V${BEVEL - g.upper}H${g.right - BEVEL}` },
+    ".block .rest": { d: `M${g.slab.right} ${-g.deck}V${-g.slab.bottom - g.thick - 2}` }, // of the slab's end
     ".block text": { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 },
     ".slab .form": slab,
     ".slab .shade": slab,

@@ -85,7 +85,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     put(inMoving, placed(known, place, shift));
     put(find, {
       ".plain .body": { transform: `translate(${plain})` },
-      ...coil(".plain .coil", place.slab.right + plain, place.riser, place.shelf + 3.2, 1.8),
+      ...coil(".plain .coil", place.slab.right + plain, place.riser, place.shelf + 3.2, 2),
       ".centre": { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` },
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
@@ -111,7 +111,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   function copied(known) {
     const ghost = moving.cloneNode(true);
     set(ghost, { class: "ghost" });
-    for (const node of ghost.querySelectorAll("text, title, .grip, .handle")) node.remove();
+    for (const node of ghost.querySelectorAll("text, title, .grip, .handle, .rest")) node.remove();
     for (const node of ghost.querySelectorAll("*")) {
       const said = node.getAttributeNames().filter((name) => /^(tabindex$|role$|aria-)/.test(name));
       for (const name of said) node.removeAttribute(name);

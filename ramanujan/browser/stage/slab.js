@@ -43,7 +43,6 @@ export class Slab {
     Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
     stage.host.classList.toggle("fixed", fixed);
     if (fixed) return set(node, { "aria-hidden": true });
-    bus.subscribe("dragged", () => stage.host.classList.add("dragged"), { signal });
     this.soon = atRest(KEY_PAUSE, () => this.letGo(), signal); // one message for a run of key strokes
     const on = (type, act, options = {}) => node.addEventListener(type, act, { ...options, signal });
     const ofGrip = (act) => (event) => event.pointerId === this.grip?.id && act(event);
@@ -126,7 +125,6 @@ export class Slab {
     this.soon.cancel();
     this.last = this.before;
     this.stage.change(() => this.stage.hand.drop(this.value));
-    bus.publish("dragged", true);
   }
 
   /** Have everything as it was when the slab was taken. */
@@ -154,6 +152,7 @@ export class Slab {
     const { node, fixed, value, last, button, stage: { host, limits, hand, parameters } } = this;
     if (fixed) return;
     const [least, most, now] = [...limits, this.compression()].map((metres) => metres * CM);
+    node.querySelector(".handle text").textContent = fill(WORDS.drag, { value: centimetres(this.compression()) });
     host.classList.toggle("held", hand.isHolding);
     // With its value: before that it is no slider.
     set(node, {

@@ -29,7 +29,7 @@ export class Hand {
     const set = {}, told = this.told();
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
       const input = this.input(key);
-      if (input && !dom.shows(input, told[parameter] / scale, told)) set[parameter] = Number(input.value) * scale;
+      if (input && !dom.shows(input, told[parameter] / scale, told)) set[parameter] = dom.value(input) * scale;
     }
     if (this.held !== null) set.compression = this.held;
     this.seen = JSON.stringify(set);

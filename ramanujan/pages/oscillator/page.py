@@ -1,7 +1,6 @@
 """Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
 
 import math
-from collections.abc import Collection
 from dataclasses import asdict
 
 import streamlit as st
@@ -30,23 +29,21 @@ def warm_up() -> None:
     cache.summary(Numbers(1.0, 1.0, 1.0))
 
 
-def lead() -> Collection[str]:
-    """Draw the opening with the slider that its question names, and return that slider's key."""
+def lead() -> bool:
+    """Draw the machine with the controls, and return whether that was done: a projector has no room for these."""
     if display_mode.is_projector():
-        return ()
-    with st.container(key="opening_words"):
-        opening()
-        with st.container(horizontal=True, vertical_alignment="center", gap="small", key="lead"):
-            sidebar.slider("m_prime")
-    return ("m_prime",)
+        return False
+    composition()
+    if not stages.alone():
+        more()
+    return True
 
 
 def show() -> None:
     """Draw the page."""
-    with sheet("machine", _("The machine")):
-        if display_mode.is_projector():
-            opening()
-        stages.mount(None, name="oscillator")
+    if display_mode.is_projector():
+        with sheet("machine", _("The machine")):
+            composition()
     told()
     if stages.alone():
         # Room for what comes: with a scroll bar that comes later the machine would jump.
@@ -91,26 +88,48 @@ def the_steps() -> None:
         six_steps()
 
 
+def composition() -> None:
+    """Draw the question, on a reader's screen the sliders and the button that answers it, and the machine."""
+    with st.container(key="composition"):
+        opening()
+        stages.mount(None, name="oscillator", layers=())
+
+
 def opening() -> None:
-    """Say what this is, what it asks and what to do first; on a reader's screen also where to learn more."""
+    """Say what this is and what it asks; on a reader's screen with what answers it, and the way to the lesson."""
     st.title(_("Ramanujan’s oscillator"), anchor=False)
-    question = _("When does this machine of five bodies oscillate in step with a plain mass on the same spring?")
-    first = _("Drag the slab and let go.")
-    if not display_mode.hides("clocks", "numbers"):
+    if not display_mode.is_projector():
+        with st.container(key="to_lesson"):
+            to_lesson()
+    compares = not display_mode.hides("clocks", "numbers")
+    question = _("**When does this machine of five bodies oscillate in step with a plain mass on the same spring?**")
+    if compares:
         question = _(
-            "Two machines, one spring: with equal masses they are almost in step, one full turn apart after {periods} "
-            "periods."
+            "Two machines, one spring: with equal masses they are one full turn apart after {periods} periods. "
+            "**Which m′ keeps them in step?**"
         ).format(periods=number(1 / float(gained(1.0)), 2))
-        first = _("When do they stay together? Move m′.")
-    with st.container(horizontal=True, gap="small", key="opening"):
-        with st.container(gap=None):
-            st.markdown(f"**{question}** {first}")
-            if not display_mode.is_projector():
-                with st.container(horizontal=True, vertical_alignment="center", gap="xsmall", key="to_lesson"):
-                    to_lesson()
-        # A projector's sheet has no height for it.
-        if not (display_mode.hides("clocks", "numbers") or display_mode.is_projector()):
-            tell_story()
+    st.markdown(question)
+    if display_mode.is_projector():
+        return
+    if compares:
+        tell_story()
+    for key in ("m_prime", "m", "k"):
+        sidebar.slider(key)
+
+
+def more() -> None:
+    """Draw the controls that only some ask for, behind one line that says what they are."""
+    with st.expander(_("More: ready machines, exact x₀, radius, symbols, link, projector"), key="more"):
+        sidebar.presets()
+        left, right = st.columns(2, gap="medium")
+        with left:
+            sidebar.slider("compression")
+        with right:
+            sidebar.radius()
+        sidebar.symbols()
+        page.link(address.PRIVATE)
+        display_mode.switch()
+    sidebar.end()
 
 
 def tell_story() -> None:
@@ -143,8 +162,7 @@ def to_lesson() -> None:
     if stages.alone():
         st.empty()
         return
-    st.markdown(_("New to this?"), width="content")
-    st.page_link(navigation.PAGES["lesson"].file, label=_("Take the lesson"), width="content")
+    st.page_link(navigation.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")
 
 
 def the_curve() -> None:
