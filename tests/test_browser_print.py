@@ -21,6 +21,15 @@ CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-sheet_picture img, 
   .filter((node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
   .map((node) => node.textContent.slice(0, 40))"""
 """Formulas and figures that end beyond the edge of the paper."""
+TOUCHING = """() => {
+  const boxes = [...document.querySelectorAll("[class*=st-key-question_] .katex-html > .base")]
+    .map((node) => [node, node.getBoundingClientRect()]);
+  const inks = boxes.map(([node, box]) => [node.textContent, box, parseFloat(getComputedStyle(node).paddingTop)]);
+  return inks.flatMap(([upper, above, gap]) => inks.filter(([, below]) =>
+    below.top > above.top + above.height / 2 && below.top + gap < above.bottom - gap + 3 &&
+    below.left < above.right && above.left < below.right).map(([lower]) => `${upper} / ${lower}`));
+}"""
+"""Formulas that have less than 3 px between them and the line below."""
 PAPERS = {"A4": (794, 595.9), "Letter": (816, 612.0)}
 MARGINS = 113
 """Width of both margins of 15 mm [px]."""
@@ -50,10 +59,11 @@ def filled(sheet: PageObject) -> float:
 
 
 def check_paper(page) -> None:
-    """Check that on A4 nothing is cut, nothing is dark, and no sidebar is seen, in the dark theme."""
+    """Check that on paper nothing is cut or dark, no formula touches another, and no sidebar is seen."""
     page.emulate_media(media="print", color_scheme="dark", reduced_motion="reduce")
-    page.set_viewport_size({"width": PAPERS["A4"][0] - MARGINS, "height": 1000})
-    assert page.evaluate(CUT) == []
+    for width, _points in PAPERS.values():
+        page.set_viewport_size({"width": width - MARGINS, "height": 1000})
+        assert page.evaluate(CUT) == page.evaluate(TOUCHING) == []
     paint = "(selector, what) => getComputedStyle(document.querySelector(selector))[what]"
     assert page.evaluate(f"({paint})('.stMain', 'backgroundColor')") == "rgb(255, 255, 255)"
     assert page.evaluate(f"({paint})('.stMain h1', 'color')") == "rgb(17, 17, 17)"
@@ -101,9 +111,12 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit):
             texts = [each.extract_text().strip() for each in pdf.pages]
             numbered = [re.sub(rf"^{number} / {len(texts)}\s", "", text) for number, text in enumerate(texts, start=1)]
             assert numbered[0].startswith("Ramanujan’s oscillator")
-            assert all(re.match(r"\d+\. ", text) for text in numbered[1:])
+            assert all(re.match(r"\d+\. " if "level" in query else ".", text) for text in numbered[1:])
             assert not [words for words in CONTROLS if words in "".join(texts)]
-            assert 3 <= len(texts) <= 6
-            # Of the printable height, from 0.05 to 0.95, at most a quarter stays empty.
-            assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.72] == []
+            assert 3 <= len(texts) <= 7
+            points = re.findall(r"^\d+\. \((\d+) point", "\n".join(numbered), re.MULTILINE)
+            total = re.findall(r"Points\s+of (\d+)", numbered[0])
+            assert sum(map(int, points)) == sum(map(int, total or points)) > 17
+            # Of the printable height, from 0.05 to 0.95, at most a fifth stays empty.
+            assert [share for share in map(filled, pdf.pages[:-1]) if share < 0.77] == []
         check_paper(page)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from ramanujan import lesson
 from tests.browser import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -51,6 +52,11 @@ def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it
         done = run(tmp_path / name, "-c", lines + asks)
         assert done.stdout.startswith(said), done.stderr
         assert ("No module named 'ramanujan'" in done.stderr) == (not said)
+
+
+def test_the_lesson_takes_as_long_as_its_stops():
+    for stops in (lesson.STOPS, [stop for stop in lesson.STOPS if stop.short]):
+        assert f"{len(stops)} stops in {sum(stop.minutes for stop in stops)} minutes" in README
 
 
 def test_every_benchmark_is_named_and_prints_its_help(monkeypatch, capsys):

@@ -10,7 +10,7 @@ from streamlit.runtime.scriptrunner_utils.script_run_context import ScriptRunCon
 from tests.browser import ROOT
 
 _NAME = re.compile(r"data-testid[$^]?=\W?(st\w+)|\.(st[A-Z]\w+)")
-_INSIDE = re.compile(r"^from streamlit\.(?:proto|runtime)\b", re.MULTILINE)
+_INSIDE = re.compile(r"^from streamlit\.(?:proto|runtime)\b|\bst\.__file__", re.MULTILINE)
 _TABLE_ROW = re.compile(r"^\| `([\w/.]+)` \|", re.MULTILINE)
 SOURCES = {
     str(path.relative_to(ROOT / "ramanujan")): path.read_text(encoding="utf-8")

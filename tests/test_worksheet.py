@@ -123,6 +123,13 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
         last = a.answer.rsplit("$$", 2)[1]
         assert last not in a.text + a.blanks
         assert last not in b.text + b.blanks
+    # Whoever writes more has more room, and earns more points.
+    for question in none:
+        assert 0 <= question.space - len(question.answer + "".join(question.working)) / 90 <= 2
+        assert question.points == question.space // 2
+    assert sum(question.space for question in few) < sum(question.space for question in many)
+    for sheet in (few, many):
+        assert "$U$ as a function of the compression $x$ first, then of $\\varphi$" in sheet[2].text
     # The last step ends in Ω², here for masses that no step has seen.
     m, m_prime, k = 1.3, 0.7, 21.0
     right = few[steps - 1].answer.rsplit("=", 1)[1].removesuffix("}$$")

@@ -4,10 +4,11 @@ The seed chooses: the same machine and seed give the same sheet, so that a key f
 All answers are worked out, the calculations exactly, by SymPy.
 """
 
+import math
 import random
 import string
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import sympy as sp
@@ -29,10 +30,12 @@ _TOLD = ("block",)
 """Stops whose answer the derivation names: on which side X is positive."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
 """Of the route of Euler and Lagrange, those in which there is something to find."""
+_WHERE = {"energies": _("Give $U$ as a function of the compression $x$ first, then of $\\varphi$.")}
+"""Step → in which coordinates its formulas are wanted, where that is not plain."""
 _LONG = 150
 """Letters of LaTeX that may be too wide for paper."""
-SPACE = 3.0
-"""Room to write an answer to a calculation [cm]."""
+_LINE = 90
+"""Letters of LaTeX that take a line to write by hand."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,7 @@ class Question:
     blanks : formulas to complete; the key has them whole in its answer
     options : with letters, where there are any
     working : the lines of a calculation that lead to the answer
-    space : room to write [cm]
+    space : lines to write on
     """
 
     text: str
@@ -53,7 +56,12 @@ class Question:
     blanks: str = ""
     options: tuple[str, ...] = ()
     working: tuple[str, ...] = ()
-    space: float = SPACE
+    space: int = 2
+
+    @property
+    def points(self) -> int:
+        """What a right answer earns: a point for each two lines."""
+        return self.space // 2
 
 
 def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Question, ...]:
@@ -88,13 +96,18 @@ def _guided(step: Step, level: int) -> Question:
     blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
     wide = [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
     given, asked = {1: (whole[:-1], blanks[-1:]), 2: ([], wide), 3: ([], [])}[level]
-    reason = "" if level == 3 else f" {step.reason}"
+    told = () if level == 3 else (step.reason, _WHERE.get(step.key, ""))
     return Question(
-        f"**{step.heading}.**{reason}",
+        " ".join(filter(None, (f"**{step.heading}.**", *told))),
         in_a_row(whole),
         blanks="\n\n".join(filter(None, (in_a_row(given), in_a_row(asked)))),
-        space=len(whole) + 1 if level == 3 else 2,
+        space=_lines(whole[-1:] if level == 1 else whole),
     )
+
+
+def _lines(formulas: Sequence[str]) -> int:
+    """Return how many lines it takes to write formulas by hand, with one to think."""
+    return 1 + math.ceil(sum(map(len, formulas)) / _LINE)
 
 
 def in_a_row(formulas: Sequence[str]) -> str:
@@ -111,7 +124,6 @@ def _predicted(stop: Stop, draw: random.Random) -> Question:
         stop.question,
         f"**{letters[stop.right]}.** {stop.options[stop.right]}\\\n{stop.explanation()}",
         options=tuple(f"{letters[option]}. {stop.options[option]}" for option in shown),
-        space=1.6,
     )
 
 
@@ -126,7 +138,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
     felt = sp.radsimp(values[k] / squared)
     a, b, c = BodyChoice(target=target).quadratic
     root = (sp.sqrt(b * b - 4 * a * c) - b) / (2 * a)
-    return (
+    asked = (
         Question(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
             f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
@@ -170,9 +182,9 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
                 f"{latex(formula)}={latex(sp.Rational(target))}",
                 f"b^2-4ac=({latex(b)})^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(b * b - 4 * a * c)}",
             ),
-            space=4.0,
         ),
     )
+    return tuple(replace(each, space=_lines((*each.working, each.answer))) for each in asked)
 
 
 def _parting(normalized: sp.Expr) -> str:

@@ -12,7 +12,7 @@ from ramanujan.pages.lesson import exercise
 from ramanujan.shell import address, drawings, messages, sheet_keys, sidebar, theme, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
 from ramanujan.shell.parameters import PARAMETERS
-from ramanujan.translation import _
+from ramanujan.translation import _, ngettext
 
 PAPER = address.Choice("paper", {"questions": _("Questions"), "key": _("Key")}, "questions")
 SEED = sheet_keys.name_parameter("seed", default="BCDFHJKLMN")
@@ -22,7 +22,7 @@ LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
 # Of a sheet on a projector: its lines, letters in a line, and letters of LaTeX in a row of formulas.
 _LINES, _WIDTH, _ROW = {"questions": 15, "key": 12.5}, 105, 330
-_LINE = "<span style='display:inline-block;width:35%;border-bottom:1px solid'></span>"
+_LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></span>"
 
 
 def show() -> None:
@@ -34,7 +34,7 @@ def show() -> None:
         calculations = [number for number, question in enumerate(asked, start=1) if question.working]
         if not is_projector():
             exercise.compose()
-        head(machine, paper, seed, calculations)
+        head(machine, paper, seed, calculations, sum(question.points for question in asked))
     for drawn in together(enumerate(asked, start=1), paper == "key"):
         first, last = drawn[0][0], drawn[-1][0]
         numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
@@ -112,7 +112,7 @@ def make_sheet() -> None:
     st.session_state.update({KEY.name: key, SEED.name: sheet_keys.name(key)})
 
 
-def head(machine: Oscillator, paper: str, seed: str, calculations: list[int]) -> None:
+def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
     """Draw the title with the name, by which sheet and key find each other, and the machine of the calculations."""
     titles = {
         "questions": _("Ramanujan’s oscillator: worksheet {seed}"),
@@ -120,8 +120,8 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int]) ->
     }
     st.title(titles[paper].format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
-        name, date = _("Name"), _("Date")
-        st.html(f"<p class='name'>{name} {_LINE} {date} {_LINE}</p>")
+        lines = _("Name {line} Date {line} Points {line} of {points}")
+        st.html(f"<p class='name'>{lines.format(line=_LINE, points=points)}</p>")
     picture, words = st.columns(2) if is_projector() else (st.container(), st.container())
     values = ", ".join(each.equation(each.present) for each in PARAMETERS.values())
     with picture, st.container(key="sheet_picture"):
@@ -145,11 +145,13 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int]) ->
 
 
 def draw(number: int, question: Question, with_key: bool) -> None:
-    """Draw a question with room to write, or with its answer; it is not cut by the end of a page."""
+    """Draw a question with room to write, or with its answer; only its lines may go on overleaf."""
     with st.container(key=f"question_{number}"):
-        st.markdown(f"**{number}.** " + "\n\n".join(filter(None, written(question, with_key))))
+        worth = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)
+        begin = f"**{number}.** " if is_projector() else f"**{number}.** {worth} "
+        st.markdown(begin + "\n\n".join(filter(None, written(question, with_key))))
         if not (with_key or is_projector()):
-            lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * round(question.space)
+            lines = "<div style='border-bottom:1px dotted #888;height:1cm'></div>" * question.space
             st.html(f"<div class='room'>{lines}</div>")
 
 
