@@ -60,7 +60,7 @@ SIZES = """(small) => {
   const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...inside(node)]);
   const around = ['.controls, .katex-mathml, .note, .pager, .bartext, [data-away], .st-key-lesson_head, .stSelectbox',
     '.body, .coordinates',
-    '.stSlider, .cursor, label, button, style, .mtight, tspan[style*="font-size:70%"]'];
+    '.stSlider, .cursor, label, button, style, .mtight, .size4, tspan[style*="font-size:70%"]'];
   const drawn = { visibilityProperty: true, opacityProperty: true };
   const seen = (node) => node.checkVisibility(drawn) && !node.closest(around);
   const size = (node) => {
@@ -73,7 +73,10 @@ SIZES = """(small) => {
     .filter((node) => words(node) && seen(node) && size(node) < small);
   return small_words.map((node) => `${size(node).toFixed(1)} px: ${node.textContent.trim().slice(0, 30)}`);
 }"""
-"""The words of the present sheet that are smaller than this; an index is smaller by nature, a name by its body."""
+"""The words of the present sheet that are smaller than this.
+
+An index is smaller by nature, a name by its body, and an operation by the line that it leads to.
+"""
 LAID = """() => {
   const main = document.querySelector('[data-testid=stMain]');
   const sheets = [...document.querySelectorAll('[class*=st-key-sheet-]')];
