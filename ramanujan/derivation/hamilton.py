@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation import symbols
-from ramanujan.derivation.steps import ROUTES, Route, equation, step
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, equation, step
 from ramanujan.derivation.symbols import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, phi, t
 from ramanujan.translation import _
 
@@ -103,6 +104,7 @@ def build(bodies: Machine) -> Route:
             _("Find the momenta"),
             _("Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
             *(equation(p, value) for p, value in transform.momenta.items()),
+            operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(velocity)}" for velocity in VELOCITIES),
         ),
         step(
             "inversion",
@@ -113,6 +115,10 @@ def build(bodies: Machine) -> Route:
                 "only $\\dot\\varphi$ is left."
             ),
             *_inversion(transform.momenta),
+            operations=(
+                *(blackboard(operation, VELOCITIES[2]) for operation in (_("solve for {what}"), _("insert {what}"))),
+                *(blackboard(operation, VELOCITIES[0]) for operation in (_("solve for {what}"), _("insert {what}"))),
+            ),
         ),
         step(
             "velocities",

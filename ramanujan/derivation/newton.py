@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation.energies import PARTS
-from ramanujan.derivation.steps import ROUTES, Route, equation, step
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, equation, step
 from ramanujan.derivation.symbols import ACCELERATIONS, Body, Machine, Omega_squared, R, gather, k, machine, phi, t
 from ramanujan.translation import _
 
@@ -272,6 +272,12 @@ def build(bodies: Machine) -> Route:
             equation(both, sp.S.Zero),
             equation(X_ddot, sp.factor(X_from_phi)),
             equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
+            operations=(
+                blackboard(_("solve for {what}"), Phi_ddot),
+                blackboard(_("add both")),
+                blackboard(_("insert {what}"), Phi_ddot),
+                blackboard(_("insert {what}"), X_ddot),
+            ),
         ),
         step(
             "contact",
@@ -292,6 +298,7 @@ def build(bodies: Machine) -> Route:
             equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
             equation(phi_ddot, cut.solution[roller]),
             equation(Omega_squared, frequency),
+            operations=(blackboard(_("insert {what}"), X_ddot), blackboard(_("solve for {what}"), phi_ddot), ""),
         ),
     )
     return Route("newton", _("Newton"), steps, frequency, CELLS)

@@ -91,7 +91,7 @@ def the_route() -> Setting:
         with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
         with head:
-            choose(picture if projector else None)
+            choose(picture.container(horizontal=True) if projector else None)
             turn_pages(setting)
         with steps:
             the_steps(setting)
