@@ -162,7 +162,7 @@ def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(v
             assert json.loads(text)["nbformat"] == 4
         settle(page)
         assert len(page.frames_sent) == sent, kind
-    check_long_formulas(visit("derivation?route=matrix&show=reading&body=hoop", width=320, height=640, tab=page))
+    check_long_formulas(visit("derivation?route=matrix&show=reading", width=320, height=640, tab=page))
 
 
 def check_long_formulas(page) -> None:
@@ -208,7 +208,6 @@ ALONE = """() => [...document.querySelectorAll('[data-testid=stMain] .katex')].f
 BESIDE = "document.querySelector('.st-key-beside [data-testid=stBidiComponentIsolated]').shadowRoot"
 INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
   .map((part) => part.style.color).filter(Boolean))].sort()"""
-LIT = f"[...{BESIDE}.querySelectorAll('.moving > *')].map((body) => [...body.classList])"
 
 
 def walk(page, route: str, check=lambda: None) -> None:
@@ -235,7 +234,7 @@ def walk(page, route: str, check=lambda: None) -> None:
 
 
 def test_headings_stay_where_they_are_beside_the_machine_and_every_body_has_its_ink(visit):
-    page = visit("derivation?route=newton&body=hoop")
+    page = visit("derivation?route=newton")
     page.locator(STEP).wait_for()
     assert len(page.evaluate(BEFORE_THE_FIRST_EQUATION)) <= 11
     walk(page, "newton")
@@ -250,13 +249,7 @@ def test_headings_stay_where_they_are_beside_the_machine_and_every_body_has_its_
         names = [*(f"{body}Text" for body in BODY_COLORS.values()), "primary"]
         wanted = {"rgb({}, {}, {})".format(*rgb(THEME[theme][f"{name}Color"])) for name in names}
         page.wait_for_function(f"(wanted) => {INKS}.join() === wanted", arg=",".join(sorted(wanted)))
-    page.locator(MORE).click()
-    for chosen, name in (("hoop", "hoop"), ("spring", "spring"), ("top cylinder", "top")):
-        if chosen != "hoop":
-            page.locator(".st-key-body button", has_text=chosen).first.click()
-        page.wait_for_function(f"{LIT}.every((names) => names.includes('lit') === names.includes('{name}'))")
     # What is pointed at lights its partners: a term its body and the body's arrow, a body its terms.
-    page.keyboard.press("Escape")
     for _turn in range(10):
         page.keyboard.press("ArrowLeft")
     page.locator(".st-key-step_4 .katex-html [style*=color]", has_text="m").first.hover()

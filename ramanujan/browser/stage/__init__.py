@@ -35,7 +35,6 @@ and by `page.publish`, at every change:
                  was off, as text, after each period, run, the number of the run, and pace, the seconds of a period
                  while a new run is shown for the first time; left out: none
     slipping     the contact that is marked, such as hoop_slab; left out: none
-    lit          the highlighted body, or spring; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
 
 Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.browser.page` lists them.
@@ -79,7 +78,6 @@ def payload(
     samples: Mapping[str, Any] | None = None,
     computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
-    lit: str | None = None,
 ) -> dict[str, Any]:
     """Return what is published at every change: the machine and its motion as plain numbers.
 
@@ -91,11 +89,10 @@ def payload(
     shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
     samples, computed : a computed motion, to draw instead of the exact one or as an outline over it
     slipping : the contact to mark, such as hoop_slab
-    lit : the highlighted body, such as hoop, or spring
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
     optional = {"initial": initial and asdict(initial), "samples": samples, "computed": computed}
-    optional |= {"slipping": slipping, "lit": lit}
+    optional |= {"slipping": slipping}
     return {
         "version": VERSION,
         "parameters": {**asdict(oscillator), "compression": compression, **shapes},

@@ -38,7 +38,7 @@ class Stage {
     this.parts = makeParts(root);
     this.voice = makeVoice(root, { compact, parts: this.parts, signal });
     this.slab = new Slab(root.querySelector(".body.slab"), this, signal);
-    if (layers.includes("coordinates")) this.light = linkTerms(root, signal);
+    if (layers.includes("coordinates")) linkTerms(root, signal);
     this.hand = new Hand(watch, () => this.data.parameters);
     listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -116,7 +116,6 @@ class Stage {
     this.playback.take({ parameters, solution, samples, computed, leaves, seenFrom: this.clock.seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
-    this.light?.(this.data.lit);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
     bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
     this.slab.show();

@@ -6,30 +6,24 @@ import { set } from "./svg.js";
 
 const OF = { X: "block", x0: "spring", R: "top", shared: "hoop" }; // the bodies of arrows that are named otherwise
 
-/** Return what lights the body that has been chosen, if there is one, while nothing is pointed at. */
 export function linkTerms(root, signal) {
   const [host, moving, marks] = [".stage", ".moving", ".coordinates"].map((each) => root.querySelector(each));
   const sheet = document.head.appendChild(document.createElement("style"));
   const bodies = new Map([...moving.querySelectorAll(".body, .coil")].map((node) => [node.classList[1], node]));
   const ink = (name) => getComputedStyle(bodies.get(name).querySelector(".form, .front")).stroke;
-  let chosen, pointed;
-
-  function light() {
-    const lit = pointed ?? chosen;
-    host.classList.toggle("one-lit", Boolean(lit));
-    for (const node of moving.children) node.classList.toggle("lit", node === bodies.get(lit));
-    for (const mark of marks.children) mark.classList.toggle("lit", (OF[mark.dataset.of] ?? mark.dataset.of) === lit);
-    sheet.textContent = lit ? dom.termRule(ink(lit)) : "";
-  }
+  let lit;
 
   function point(event) {
     const node = event.composedPath()[0], mark = node.dataset?.of, term = dom.term(node);
     const isOf = (name) => (mark ? name === (OF[mark] ?? mark) : bodies.get(name).contains(node));
     const has = (name) => ink(name) === term.style.color;
     const found = [...bodies.keys()].find(term ? has : isOf);
-    if (found === pointed || (!found && dom.isFormula(node))) return;
-    pointed = found;
-    light();
+    if (found === lit || (!found && dom.isFormula(node))) return;
+    lit = found;
+    host.classList.toggle("one-lit", Boolean(lit));
+    for (const each of moving.children) each.classList.toggle("lit", each === bodies.get(lit));
+    for (const each of marks.children) each.classList.toggle("lit", (OF[each.dataset.of] ?? each.dataset.of) === lit);
+    sheet.textContent = lit ? dom.termRule(ink(lit)) : "";
   }
 
   for (const node of bodies.values()) {
@@ -38,9 +32,4 @@ export function linkTerms(root, signal) {
   }
   for (const type of ["pointerover", "focusin"]) document.addEventListener(type, point, { signal });
   signal.addEventListener("abort", () => sheet.remove());
-  return (name) => {
-    chosen = name;
-    // The arrows are there with the first frame.
-    requestAnimationFrame(light);
-  };
 }

@@ -26,9 +26,8 @@ ROUTE = address.Choice("route", tuple(ROUTES), "euler_lagrange")
 VIEW = address.Choice("show", {"lecture": _("One step"), "reading": _("All steps")}, "lecture")
 VALUES = address.Choice("values", {"symbols": _("Symbols"), "numbers": _("Numbers")}, "symbols")
 MASSES = address.Choice("masses", {"any": _("Any masses"), "equal": _("Equal masses, m′ = m")}, "any")
-BODY = address.Choice("body", PARTS)
 STEP = address.Count("step", LONGEST_ROUTE)
-URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, BODY, QUESTION, *MODES)
+URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
 ASIDE = ("compression",)
 _STEP_HEIGHT = 368
@@ -69,7 +68,7 @@ def show() -> None:
         margin()
     with sheet("try", _("Try it yourself")):
         try_it()
-    page.give_back("route", "show", "values", "masses", "body")
+    page.give_back("route", "show", "values", "masses")
     if not setting.numbers:
         sidebar.follow("beside", "results", "modes", "asked_machine")
 
@@ -123,7 +122,6 @@ def choose(beside: DeltaGenerator | None) -> None:
     widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
     with beside or st.popover(_("Show"), icon=":material/tune:", key="more"):
         if not display_mode.is_projector():
-            widgets.pills(BODY, _("Highlight the terms of"), wrap=True)
             widgets.chips(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):
             widgets.chips(VALUES, _("Symbols or numbers"), **hidden)
@@ -159,7 +157,7 @@ def turn_pages(setting: Setting) -> None:
         page.steps(setting.route, [step.heading for step in setting.steps], turned)
         if setting.steps[min(address.held(STEP), len(setting.steps)) - 1].key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
-    told = stage.payload(machine, sidebar.compression(), lit=address.held(BODY))
+    told = stage.payload(machine, sidebar.compression())
     stages.tell(told, key="beside", more=sidebar.followed())
 
 
