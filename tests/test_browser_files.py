@@ -142,7 +142,7 @@ def test_a_page_loads_nothing_from_elsewhere_and_tells_nobody_its_address(fresh)
     headers, page = get(f"{address}/")
     assert headers["Referrer-Policy"] == "no-referrer"
     policy = dict(rule.split(" ", 1) for rule in headers["Content-Security-Policy"].split("; "))
-    assert policy["default-src"] == "'self'"
+    assert policy["default-src"] == "'self' blob: data:"
     assert not [source for sources in policy.values() for source in sources.split() if source[:1] not in "'bd"]
     assert {"'unsafe-inline'", "'unsafe-eval'", "data:"}.isdisjoint(policy["script-src"].split())
     assert page.count(b"<script>") == policy["script-src"].count("'sha256-") > 0

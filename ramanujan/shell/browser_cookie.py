@@ -19,6 +19,7 @@ class NamedBrowser:
     """Middleware that gives a browser its name with the first page that it asks for.
 
     What a browser keeps from an HTTPS address, it sends over HTTPS only; a proxy says that it was asked over HTTPS.
+    It takes no file for anything but what the server says it is.
     """
 
     def __init__(self, app: Any) -> None:
@@ -31,6 +32,7 @@ class NamedBrowser:
         async def name(message: dict[str, Any]) -> None:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
+                headers["x-content-type-options"] = "nosniff"
                 if headers.get("content-type", "").startswith("text/html") and NAME not in cookie_parser(
                     asked.get("cookie", "")
                 ):

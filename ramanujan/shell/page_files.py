@@ -17,7 +17,7 @@ from typing import Any
 
 import streamlit as st
 from starlette.concurrency import run_in_threadpool
-from starlette.datastructures import Headers, MutableHeaders
+from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 from starlette.middleware.exceptions import ExceptionMiddleware
 from starlette.requests import Request
@@ -68,15 +68,7 @@ class PageFiles:
         self.answer = ExceptionMiddleware(router)
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        async def as_what_it_is(message: dict[str, Any]) -> None:
-            if message["type"] == "http.response.start":
-                MutableHeaders(scope=message)["x-content-type-options"] = "nosniff"
-            await send(message)
-
-        if scope["type"] == "http":
-            await self.answer(scope, receive, as_what_it_is)
-        else:
-            await self.app(scope, receive, send)
+        await (self.answer if scope["type"] == "http" else self.app)(scope, receive, send)
 
     async def _with_own_page(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
         if "/_stcore/" in scope["path"] or "/media/" in scope["path"]:
@@ -178,20 +170,10 @@ def _policy() -> str:
     style into the page. Of the scripts in the page itself only those of Streamlit's start page may run.
     """
     inline = re.findall(rb"<script>(.*?)</script>", (_STREAMLIT / "index.html").read_bytes(), re.DOTALL)
-    hashes = (f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
-    return "; ".join(
-        (
-            "default-src 'self'",
-            f"script-src 'self' blob: 'wasm-unsafe-eval' {' '.join(hashes)}",
-            "style-src 'self' 'unsafe-inline'",
-            "img-src 'self' blob: data:",
-            "font-src 'self' data:",
-            "media-src 'self' blob: data:",
-            "worker-src 'self' blob:",
-            "object-src 'none'",
-            "base-uri 'self'",
-            "form-action 'self'",
-        )
+    hashes = " ".join(f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
+    return (
+        f"default-src 'self' blob: data:; script-src 'self' blob: 'wasm-unsafe-eval' {hashes}; "
+        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'self'; form-action 'self'"
     )
 
 
