@@ -113,9 +113,9 @@ MUTATIONS = [
     Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
     Mutation(
         "the hands are swapped",
-        "stage/stage.js",
-        "phase, plainPhase, shift, write });",
-        "phase: plainPhase, plainPhase: phase, shift, write });",
+        "stage/dial.js",
+        "const { phase, plainPhase } = playback;",
+        "const { phase: plainPhase, plainPhase: phase } = playback;",
     ),
     Mutation(
         "the gauge stays at 1",
