@@ -25,6 +25,7 @@ from ramanujan.translation import _
 
 _PLACES = ("hoop", "cylinder", "top")
 _SEVERAL = {2: "two", 3: "three"}
+"""Number of machines to compare → the name by which the style sheets know how they stand."""
 _LOADED = "lesson_loaded"
 """Session state: the stop whose machine the sliders have been given, and whether it had been predicted by then."""
 _ASKED = "lesson_asked"

@@ -1,7 +1,8 @@
 """The wall of a class: one large, read-only page for the projector that follows the lecturer's desk.
 
-Before the first question it shows how to join; then the question, the result, the running machine with the lecturer's
-settings, and the right answer with its reason beside the machine. No key of the lecturer is on it.
+Before the first question it shows how to join. Then the machine stands to the left, in the state that the desk tells,
+and the question, the votes, and the right answer with its reason to the right. At the end it shows what the class has
+learned. No key of the lecturer is on it.
 """
 
 import streamlit as st
@@ -22,7 +23,8 @@ NOTHING_TO_TURN = (
     "<style>html:root { font-size: min(2.6vh, 1.7vw) } "
     "#root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
 )
-"""Address and code stand in the bar of pages. A rule for all pages would need :has(), 2 s of Motion’s load."""
+"""Words are as large as both sides of a wall allow; address and code stand in the bar of pages. A rule for all pages
+would need :has(), 2 s of Motion’s load."""
 
 _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
