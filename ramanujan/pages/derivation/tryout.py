@@ -95,7 +95,8 @@ def ask(name: str, with_step: bool = True, place: str = "") -> None:
     with st.container(key="asked"):
         words, picture = st.columns([3, 2])
     with picture:
-        stages.mount(None, key="stage_asked", layers=("coordinates",), compact=True)
+        label = _("The machine and its coordinates")
+        stages.mount(None, key="stage_asked", layers=("coordinates",), compact=True, label=label)
         tell_machine()
     with words:
         pose(name, with_step)
