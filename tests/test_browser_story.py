@@ -8,8 +8,11 @@ import pytest
 from scipy.integrate import quad
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
+from ramanujan.browser.page import exact
 from ramanujan.pages.oscillator.story import STARTS, STILL_PERIODS, story
-from tests.browser import STAGE, inside, settle
+from ramanujan.shell import widgets
+from ramanujan.shell.parameters import PARAMETERS
+from tests.browser import STAGE, inside, next_frame, settle, thumb
 
 STORY = "document.querySelector('.st-key-story [data-testid=stBidiComponentIsolated]').shadowRoot"
 NOW = f"""() => {{
@@ -121,3 +124,74 @@ def test_who_wants_less_motion_sees_five_clocks(visit):
         turns = STILL_PERIODS * (np.sqrt(normalized_frequency_squared(figure(label))) - 1)
         assert degrees == pytest.approx(360 * turns, abs=0.1), label
     assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
+
+
+GOAL = 1.5 * UNIT_MASS_RATIO
+
+
+def held(page) -> tuple[float, str]:
+    """The mass ratio that is drawn, and what the box shows."""
+    ratio = page.evaluate("ramanujan.last('present/oscillator').ratio")
+    return ratio, page.locator(".st-key-m_prime_exact input").input_value()
+
+
+def check_found(page) -> None:
+    """Check that slider, session and address end with the exact value."""
+    settle(page)
+    page.wait_for_url(f"**m_prime={GOAL!r}*")
+    settle(page)
+    assert page.evaluate("ramanujan.last('machine/oscillator').parameters.m_prime") == GOAL
+    assert held(page) == (pytest.approx(UNIT_MASS_RATIO, rel=1e-15), repr(GOAL))
+    assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
+
+
+def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
+    """By mouse within six pixels, by a key within a step, and by a finger; the next step leaves it."""
+    page = visit("?m=1.5&hide=curve,steps", has_touch=True)
+    slider = page.locator(".st-key-m_prime input[type=range]")
+    pixel = 9.95 / page.locator(".st-key-m_prime [role=group]").first.bounding_box()["width"]
+    (x, y), sent = thumb(page, "m_prime"), len(page.frames_sent)
+    goal = x + (GOAL - 1) / pixel
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for off, near in ((-12, False), (-4, True), (4, True), (12, False), (3, True)):
+        page.mouse.move(goal + off, y, steps=3)
+        next_frame(page)
+        assert (held(page)[1] == repr(GOAL)) == near, off
+    assert len(page.frames_sent) == sent
+    assert page.evaluate(MARK) != ""
+    page.mouse.up()
+    check_found(page)
+    slider.focus()
+    for key, value in (("Right", "1.7"), ("Left", repr(GOAL)), ("Left", "1.68"), ("Left", "1.67"), ("Right", "1.68")):
+        page.keyboard.press(f"Arrow{key}")
+        next_frame(page)
+        assert held(page)[1] == value
+    page.keyboard.press("ArrowRight")
+    check_found(page)
+    page.locator(".st-key-m_prime_exact input").fill("1")
+    page.locator(".st-key-m_prime_exact input").press("Enter")
+    settle(page)
+    client = page.context.new_cdp_session(page)
+    for kind, at in (("Start", x), *(("Move", x + (goal - 3 - x) * n / 8) for n in range(1, 9)), ("End", None)):
+        points = [] if at is None else [{"x": at, "y": y}]
+        client.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
+        page.wait_for_timeout(30)
+    check_found(page)
+
+
+def test_in_every_engine_a_key_snaps_to_what_the_page_looks_for(bare):
+    """A key within a step of it; what the server has told is no move of a hand."""
+    page = bare()
+    page.sliders(m_prime=1.11)
+    page.put(lambda: exact("m_prime", widgets.head(PARAMETERS["m_prime"]), lambda _text: None))
+    evaluate = page.page.evaluate
+    evaluate("bus.publish('exact/m_prime', { value: 1.11, text: '1.11', judged: 0 })")
+    evaluate(f"bus.publish('goal/m_prime', {UNIT_MASS_RATIO!r})")
+    box = "document.querySelector('.st-key-m_prime_exact [data-testid]').shadowRoot.querySelector('input').value"
+    evaluate("document.querySelector('.st-key-m_prime input').focus()")
+    for key, value in (("Right", repr(UNIT_MASS_RATIO)), ("Right", "1.14"), ("Left", repr(UNIT_MASS_RATIO))):
+        page.page.keyboard.press(f"Arrow{key}")
+        next_frame(page.page)
+        assert evaluate(box) == value
+    page.page.wait_for_function(f"sent.at(-1)?.at(-1) === '{UNIT_MASS_RATIO!r}'")
