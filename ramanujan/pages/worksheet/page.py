@@ -21,7 +21,7 @@ LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: 
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
 # Of a sheet on a projector: its lines, letters in a line, and letters of LaTeX in a row of formulas.
-_LINES, _WIDTH, _ROW = {"questions": 15, "key": 12.5}, 105, 330
+_LINES, _WIDTH, _ROW = {"questions": 15, "key": 11}, 105, 330
 _LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></span>"
 
 
