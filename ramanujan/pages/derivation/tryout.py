@@ -93,7 +93,7 @@ def ask(name: str, with_step: bool = True, place: str = "") -> None:
         pose(name, with_step, place)
         return
     with st.container(key="asked"):
-        words, picture = st.columns([3, 2])
+        words, picture = st.columns(2)
     with picture:
         label = _("The machine and its coordinates")
         stages.mount(None, key="stage_asked", layers=("coordinates",), compact=True, label=label)
