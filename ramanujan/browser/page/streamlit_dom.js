@@ -265,7 +265,7 @@ export const ASSUMPTIONS = {
   ],
   "the sidebar stSidebar contains the controls": [
     "the sheet of a phone, the printed page",
-    () => each(".st-key-controls", (controls) => controls.closest(".stSidebar [data-testid=stSidebarUserContent]")),
+    () => each(".stSidebar .st-key-controls", (controls) => controls.closest("[data-testid=stSidebarUserContent]")),
   ],
   "the sidebar's links are a list in a nav, and the present page is marked": [
     "the bar of pages of a phone",
