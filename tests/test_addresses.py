@@ -58,6 +58,8 @@ def meant(key: addresses.URLParameter) -> str:
         return MEANT[key.name]
     if isinstance(key, parameters.Parameter):
         return f"{key.default + 0.37 * (key.most - key.default):.1f}"
+    if isinstance(key, addresses.Count):
+        return str(key.default + 1)
     other = next(option for option in key.options if option != key.default)
     return key.write((key.options[-1], other) if isinstance(key, addresses.Several) else other)
 

@@ -43,8 +43,9 @@ def unit_equations() -> tuple[str, ...]:
     """Return, as LaTeX, how the derivation gets from Ω² to the mass ratio at which the paper's machine is in step."""
     steps = route("euler_lagrange")
     frequency, condition = (steps[key].equations[-1] for key in ("ratio", "unit"))
-    # The quadratic ends one step and begins the next.
-    return tuple(dict.fromkeys(map(latex, (frequency, condition, *steps["root"].equations))))
+    # How the square is completed stands in the derivation, and the second sum beside the cubes.
+    *_square_is_completed, square, _second_sum, root = steps["root"].equations
+    return tuple(map(latex, (frequency, condition, square, root)))
 
 
 def discriminant_written_out() -> tuple[str, str]:
