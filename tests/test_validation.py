@@ -118,7 +118,8 @@ GOOD = {
     "WorkPrecision | None": None,
     "Iterable[WorkPrecision]": [CURVE],
 }
-NAMED = {"a": 18, "b": 1, "c": -24, "spacing": 0.29, "method": "rk4", "by": "seconds", "dtype": "float64"}
+WORDS = {"method": "rk4", "by": "seconds", "dtype": "float64", "of": "state"}
+NAMED = {"a": 18, "b": 1, "c": -24, "spacing": 0.29} | WORDS
 """Annotation, or name of a parameter for which that is not enough → a value that it takes."""
 
 
