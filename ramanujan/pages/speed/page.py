@@ -73,6 +73,9 @@ def growing_errors(method: str, steps: int) -> int:
     )
     drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
     st.markdown(verdicts.errors_of(run))
+    # A projector's sheet has room for the figure and what it found.
+    if display_mode.is_projector():
+        return periods
     st.caption(
         _(
             "Each curve shows the largest error so far, and all methods take the same steps. Below its stability limit "
