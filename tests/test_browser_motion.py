@@ -28,7 +28,12 @@ def nudge(page, key, press="ArrowRight"):
 
 
 def cursor_times(page):
-    """The times [s] that the lines of all figures over time stand at, by Plotly's own scale."""
+    """The times [s] that the lines of all figures over time stand at, by Plotly's own scale, once all have a line."""
+    page.wait_for_function(
+        """[...document.querySelectorAll(".js-plotly-plot")]
+          .every(({ layout }, i, graphs) => layout &&
+            (layout.meta?.cursor !== "time" || graphs[i].querySelector(".time-cursor")))"""
+    )
     return page.evaluate(
         """() => [...document.querySelectorAll(".js-plotly-plot")]
           .filter((graph) => graph.layout.meta?.cursor === "time")
