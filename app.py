@@ -12,6 +12,7 @@ else:
         address,
         class_keys,
         display_mode,
+        first_run,
         navigation,
         parameters,
         sidebar,
@@ -20,7 +21,7 @@ else:
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
-    alone = stages.begin()
+    alone = first_run.begin()
     page, runner = navigation.navigate(hidden=alone)
     said = address.opened(
         page.name,

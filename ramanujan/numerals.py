@@ -5,7 +5,7 @@
     number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
     filled("It takes {t:3 s}.", t=0.61)         It takes 0.610 s.
 
-`page/sentences.js` follows the same rules in the browser. LaTeX has its own digits, in `derivation.printers`.
+`components/sentences.js` follows the same rules in the browser. LaTeX has its own digits, in `derivation.printers`.
 """
 
 import math

@@ -1,4 +1,6 @@
-"""Cut the fonts of the app, `ramanujan/browser/page/fonts/`, out of Streamlit's: Latin, Greek, signs, two weights.
+"""Cut the fonts of the app, `ramanujan/browser/components/fonts/`, out of Streamlit's.
+
+They keep Latin, Greek, signs and two weights.
 
     python -m tests.fonts
 
@@ -27,7 +29,7 @@ from fontTools.varLib.hvar import add_HVAR
 
 from tests.browser import ROOT
 
-PAGE = ROOT / "ramanujan" / "browser" / "page"
+PAGE = ROOT / "ramanujan/browser/components"
 ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
     "headings": ("SourceSerifVariable-Roman", "SourceSerifVariable-Italic", {"wght": (600, 700), "opsz": 24}),

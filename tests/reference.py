@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, inertia
 
-from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, R, k, m, m_prime, phi, t
+from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, k, m, m_prime, phi, t
 
 
 @cache

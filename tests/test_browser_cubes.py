@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from ramanujan.browser import page
+from ramanujan.browser import components
 
 SUMS = [(12, 1), (10, 9)]
 ELEVATION = np.arctan2(0.42, 0.85)
@@ -21,7 +21,7 @@ READ = f"""[...{CUBES}.querySelectorAll("svg")].map((svg) => [...svg.querySelect
 @pytest.fixture
 def drawn(bare):
     drawn = bare()
-    drawn.put(lambda: page.cubes(SUMS, ["twelve and one", "ten and nine"], ["first", "second"]))
+    drawn.put(lambda: components.cubes(SUMS, ["twelve and one", "ten and nine"], ["first", "second"]))
     return drawn.page
 
 

@@ -81,7 +81,7 @@ def check_back_and_arrows(page) -> None:
 
 def check_clickers(page) -> None:
     """Check that clickers and the space bar turn steps, typing does not, and a screen reader hears where it is."""
-    said = page.locator(".st-key-library [role=status]")
+    said = page.locator(".st-key-services [role=status]")
     assert "Step 10 of " not in said.text_content()
     page.get_by_role("button", name="Next").click()
     heading = page.locator(STEP).inner_text().split(". ", 1)[1]

@@ -98,7 +98,7 @@ def check_prediction(page) -> None:
     assert "normalized" in page.evaluate(BUS)
     # The clock is in view with the machine.
     assert page.evaluate(f"{inside('stage_two-clocks_0')}.querySelector('.dial').getBoundingClientRect().bottom") < 720
-    expect(page.locator(".st-key-library [role=status]")).to_contain_text("Your prediction was different.")
+    expect(page.locator(".st-key-services [role=status]")).to_contain_text("Your prediction was different.")
 
 
 def check_turning(page) -> None:

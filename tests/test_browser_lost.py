@@ -257,8 +257,8 @@ def check_keys_behind_the_slab(page, late_by) -> None:
 
 TOLD_AT_ONCE = """() => {
   const app = document.querySelector("[data-testid=stApp]");
-  const library = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot;
-  const notice = library.querySelector("p:not([role])");
+  const services = document.querySelector(".st-key-services [data-testid=stBidiComponentIsolated]").shadowRoot;
+  const notice = services.querySelector("p:not([role])");
   new MutationObserver(() => requestAnimationFrame(() => (window.toldAtOnce ??= !notice.hidden)))
     .observe(app, { attributeFilter: ["data-test-connection-state"] });
 }"""
@@ -277,7 +277,7 @@ def check_broken_network(page, late) -> None:
         take_slab(page, by)
         late.way.down()
         # The page says what has happened, and goes on by itself.
-        notice = page.locator(".st-key-library p:not([role])")
+        notice = page.locator(".st-key-services p:not([role])")
         expect(notice).to_have_text("Reconnecting to the server. The page keeps everything that you set.")
         expect(notice).to_be_visible()
         assert page.evaluate("window.toldAtOnce")

@@ -25,7 +25,7 @@ def test_the_bus(page):
     """Publish, subscribe until aborted, the last value; one bus for all."""
     heard = run(
         page,
-        "page/bus",
+        "components/bus",
         """
         const { bus } = it, heard = [], stop = new AbortController();
         bus.publish("a", 1);
@@ -52,7 +52,7 @@ def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(
         "begin",
         """
         const parentElement = document.createElement("div"), seen = [], { bus } = await BUS;
-        const call = (c) => it.begin({ name: "page/publish", parentElement, data: { c } });
+        const call = (c) => it.begin({ name: "components/publish", parentElement, data: { c } });
         const ends = [await call(1), await call(2)];
         seen.push(bus.last("c"));
         ends[0](); // a clean-up that comes late
@@ -61,7 +61,7 @@ def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(
         seen.push(bus.last("c") ?? "ended");
         await call(3);
         return [...seen, bus.last("c")];
-        """.replace("BUS", module("page/bus")),
+        """.replace("BUS", module("components/bus")),
     )
     assert seen == [2, 2, "ended", 3]
 
@@ -69,7 +69,7 @@ def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(
 def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
     heard = run(
         page,
-        "page/bus",
+        "components/bus",
         """
         const heard = [], stop = new AbortController(), { signal } = stop;
         const errors = new Promise((done) => addEventListener("error", (event) => {

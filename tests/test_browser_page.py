@@ -15,7 +15,7 @@ from tests.browser import STAGE, inside, module, next_frame, settle
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
-REGION = ".st-key-library [role=status]"
+REGION = ".st-key-services [role=status]"
 
 
 # ---- the machine first
@@ -95,7 +95,7 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
     region = page.locator(REGION)
     page.evaluate(
         """() => {
-          const region = document.querySelector(".st-key-library [data-testid=stBidiComponentIsolated]").shadowRoot
+          const region = document.querySelector(".st-key-services [data-testid=stBidiComponentIsolated]").shadowRoot
             .querySelector("[role=status]");
           window.said = [];
           new MutationObserver(() => region.textContent && window.said.push(region.textContent))
@@ -118,7 +118,7 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
     page.keyboard.press("Home")
     heard("would slip")
     assert region.count() == 1
-    with_sidebar = page.evaluate(f"{module('page/streamlit_dom')}.then({HOLD})")
+    with_sidebar = page.evaluate(f"{module('components/streamlit_dom')}.then({HOLD})")
     check_assumptions(visit("", width=390, height=844, tab=page), with_sidebar)
 
 
@@ -132,7 +132,7 @@ def check_assumptions(page, elsewhere):
     for awaited in (".katex-display .base", ".js-plotly-plot .nsewdrag"):
         page.wait_for_selector(awaited, state="attached")
     settle(page)
-    holds = page.evaluate(f"{module('page/streamlit_dom')}.then({HOLD})")
+    holds = page.evaluate(f"{module('components/streamlit_dom')}.then({HOLD})")
     assert len(holds) > 10
     assert [name for name, held in holds.items() if not (held or (held is None and elsewhere[name]))] == []
     # A slider that is not found agrees with nothing, and the console names what is broken, once the page is complete.
@@ -140,7 +140,7 @@ def check_assumptions(page, elsewhere):
     page.on("console", lambda message: warned.append(message.text))
     shows = page.evaluate(
         f"""async () => {{
-          const {{ dom, reportBroken }} = await {module("page/streamlit_dom")}, slider = dom.slider;
+          const {{ dom, reportBroken }} = await {module("components/streamlit_dom")}, slider = dom.slider;
           const loading = document.createElement("p");
           loading.dataset.testid = "stSkeleton";
           document.body.append(loading);
@@ -161,7 +161,9 @@ def check_assumptions(page, elsewhere):
     assert "a slider with the key m" in warned[1]
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
     sent = len(page.frames_sent)
-    page.evaluate(f"{module('page/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))")
+    page.evaluate(
+        f"{module('components/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))"
+    )
     expect(page.locator(".st-key-compression [data-testid=stSliderThumbValue]")).to_have_text("5.0")
     settle(page)
     assert len(page.frames_sent) == sent

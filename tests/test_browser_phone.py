@@ -36,7 +36,7 @@ class Phone:
         self.page.wait_for_function(f"{SCROLLED} > {top} + 50")
 
     def handle(self) -> None:
-        """Open or close the sheet, and wait until it has come to rest."""
+        """Open or close the drawer, and wait until it has come to rest."""
         self.page.locator(".st-key-handle button").tap()
         self.page.wait_for_timeout(100)
         self.page.wait_for_function("!document.querySelector('[data-testid=stSidebar]').getAnimations().length")
@@ -99,7 +99,7 @@ def check_sliders(phone: Phone) -> None:
 
 
 def check_return(phone: Phone) -> None:
-    """Check that, far down, opening the sheet brings the machine back, and closing it the place where one read."""
+    """Check that, far down, opening the drawer brings the machine back, and closing it the place where one read."""
     phone.page.evaluate(f"{SCROLLED} = 900")
     phone.handle()
     assert phone.box("svg.machine")["y"] >= 0
@@ -142,7 +142,7 @@ def test_a_visit_with_one_finger(visit):
     phone.handle()
     check_sheet(phone)
     check_sliders(phone)
-    # Choosing a page closes the sheet.
+    # Choosing a page closes the drawer.
     phone.go_to("Motion", ".js-plotly-plot .nsewdrag")
     assert handle.get_attribute("aria-expanded") == "false"
     assert handle.bounding_box()["y"] > 780

@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import quad
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
-from ramanujan.browser.page import exact
+from ramanujan.browser.components import exact
 from ramanujan.pages.oscillator.story import STARTS, STILL_PERIODS, story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS

@@ -36,7 +36,7 @@ UPRIGHT = (
     "BCD FHJ",
     "C and A4",
 )
-FONT = ROOT / "ramanujan/browser/page/fonts/text.woff2"
+FONT = ROOT / "ramanujan/browser/components/fonts/text.woff2"
 LINES_OF = """<!doctype html><style>@font-face {{ font-family: cut; src: url(data:font/woff2;base64,{font}) }}
 body {{ margin: 0 }} p {{ margin: 0; font: 24px/40px cut; font-variant-ligatures: {ligatures} }}</style>{lines}"""
 """Texts in the page's font, each on a line of 40 px, with or without what the font changes by itself."""

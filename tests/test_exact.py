@@ -8,10 +8,10 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ramanujan.derivation.model import m
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import Number, rounded, truncated
 from ramanujan.derivation.rows import side_terms
-from ramanujan.derivation.symbols import m
 
 ROOT, HALF = sp.sqrt(1729), sp.Rational(1, 2)
 

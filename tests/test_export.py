@@ -17,10 +17,10 @@ from nbclient.exceptions import CellExecutionError
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_notebook
+from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.rows import rows
-from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.pages.derivation import cache as page
 from ramanujan.shell import theme

@@ -79,7 +79,7 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
 
 def letters_high(key: str) -> int:
     """Return the height of a figure in letters of the page, by type.css; the last rule counts."""
-    rules = (ROOT / "ramanujan/browser/page/type.css").read_text(encoding="utf-8")
+    rules = (ROOT / "ramanujan/browser/components/type.css").read_text(encoding="utf-8")
     [usual] = re.findall(r"\.stPlotlyChart \{ height: calc\(var\(--high, (\d+)\)", rules)
     own = [
         high

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.symbols import (
+from ramanujan.derivation.model import (
     ACCELERATIONS,
     COORDINATES,
     MOMENTA,

@@ -18,10 +18,10 @@ import sympy as sp
 from ramanujan import UNIT_MASS_RATIO
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.energies import PARTS
+from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers, stands_for_the_root
 from ramanujan.derivation.rows import rows
-from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.pages.derivation import cache as page
 from ramanujan.pages.oscillator import cache as first_page
 from tests.latex import MARGIN, Formula, Number, equations, formula, last_place, sides

@@ -16,7 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import ramanujan.number_theory as nt
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 from ramanujan.derivation.elimination import eliminate
 
 PAPER = (18, 1, -24)
@@ -33,13 +33,13 @@ quadratics = st.tuples(st.integers(1, 10**6), st.integers(-(10**6), 10**6), st.i
 # The independent route
 
 BETAS = sp.symbols("beta_a beta_b beta_c", positive=True)
-UNITS = {each: 1 for each in (symbols.m, symbols.k, symbols.R)} | {symbols.m_prime: symbols.epsilon}
+UNITS = {each: 1 for each in (model.m, model.k, model.R)} | {model.m_prime: model.epsilon}
 
 
 @cache
 def derived_frequency() -> sp.Expr:
     """Ω²m/k of a machine with these bodies, by rolling constraints, energies and Lagrange's equations."""
-    bodies = symbols.machine(**dict(zip(("hoop", "cylinder", "top"), BETAS, strict=True)))
+    bodies = model.machine(**dict(zip(("hoop", "cylinder", "top"), BETAS, strict=True)))
     return eliminate(bodies).natural_frequency_squared.xreplace(UNITS)
 
 
@@ -50,7 +50,7 @@ def exact(number: Fraction) -> sp.Rational:
 def derived_quadratic(betas: tuple[Fraction, ...], target: Fraction) -> tuple[int, ...]:
     frequency = derived_frequency().subs(dict(zip(BETAS, map(exact, betas), strict=True)))
     excess = sp.together(frequency - exact(target))
-    _, polynomial = sp.Poly(sp.numer(excess), symbols.epsilon).clear_denoms(convert=True)
+    _, polynomial = sp.Poly(sp.numer(excess), model.epsilon).clear_denoms(convert=True)
     coefficients = [int(x) for x in polynomial.primitive()[1].all_coeffs()]
     return tuple(x if coefficients[0] > 0 else -x for x in coefficients)
 
@@ -113,7 +113,7 @@ def test_any_bodies_and_target_agree_with_the_derivation(betas, target):
 @unhurried
 @given(st.tuples(shape_factors, shape_factors, shape_factors), st.fractions(min_value=0, max_denominator=10**6))
 def test_exact_frequency_agrees_with_the_derivation(betas, ratio):
-    expected = derived_frequency().subs(dict(zip((*BETAS, symbols.epsilon), map(exact, (*betas, ratio)), strict=True)))
+    expected = derived_frequency().subs(dict(zip((*BETAS, model.epsilon), map(exact, (*betas, ratio)), strict=True)))
     assert exact(nt.normalized_frequency_squared_exact(*betas, ratio)) == expected
 
 

@@ -66,7 +66,7 @@ def test_a_thin_space_stands_before_a_unit_and_none_without_one():
 
 
 def test_the_page_writes_the_same_numbers():
-    script = (ROOT / "ramanujan/browser/page/sentences.js").read_text(encoding="utf-8")
+    script = (ROOT / "ramanujan/browser/components/sentences.js").read_text(encoding="utf-8")
     asked = {"values": VALUES, "digits": [1, 2, 4, 7], "places": [0, 1, 3]}
     script += f"""
 const asked = {json.dumps(asked)};

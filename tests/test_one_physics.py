@@ -19,10 +19,10 @@ from ramanujan import (
 )
 from ramanujan.browser.stage.formulas import formulas as stage_formulas
 from ramanujan.derivation import ROUTES
+from ramanujan.derivation.model import COORDINATES, VELOCITIES, Phi, R, X, k, m, m_prime, phi, t
 from ramanujan.derivation.newton import contact_forces as derived_contact_forces
 from ramanujan.derivation.printers import javascript
 from ramanujan.derivation.solution import INITIAL, INITIAL_RATE, Omega, coefficients, mode_shape
-from ramanujan.derivation.symbols import COORDINATES, VELOCITIES, Phi, R, X, k, m, m_prime, phi, t
 from tests.test_numerals import NODE
 
 EXACT = 3e-15

@@ -6,7 +6,7 @@ from pathlib import Path
 import sympy as sp
 
 from ramanujan.derivation import ROUTES
-from ramanujan.derivation.symbols import (
+from ramanujan.derivation.model import (
     ACCELERATIONS,
     VELOCITIES,
     Omega_squared,

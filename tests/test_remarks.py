@@ -3,8 +3,8 @@
 import pytest
 import sympy as sp
 
+from ramanujan.derivation.model import COORDINATES, t
 from ramanujan.derivation.remarks import conserved_momenta, remarks
-from ramanujan.derivation.symbols import COORDINATES, t
 from tests import reference
 from tests.reference import equal
 

@@ -8,7 +8,7 @@ from ramanujan.derivation.elimination import eliminate
 from ramanujan.derivation.energy import least_inertia
 from ramanujan.derivation.hamilton import legendre_transform, reduce_to_one_degree
 from ramanujan.derivation.matrix import modes
-from ramanujan.derivation.symbols import (
+from ramanujan.derivation.model import (
     Omega_squared,
     R,
     k,

@@ -157,6 +157,6 @@ def test_after_a_slider_a_page_says_what_its_address_says(app, path, monkeypatch
 
 def test_a_sidebar_that_is_drawn_before_its_wishes_are_taken_fails_at_once():
     """Also where nobody has asked for anything yet."""
-    script = "from ramanujan.shell import sidebar, stages\nstages.begin()\n{}\nsidebar.draw((), ())"
+    script = "from ramanujan.shell import first_run, sidebar\nfirst_run.begin()\n{}\nsidebar.draw((), ())"
     assert AppTest.from_string(script.format(""), default_timeout=60).run().exception
     assert not AppTest.from_string(script.format("sidebar.begin([])"), default_timeout=60).run().exception

@@ -33,7 +33,7 @@ from ramanujan import (
     travel_amplitude,
     with_initial_velocities,
 )
-from ramanujan.derivation.symbols import machine as derived_machine
+from ramanujan.derivation.model import machine as derived_machine
 from ramanujan.energy import body_momenta
 from tests.test_one_physics import derived, evaluated
 

@@ -17,7 +17,7 @@ import sympy as sp
 from ramanujan.answers import QUESTIONS, judge, machines
 from ramanujan.answers.grammar import parse
 from ramanujan.answers.spelling import SYMBOLS as SPELLINGS
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 from tests import test_answers
 from tests.reading import NUMBER, read
 from tests.test_answers import RIGHT, RIGHT_RATIO, zero_on_the_right
@@ -144,7 +144,7 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
     at_point = {symbol: sp.Rational(str(point[name])) for symbol, name in SPELLED.items()}
     if name in ("lagrangian", "block_momentum"):
         lagrangian = machine.kinetic_energy - machine.potential_energy
-        given = lagrangian if name == "lagrangian" else lagrangian.diff(symbols.VELOCITIES[0])
+        given = lagrangian if name == "lagrangian" else lagrangian.diff(model.VELOCITIES[0])
         return Fraction(str(given.subs(at_point)))
     if name.startswith("kinetic_energy_"):
         return Fraction(str(machine[name.removeprefix("kinetic_energy_")].kinetic_energy.subs(at_point)))
@@ -152,21 +152,21 @@ def _from_hint(name: str, message: str, point: dict[str, Fraction]) -> Fraction 
 
 
 HINTED = {each.hint: each.machine for each in machines.altered()}
-SPELLED = dict(zip((*symbols.VELOCITIES, symbols.m, symbols.m_prime, symbols.k, symbols.R, *symbols.COORDINATES),
+SPELLED = dict(zip((*model.VELOCITIES, model.m, model.m_prime, model.k, model.R, *model.COORDINATES),
                    ("X'", "phi'", "Phi'", "m", "m'", "k", "R", "X", "phi", "Phi"), strict=True))  # fmt: skip
 
 
-def by_the_inverse_matrix(machine: symbols.Machine, at_point: dict) -> dict[str, sp.Expr]:
+def by_the_inverse_matrix(machine: model.Machine, at_point: dict) -> dict[str, sp.Expr]:
     """What is left of a machine's equations of motion: M⁻¹e_φ is the shape of the oscillating mode."""
-    M = sp.hessian(machine.kinetic_energy, symbols.VELOCITIES).subs(at_point)
-    stiffness = machine.potential_energy.diff(symbols.phi, 2).subs(at_point)
+    M = sp.hessian(machine.kinetic_energy, model.VELOCITIES).subs(at_point)
+    stiffness = machine.potential_energy.diff(model.phi, 2).subs(at_point)
     if not any(M[2, :]):
         M[2, 2] = 1
     X, phi, Phi = M.LUsolve(sp.Matrix([0, 1, 0]))
     return {
         "block_coupling": X / phi,
         "top_coupling": Phi / phi,
-        "phi_equation": M[1, 1] * 4 * at_point[symbols.k] * at_point[symbols.R] / stiffness,
+        "phi_equation": M[1, 1] * 4 * at_point[model.k] * at_point[model.R] / stiffness,
         "natural_frequency_squared": stiffness * phi,
     }
 
@@ -432,7 +432,7 @@ def hinted_ratio(message: str, given: sp.Expr) -> bool:
     """Whether the machine of a hint has Ω² = k/m at the given mass ratio, to 12 digits."""
     if message not in HINTED:
         return False
-    point = dict.fromkeys(SPELLED, sp.Integer(1)) | {symbols.m_prime: sp.Rational(str(given.n(30)))}
+    point = dict.fromkeys(SPELLED, sp.Integer(1)) | {model.m_prime: sp.Rational(str(given.n(30)))}
     return abs(float(by_the_inverse_matrix(HINTED[message], point)[OMEGA] - 1)) < 1e-12
 
 

@@ -12,8 +12,8 @@ from typing import Any
 import sympy as sp
 from sympy.polys.fields import FracElement, field
 
-from ramanujan.derivation import symbols
-from ramanujan.derivation.symbols import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi
+from ramanujan.derivation import model
+from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi
 from ramanujan.translation import _
 
 CALLED = {
@@ -32,8 +32,8 @@ _GROUPS = CALLED | {
     _RIDERS: _("everything on the block"),
 }
 _SHAPES = {
-    symbols.HOOP: _("a hoop"),
-    symbols.SOLID_CYLINDER: _("a solid cylinder"),
+    model.HOOP: _("a hoop"),
+    model.SOLID_CYLINDER: _("a solid cylinder"),
     sp.Rational(2, 3): _("a spherical shell"),
     sp.Rational(2, 5): _("a solid sphere"),
 }

@@ -10,8 +10,8 @@ import sympy as sp
 
 from ramanujan.answers import machines
 from ramanujan.derivation.elimination import Elimination, eliminate, phi_ddot
+from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime, phi, t
 from ramanujan.derivation.numbers import unit_frequency_condition
-from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime, phi, t
 from ramanujan.translation import _
 
 Slips = Iterator[tuple[str, sp.Expr | None]]

@@ -21,10 +21,7 @@ from ramanujan.answers.terms import NAMES, exact
 from ramanujan.answers.values import Mistakes, Values, agree, at_points, up_to_a_factor
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
-from ramanujan.derivation.numbers import unit_frequency_condition
-from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import equation
-from ramanujan.derivation.symbols import (
+from ramanujan.derivation.model import (
     ACCELERATIONS,
     MOMENTA,
     VELOCITIES,
@@ -38,6 +35,9 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import equation
 from ramanujan.translation import _
 
 POLYNOMIAL, QUOTIENT, NUMBER, EQUATION = "polynomial", "quotient", "number", "equation"

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
+from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime
 from ramanujan.numerals import FROM_SUPERSCRIPTS
 from ramanujan.translation import _
 

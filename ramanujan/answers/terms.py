@@ -15,7 +15,7 @@ from sympy.polys.fields import FracElement, field
 from ramanujan.answers.formulas import is_number, weights
 from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.answers.values import decimals
-from ramanujan.derivation.symbols import epsilon, m, m_prime
+from ramanujan.derivation.model import epsilon, m, m_prime
 from ramanujan.numerals import superscript
 from ramanujan.translation import _, ngettext
 

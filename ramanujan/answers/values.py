@@ -16,7 +16,7 @@ import sympy as sp
 
 from ramanujan.answers.formulas import is_decimal, leaves, replaced
 from ramanujan.answers.spelling import MOTION, SYMBOLS
-from ramanujan.derivation.symbols import COORDINATES, R, epsilon, k, m, m_prime
+from ramanujan.derivation.model import COORDINATES, R, epsilon, k, m, m_prime
 from ramanujan.numerals import superscript
 
 _MP = mpmath.mp.clone()

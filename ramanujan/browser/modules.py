@@ -16,24 +16,24 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.browser.page.words import TEXTS
+from ramanujan.browser.components.words import TEXTS
 from ramanujan.browser.stage import words
 from ramanujan.browser.stage.formulas import formulas, labels
 from ramanujan.derivation.printers import javascript
 
 _HERE = Path(__file__).parent
 _MARKUP = {"turn": "steps"}
-"""Component of page/ → the one that has the same HTML and CSS."""
+"""Component → the one that has the same HTML and CSS."""
 
 
 @cache
 def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
-    patterns = ("**/*.js", *(f"page/{name}.css" for name in ("page", "projector", "type")), "**/*.woff2")
+    patterns = ("**/*.js", *(f"components/{name}.css" for name in ("page", "projector", "type")), "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     markup = {"stage/stage": _markup("stage/stage", words.TEXTS, layer_boxes=_layer_boxes())}
-    for name in (path.stem for path in offered if path.match("page/*.js")):
-        markup[f"page/{name}"] = _markup(f"page/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
+    for name in (path.stem for path in offered if path.match("components/*.js")):
+        markup[f"components/{name}"] = _markup(f"components/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
     written = {
         "markup.js": f"export const MARKUP = {json.dumps(markup, ensure_ascii=False)};",
@@ -44,7 +44,7 @@ def contents() -> dict[str, bytes]:
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
     # On paper a component is drawn in the light theme, whichever is shown.
     light = "".join(f"{name}: {color}; " for name, color in (_light() | {"--st-background-color": "#fff"}).items())
-    files["page/page.css"] += f"@media print {{ #root .stBidiComponent {{ &, * {{ {light}}} }} }}".encode()
+    files["components/page.css"] += f"@media print {{ #root .stBidiComponent {{ &, * {{ {light}}} }} }}".encode()
     return files | {name: text.encode() for name, text in written.items()}
 
 
@@ -56,7 +56,7 @@ def place() -> str:
 
 @cache
 def component(name: str) -> Callable[..., Any]:
-    """Return the component of a module, such as page/link: its script has begin.js load that module."""
+    """Return the component of a module, such as components/link: its script has begin.js load that module."""
     # All have one script, so that a browser reads it once. It is short, since Streamlit sends it with every run of the
     # page; of one line alone it would think a file's name.
     begin = f'new URL("{place()}/begin.js", document.baseURI)'

@@ -5,9 +5,9 @@ from functools import cache
 
 import sympy as sp
 
+from ramanujan.derivation.model import COORDINATES, Machine, Phi, R, X, epsilon, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.printers import in_order
 from ramanujan.derivation.steps import equation
-from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, R, X, epsilon, gather, k, m, m_prime, phi, t
 from ramanujan.translation import _
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
@@ -51,7 +51,7 @@ class Elimination:
 def eliminate(bodies: Machine) -> Elimination:
     """Return the paper's elimination for the machine: the Φ equation into the X equation, both into that of φ.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> eliminate(machine(roller_mass=m)).natural_frequency_squared
     104*k/(99*m)
     """
@@ -125,7 +125,7 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     ------
     ValueError : not exactly one positive mass ratio satisfies it.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> unit_condition(eliminate(machine()).natural_frequency_squared).completed_square
     Eq((36*varepsilon + 1)**2, 1729)
     """

@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 from ramanujan.derivation.energies import energies
+from ramanujan.derivation.model import M_e, M_x, Machine, Omega_squared, Phi, R, X, gather, m_prime, phi, t
 from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
-from ramanujan.derivation.symbols import M_e, M_x, Machine, Omega_squared, Phi, R, X, gather, m_prime, phi, t
 from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)
@@ -34,7 +34,7 @@ class LeastInertia:
 def least_inertia(bodies: Machine) -> LeastInertia:
     """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> least_inertia(machine()).shares[eta]
     4*(m + m_prime)/(7*m + 6*m_prime)
     """
@@ -53,7 +53,7 @@ def least_inertia(bodies: Machine) -> LeastInertia:
 def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
     """Return the part of M_x that comes from the lower rollers' spin: Σ I φ̇² over the square of ẋ = 2Rφ̇.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> spin_of_lower_rollers(machine())
     3*m_prime/8
     """
@@ -124,8 +124,8 @@ def build(bodies: Machine) -> Route:
                 "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
                 "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
             ),
-            equation(symbols.M_clamped - M_e, sp.factor(result.clamped - result.least)),
-            equation(symbols.Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
+            equation(model.M_clamped - M_e, sp.factor(result.clamped - result.least)),
+            equation(model.Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
         ),
     )
     return Route("energy", _("Energy"), steps, frequency, CELLS)

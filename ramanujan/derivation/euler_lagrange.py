@@ -8,9 +8,7 @@ import sympy as sp
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.energies import bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
-from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, equation, step
-from ramanujan.derivation.symbols import (
+from ramanujan.derivation.model import (
     COORDINATES,
     MOMENTA,
     Machine,
@@ -22,6 +20,8 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.derivation.printers import in_order, latex
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, equation, step
 from ramanujan.translation import _
 
 

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
+from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, blackboard, equation, step
-from ramanujan.derivation.symbols import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, phi, t
 from ramanujan.translation import _
 
 p_phi = MOMENTA[COORDINATES.index(phi)]
@@ -32,7 +32,7 @@ class Legendre:
 def legendre_transform(bodies: Machine) -> Legendre:
     """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> legendre_transform(machine()).momenta[MOMENTA[2]]
     3*R**2*m*Derivative(Phi(t), t)/2 - R*m*Derivative(X(t), t)
     """
@@ -65,7 +65,7 @@ class Reduction:
 def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
     """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> reduce_to_one_degree(legendre_transform(machine()).hamiltonian).effective_mass
     (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
     """
@@ -173,9 +173,9 @@ def build(bodies: Machine) -> Route:
                 "a quarter of $M_e$."
             ),
             equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
-            equation(symbols.Omega_squared, stiffness / M_e),
+            equation(model.Omega_squared, stiffness / M_e),
             equation(M_x, sp.factor(reduced.effective_mass / lever)),
-            equation(symbols.Omega_squared, frequency),
+            equation(model.Omega_squared, frequency),
         ),
     )
     return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)

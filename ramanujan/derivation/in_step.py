@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 from ramanujan.derivation.elimination import Elimination, unit_condition
+from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, k, m, m_prime
 from ramanujan.derivation.printers import in_order, latex
 from ramanujan.derivation.steps import Step, blackboard, equation, step
-from ramanujan.derivation.symbols import Omega_squared, epsilon, epsilon_star, k, m, m_prime
 from ramanujan.number_theory import sums_of_two_cubes
 from ramanujan.translation import _
 
@@ -30,7 +30,7 @@ def close_to_one_step(normalized: sp.Expr) -> Step:
         ),
         equation(Omega_squared * m / k, normalized),
     )
-    present = replace(compared, equations=(equation(symbols.normalized_frequency_squared, normalized),))
+    present = replace(compared, equations=(equation(model.normalized_frequency_squared, normalized),))
     return replace(compared, present=lambda _numbers: present)
 
 
@@ -49,8 +49,8 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
     two_terms = rollers + coupling
     normalized = (
         equation(epsilon, ratio),
-        equation(symbols.normalized_frequency_squared, numerator / in_order(*terms)),
-        equation(symbols.normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
+        equation(model.normalized_frequency_squared, numerator / in_order(*terms)),
+        equation(model.normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
     )
     only_ratio = step(
         "ratio",
@@ -77,7 +77,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(multiplied, sp.Integer(0)),
         equation(quadratic, sp.Integer(0)),
         operations=(
-            rf"{latex(symbols.normalized_frequency_squared)} = 1",
+            rf"{latex(model.normalized_frequency_squared)} = 1",
             blackboard(_("cancel {what}"), numerator),
             rf"\times \left({latex(below)}\right)",
             blackboard(_("collect {what}"), epsilon),

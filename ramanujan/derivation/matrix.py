@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation.energies import energies
+from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, gather
 from ramanujan.derivation.steps import ROUTES, Route, equation, step
-from ramanujan.derivation.symbols import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, gather
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)
@@ -44,7 +44,7 @@ class Modes:
 def modes(bodies: Machine) -> Modes:
     """Return the matrices as second derivatives of the energies, and the modes that follow.
 
-    >>> from ramanujan.derivation.symbols import machine
+    >>> from ramanujan.derivation.model import machine
     >>> modes(machine()).eigenvalues[sp.S.Zero]
     2
     """

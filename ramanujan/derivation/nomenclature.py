@@ -3,20 +3,20 @@
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Route
 from ramanujan.translation import _
 
 _MACHINE = {
-    symbols.X: _("displacement of the block relative to the ground, positive to the left [m]"),
-    symbols.phi: _("angle of the hoop and of the lower cylinder, positive clockwise [rad]"),
-    symbols.Phi: _("angle of the top cylinder, positive clockwise [rad]; the paper writes $\\phi$"),
-    symbols.m: _("mass of the block, of the slab and of the top cylinder [kg]"),
-    symbols.m_prime: _("mass of the hoop, and mass of the lower cylinder [kg]"),
-    symbols.k: _("stiffness of the spring [N/m]"),
-    symbols.R: _("radius of the three rolling bodies [m]"),
+    model.X: _("displacement of the block relative to the ground, positive to the left [m]"),
+    model.phi: _("angle of the hoop and of the lower cylinder, positive clockwise [rad]"),
+    model.Phi: _("angle of the top cylinder, positive clockwise [rad]; the paper writes $\\phi$"),
+    model.m: _("mass of the block, of the slab and of the top cylinder [kg]"),
+    model.m_prime: _("mass of the hoop, and mass of the lower cylinder [kg]"),
+    model.k: _("stiffness of the spring [N/m]"),
+    model.R: _("radius of the three rolling bodies [m]"),
 }
 """The symbols of every route."""
 
@@ -36,16 +36,16 @@ _OTHERS = {
     sp.Symbol("H_0"): _("constant part of the Hamiltonian [J]"),
     **{
         p: _("canonical momentum of {coordinate} [{unit}]").format(coordinate=f"${latex(q)}$", unit=unit)
-        for p, q, unit in zip(symbols.MOMENTA, symbols.COORDINATES, ("kg·m/s", "kg·m²/s", "kg·m²/s"), strict=True)
+        for p, q, unit in zip(model.MOMENTA, model.COORDINATES, ("kg·m/s", "kg·m²/s", "kg·m²/s"), strict=True)
     },
-    symbols.Omega_squared: _("square of the natural angular frequency [rad²/s²]"),
-    symbols.Omega_clamped_squared: _(
+    model.Omega_squared: _("square of the natural angular frequency [rad²/s²]"),
+    model.Omega_clamped_squared: _(
         "square of the natural angular frequency while block and top cylinder are held still [rad²/s²]"
     ),
-    symbols.epsilon: _("mass ratio $m'/m$: a lower roller’s mass divided by the mass of each other body"),
-    symbols.epsilon_star: _("mass ratio at which $\\Omega^2=k/m$"),
-    symbols.M_e: _("effective mass for the displacement $R\\varphi$ of the lower rollers [kg]"),
-    symbols.M_x: _("effective mass for the deformation $2R\\varphi$ of the spring [kg]"),
+    model.epsilon: _("mass ratio $m'/m$: a lower roller’s mass divided by the mass of each other body"),
+    model.epsilon_star: _("mass ratio at which $\\Omega^2=k/m$"),
+    model.M_e: _("effective mass for the displacement $R\\varphi$ of the lower rollers [kg]"),
+    model.M_x: _("effective mass for the deformation $2R\\varphi$ of the spring [kg]"),
     sp.Symbol("M_clamped"): _("effective mass for $R\\varphi$ while block and top cylinder are held still [kg]"),
     sp.Symbol("xi"): _("motion of the block relative to that of the lower rollers, $\\dot X/(R\\dot\\varphi)$"),
     sp.Symbol("eta"): _(

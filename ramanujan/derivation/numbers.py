@@ -15,11 +15,11 @@ from typing import Any
 
 import sympy as sp
 
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 from ramanujan.derivation.elimination import UnitCondition, unit_condition
+from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
 from ramanujan.derivation.steps import ROUTES
-from ramanujan.derivation.symbols import k, m, m_prime
 from ramanujan.translation import _
 
 _DIGITS_OF_A_FLOAT = 15
@@ -59,7 +59,7 @@ class Numbers:
         >>> Numbers(1.85, 5 / 6, 33.5).exact
         {m: 37/20, m_prime: 5/6, k: 67/2}
         """
-        read = {getattr(symbols, field.name): _entered(getattr(self, field.name)) for field in fields(self)}
+        read = {getattr(model, field.name): _entered(getattr(self, field.name)) for field in fields(self)}
         if stands_for_the_root(self.m, self.m_prime):
             read[m_prime] = unit_frequency_condition().root * read[m]
         return read

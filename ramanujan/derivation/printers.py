@@ -16,21 +16,21 @@ import sympy as sp
 from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinter
 from sympy.printing.latex import translate
 
-from ramanujan.derivation import symbols
+from ramanujan.derivation import model
 
 _NAMES = {
-    symbols.m_prime: "m'",
-    symbols.epsilon_star: r"\varepsilon_{*}",
-    symbols.Omega_squared: r"\Omega^{2}",
-    symbols.Omega_clamped_squared: r"\Omega_{\text{clamped}}^{2}",
-    symbols.normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
+    model.m_prime: "m'",
+    model.epsilon_star: r"\varepsilon_{*}",
+    model.Omega_squared: r"\Omega^{2}",
+    model.Omega_clamped_squared: r"\Omega_{\text{clamped}}^{2}",
+    model.normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
     sp.Symbol("L"): r"\mathcal{L}",
     sp.Symbol("H"): r"\mathcal{H}",
     sp.Symbol("H_0"): r"\mathcal{H}_{0}",
 }
 _PLAIN = {
-    **dict(zip(symbols.VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
-    **dict(zip(symbols.COORDINATES, sp.symbols("X phi Phi"), strict=True)),
+    **dict(zip(model.VELOCITIES, sp.symbols("X_dot phi_dot Phi_dot"), strict=True)),
+    **dict(zip(model.COORDINATES, sp.symbols("X phi Phi"), strict=True)),
     sp.Symbol("R", positive=True): sp.Symbol("radius"),
 }
 """What a program calls the coordinates, their rates and R."""
@@ -109,7 +109,7 @@ def latex(expression: sp.Basic) -> str:
 
     A fraction that no eye can read (a denominator of eight digits or more) is written as a decimal that ends in dots.
 
-    >>> from ramanujan.derivation.symbols import X, m_prime
+    >>> from ramanujan.derivation.model import X, m_prime
     >>> latex(m_prime * X.diff().diff())
     "m'\\\\,\\\\ddot{X}"
     """
@@ -124,13 +124,11 @@ def colored(formula: str, color: str | None) -> str:
 def plain_text(expression: sp.Expr) -> str:
     """Return a short expression as a label: Unicode on one line, factors side by side.
 
-    >>> from ramanujan.derivation.symbols import R, phi
+    >>> from ramanujan.derivation.model import R, phi
     >>> plain_text(2 * R * phi)
     '2Rφ'
     """
-    named = expression.subs(
-        {q: sp.Function(str(q.func).replace("var", ""))(symbols.t) for q in symbols.COORDINATES}
-    ).doit()
+    named = expression.subs({q: sp.Function(str(q.func).replace("var", ""))(model.t) for q in model.COORDINATES}).doit()
     return VectorPrettyPrinter({"use_unicode": True, "wrap_line": False}).doprint(named).replace("⋅", "")
 
 
@@ -141,7 +139,7 @@ def javascript(formulas: Mapping[str, Any]) -> str:
     ----------
     formulas : name → expression, or name → another such mapping
 
-    >>> from ramanujan.derivation.symbols import k, m
+    >>> from ramanujan.derivation.model import k, m
     >>> javascript({"plain": sp.sqrt(k / m)})
     '{plain: ({k, m}) => Math.sqrt(k)/Math.sqrt(m)}'
     """

@@ -12,9 +12,9 @@ import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.matrix import Modes, modes
+from ramanujan.derivation.model import COORDINATES, Machine, Omega_squared, X, k, m, machine, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import equation
-from ramanujan.derivation.symbols import COORDINATES, Machine, Omega_squared, X, k, m, machine, phi, t
 from ramanujan.translation import _
 
 

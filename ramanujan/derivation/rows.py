@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
+from ramanujan.derivation.model import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import decimal_of, number_to_latex
 from ramanujan.derivation.steps import Step
-from ramanujan.derivation.symbols import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.templates import Highlight, template
 
 Dress = tuple[tuple[int, int, str], ...]

@@ -9,7 +9,7 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.symbols import COORDINATES, Machine, Phi, X, machine, phi, t
+from ramanujan.derivation.model import COORDINATES, Machine, Phi, X, machine, phi, t
 
 Omega = sp.Symbol("Omega", positive=True)
 INITIAL = {q: sp.Symbol(name) for q, name in zip(COORDINATES, ("X", "phi", "Phi"), strict=True)}

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from ramanujan.derivation.model import Machine, m, machine
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.symbols import Machine, m, machine
 from ramanujan.translation import _
 
 if TYPE_CHECKING:

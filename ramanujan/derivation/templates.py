@@ -18,9 +18,9 @@ from math import lcm
 import sympy as sp
 from sympy.utilities.iterables import sift
 
+from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import InOrder, LatexPrinter, Number, Printed, in_order, number_to_latex
-from ramanujan.derivation.symbols import k, m, m_prime
 
 GIVEN = (m, m_prime, k)
 """What has a value."""

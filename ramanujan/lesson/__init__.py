@@ -3,7 +3,7 @@
     stop        what a stop is: a machine, a question, options, an answer that is worked out, an explanation
     clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson
     task        what a task is: what a student has set, and the verdict on it
-    settings, answers                         the tasks
+    machine_tasks, answer_tasks   the tasks: those done with the machine alone, those with an answer of their own
     classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_record)
 
 >>> from ramanujan import lesson
@@ -11,7 +11,7 @@
 'same'
 """
 
-from ramanujan.lesson import answers, bodies, clocks, computing, modes, ratio, settings
+from ramanujan.lesson import answer_tasks, bodies, clocks, computing, machine_tasks, modes, ratio
 from ramanujan.lesson.stop import Run, Stop
 from ramanujan.lesson.task import Setting, Task, Verdict
 from ramanujan.translation import _
@@ -22,7 +22,7 @@ CHAPTERS = (clocks.STOPS, bodies.STOPS, modes.STOPS, ratio.STOPS, computing.STOP
 STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter)
 """The stops in their order: two clocks, who is faster, what can move, where the energy is, the ratio, computers."""
 
-TASKS: tuple[Task, ...] = (*settings.TASKS, *answers.TASKS)
+TASKS: tuple[Task, ...] = (*machine_tasks.TASKS, *answer_tasks.TASKS)
 """The tasks, the easier ones first."""
 
 SOURCES = (

@@ -14,10 +14,10 @@ from fractions import Fraction
 import sympy as sp
 
 from ramanujan.derivation import ROUTES
+from ramanujan.derivation.model import epsilon, k, m, m_prime
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step
-from ramanujan.derivation.symbols import epsilon, k, m, m_prime
 from ramanujan.lesson import CHAPTERS, Stop
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import number, quantity

@@ -16,7 +16,7 @@ from urllib.parse import parse_qsl, urlencode
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.browser import page
+from ramanujan.browser import components
 from ramanujan.lesson.class_codes import parts_of, read_code, voter_of
 from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
 from ramanujan.lesson.stop import Stop
@@ -199,7 +199,7 @@ def follow(code: str) -> None:
     if told != text:
         seen = {**json.loads(text), "ago": ago}
         st.session_state[_FOLLOWED] = text, seen
-    page.publish("class_seen_published", {f"seen/stop_{seen['stop']}": seen})
+    components.publish("class_seen_published", {f"seen/stop_{seen['stop']}": seen})
 
 
 def _sit_at_desk(key: str) -> None:

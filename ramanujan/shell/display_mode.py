@@ -10,7 +10,7 @@ from html import escape
 
 import streamlit as st
 
-from ramanujan.browser import page, stage
+from ramanujan.browser import components, stage
 from ramanujan.shell import address
 from ramanujan.translation import _
 
@@ -84,7 +84,7 @@ def begin(name: str) -> None:
 def pager() -> None:
     """Draw what turns the sheets; a turn reruns nothing else."""
     address.keep(SHEET)
-    page.pager(lambda name: st.session_state.update({SHEET.name: name}))
+    components.pager(lambda name: st.session_state.update({SHEET.name: name}))
 
 
 def hides(*parts: str) -> bool:

@@ -46,7 +46,7 @@ _TEXT = (".js", ".css", ".svg")
 _FOR_GOOD = {"cache-control": "public, immutable, max-age=31536000", "vary": "accept-encoding"}
 _FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 """Asks for a font before it is known to be needed; page.css brings one that is smaller."""
-_FIRST = ("begin", "page/library", "page/publish", "stage/stage")
+_FIRST = ("begin", "components/services", "components/publish", "stage/stage")
 """Modules without which no machine is drawn; they bring what they import. To ask for all at once would delay them."""
 _ANOTHER = {b"if-none-match", b"if-modified-since", b"range"}
 """Headers by which a browser asks for less than the whole start page; what it knows of it may be Streamlit's own."""
@@ -98,7 +98,7 @@ class _StreamlitFiles(StaticFiles):
     async def get_response(self, path: str, scope: dict[str, Any]) -> Response:
         if "MaterialSymbols" in path:
             headers = {"content-type": _TYPES["woff2"], "cache-control": "public, max-age=86400"}
-            return Response(modules.contents()["page/icons.woff2"], headers=headers)
+            return Response(modules.contents()["components/icons.woff2"], headers=headers)
         file, asked = await super().get_response(path, scope), Headers(scope=scope)
         file.headers.update(_FOR_GOOD)
         if not isinstance(file, FileResponse) or not path.endswith(_TEXT) or "range" in asked:
@@ -189,7 +189,7 @@ def _with_own() -> bytes:
     scripts = (f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST)
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
     sheets = (name for name in names if name.endswith(".css"))
-    media = {"page/projector.css": ' media="not all"'}  # until pager.js lets it hold
+    media = {"components/projector.css": ' media="not all"'}  # until pager.js lets it hold
     rules = (f'<link rel="stylesheet" href="{place}/{name}"{media.get(name, "")}>' for name in sheets)
     end = f"{''.join(rules)}{''.join(scripts)}</body>"
     page = _FONT.sub("".join(fonts).encode(), (_STREAMLIT / "index.html").read_bytes(), count=1)

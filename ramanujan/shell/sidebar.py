@@ -14,7 +14,7 @@ from functools import partial
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from ramanujan.browser import page
+from ramanujan.browser import components
 from ramanujan.shell import address, cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
 from ramanujan.translation import _
@@ -53,7 +53,7 @@ def draw(withheld: Collection[str], aside: Collection[str]) -> None:
     if not st.session_state.pop(_BEGUN, False):
         raise RuntimeError("sidebar.begin() comes first: a widget that has been drawn can no longer be set")
     with st.sidebar, st.container(key="controls"):
-        page.sheet()
+        components.drawer()
         if offered := [name for name in PRESETS if name not in withheld]:
             presets(offered)
         folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
@@ -66,7 +66,7 @@ def draw(withheld: Collection[str], aside: Collection[str]) -> None:
                 if key != "radius":
                     slider(key)
         symbols()
-        page.link(address.PRIVATE)
+        components.link(address.PRIVATE)
         display_mode.switch()
         end()
 
@@ -100,7 +100,7 @@ def symbols() -> None:
 
 def end() -> None:
     """Tell the boxes what the sliders hold, after all of these have been drawn."""
-    page.publish("boxes_published", followed())
+    components.publish("boxes_published", followed())
     pending_updates.draw()
 
 
@@ -266,7 +266,7 @@ def _take_preset() -> None:
 
 def slider(key: str) -> None:
     """Draw the slider of a parameter with its box; in one run in one place only, before `end`."""
-    page.exact(key, widgets.head(PARAMETERS[key]), partial(enter, key))
+    components.exact(key, widgets.head(PARAMETERS[key]), partial(enter, key))
     messages.show_note(key)
     widgets.slider(PARAMETERS[key], label_visibility="collapsed", on_change=_moved)
 

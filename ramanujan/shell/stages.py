@@ -1,8 +1,5 @@
 """The stages of the pages: each hides what the link hides, and follows the sliders of the sidebar.
 
-The machine comes first: the first run of a visit to the first page draws the machine below its opening, alone. Once it
-moves, the browser asks for all the rest, which takes it as long again: the pages’ bar, the sidebar, curve and steps.
-
 The page itself writes into the address what is seen of a stage (keeper.js): its layers, its speed, from where it is
 seen, and where it is paused, as the periods since release of machine and plain mass, for every machine on one clock.
 """
@@ -10,10 +7,8 @@ seen, and where it is paused, as the periods since release of machine and plain 
 from collections.abc import Mapping
 from typing import Any
 
-import streamlit as st
-
-from ramanujan.browser import page, stage
-from ramanujan.shell import address, display_mode, messages, navigation, theme
+from ramanujan.browser import stage
+from ramanujan.shell import address, display_mode
 from ramanujan.shell.parameters import PARAMETERS, WATCH
 from ramanujan.translation import _
 
@@ -31,26 +26,6 @@ def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
         address.Choice(f"{kept}from", ("ground", "block"), "ground"),
         address.Text(f"{kept}paused", rf"{turns}(,{turns}){{1,39}}", refused),
     )
-
-
-_ALONE = "alone"
-"""Session state: whether this run draws the machine alone; missing until the first run."""
-
-
-def begin() -> bool:
-    """Begin a run: mount the page's services, and return whether this run draws the machine alone."""
-    first = _ALONE not in st.session_state and navigation.is_first_page()
-    # Without a browser nothing ever moves; a projector's sheets are there from the start.
-    waits = first and display_mode.in_browser() and st.query_params.get("view") != "projector"
-    # A page whose machine moves says so to a server that was started anew, too, and keeps all that it has.
-    moves = page.bring(theme.current(), waits, messages.stay)
-    st.session_state[_ALONE] = waits and not moves
-    return alone()
-
-
-def alone() -> bool:
-    """Tell whether this run draws the machine alone."""
-    return st.session_state[_ALONE]
 
 
 URL_PARAMETERS = url_parameters()

@@ -8,8 +8,8 @@ from playwright.sync_api import sync_playwright
 from ramanujan.shell.navigation import PAGES
 from tests.browser import CHROMIUM, FLAGS, ROOT, listen, running, settle
 
-LIBRARY = "document.querySelector('.st-key-library [data-testid=stBidiComponentIsolated]').shadowRoot"
-NOTICE = f"{LIBRARY}.querySelector('p:not([role])')"
+SERVICES = "document.querySelector('.st-key-services [data-testid=stBidiComponentIsolated]').shadowRoot"
+NOTICE = f"{SERVICES}.querySelector('p:not([role])')"
 WATCH = f"""() => new MutationObserver(() => {{ if (!{NOTICE}.hidden) window.away ??= Date.now(); }})
   .observe({NOTICE}, {{ attributes: true }})"""
 

@@ -37,7 +37,8 @@ and by `page.publish`, at every change:
     slipping     the contact that is marked, such as hoop_slab; left out: none
     hide         the parts that are hidden, see `PARTS`; left out: none
 
-Other parts of the page communicate with a stage through the topics of the bus; `ramanujan.browser.page` lists them.
+Other parts of the page communicate with a stage through the topics of the bus, which `ramanujan.browser.components`
+lists.
 
 The page answers nothing but `SEEN`, and that at the desk of a class alone: a slab that is let go moves its slider, see
 thumb.js.
@@ -47,7 +48,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from ramanujan.browser import modules, page
+from ramanujan.browser import components, modules
 from ramanujan.browser.stage.formulas import SHAPE_FACTORS
 from ramanujan.browser.stage.words import LAYERS
 from ramanujan.motion import InitialState
@@ -153,7 +154,7 @@ def mount(
         "kept": kept,
     }
     if on_seen:
-        page.asks("stage/stage", key, {**fixed, "tells": True}, "seen", on_seen, SEEN)
+        components.asks("stage/stage", key, {**fixed, "tells": True}, "seen", on_seen, SEEN)
     else:
         modules.component("stage/stage")(key=key, data=fixed)
     if data is not None:
@@ -179,6 +180,6 @@ def tell(
     if unknown := set(hidden := sorted(hide)).difference(PARTS):
         sentence = _("hide must be among {known}, and {unknown} is not")
         raise ValueError(sentence.format(known=", ".join(PARTS), unknown=", ".join(sorted(unknown))))
-    page.publish(
+    components.publish(
         f"{key}_published", {f"machine/{name or key}": {**data, "hide": hidden} if hidden else data, **(more or {})}
     )

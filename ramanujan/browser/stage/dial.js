@@ -1,7 +1,7 @@
 // What compares the machine with the plain mass: two clock hands, the sentences below them, the gauge, the readouts. When the
 // two are in step, all of these light up together.
 
-import { fill, fixed, number, withUnit } from "../page/sentences.js";
+import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN } from "./motion.js";
 import { finder } from "./parts.js";

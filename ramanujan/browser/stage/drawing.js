@@ -1,7 +1,7 @@
 // The drawing, pure: from a machine and its state to lengths, outlines and attributes. No page, no clock, no listening.
 // All lengths here are centimetres of the picture, x to the right and y UP from the floor.
 
-import { fill } from "../page/sentences.js";
+import { fill } from "../components/sentences.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, clamp, mapValues } from "./motion.js";
 import { WORDS } from "./texts.js";

@@ -5,11 +5,7 @@ from typing import Any
 import sympy as sp
 
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.newton import contact_forces, floor_lever, normal_forces, spring_forces
-from ramanujan.derivation.numbers import unit_frequency_condition
-from ramanujan.derivation.printers import plain_text
-from ramanujan.derivation.solution import coefficients
-from ramanujan.derivation.symbols import (
+from ramanujan.derivation.model import (
     HOOP,
     SOLID_CYLINDER,
     Machine,
@@ -24,6 +20,10 @@ from ramanujan.derivation.symbols import (
     phi,
     t,
 )
+from ramanujan.derivation.newton import contact_forces, floor_lever, normal_forces, spring_forces
+from ramanujan.derivation.numbers import unit_frequency_condition
+from ramanujan.derivation.printers import plain_text
+from ramanujan.derivation.solution import coefficients
 from ramanujan.oscillator import DRAWN_SPACING, GRAVITY
 
 SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}

@@ -1,7 +1,7 @@
 // Keeps in the address what is seen of the stages on one clock, so that a link shows the same picture: layers, speed, the view
 // from ground or block, and the moment of a pause. shell/stages.py has the names and their values.
 
-import { atRest } from "../page/lasting.js";
+import { atRest } from "../components/lasting.js";
 import { finder } from "./parts.js";
 import { TURN } from "./motion.js";
 

@@ -1,7 +1,7 @@
 // The layers that can be chosen: energy bars by body, velocity arrows, forces along the floor and upright, traces of the rims,
 // coordinates.
 
-import { fill, fixed, number, withUnit } from "../page/sentences.js";
+import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
   BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, moved, rimTrace, roundBelow, standing,

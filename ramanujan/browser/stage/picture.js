@@ -1,7 +1,7 @@
 // The picture of one stage: puts the drawing's attributes on the nodes of stage.html, and is the only one that does. The
 // layers that can be chosen are in layers.js, the clock hands, gauge and readouts in dial.js.
 
-import { fill, fixed, withUnit } from "../page/sentences.js";
+import { fill, fixed, withUnit } from "../components/sentences.js";
 import { makeDial } from "./dial.js";
 import {
   BODIES, CM, STRETCH, centreOfMass, coil, exposure, layout, leftPlace, outlines, placed, rollerWords, scenery, weight,

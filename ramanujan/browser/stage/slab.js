@@ -1,8 +1,8 @@
 // The slab in a hand: dragged by the pointer or moved by the keys, within bounds that give way softly.
 
-import { bus } from "../page/bus.js";
-import { atRest } from "../page/lasting.js";
-import { fill, number, withUnit } from "../page/sentences.js";
+import { bus } from "../components/bus.js";
+import { atRest } from "../components/lasting.js";
+import { fill, number, withUnit } from "../components/sentences.js";
 import { CM } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { clamp } from "./motion.js";

@@ -1,8 +1,8 @@
 // The stage: joins clock, playback, picture, hand and words. All physics is in formulas.js, which SymPy prints; texts.js holds
 // the words. __init__.py states the contract with Python.
 
-import { bus } from "../page/bus.js";
-import { observe } from "../page/lasting.js";
+import { bus } from "../components/bus.js";
+import { observe } from "../components/lasting.js";
 import { EYE, joinClock, wake } from "./clock.js";
 import { FORMULAS } from "./formulas.js";
 import { TURN, exposures, solve } from "./motion.js";

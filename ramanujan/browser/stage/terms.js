@@ -1,7 +1,7 @@
 // Links each body, with the arrows that belong to it, to its terms in the page's formulas: they have its ink. What a pointer, a
 // finger or the focus is on lights its partners.
 
-import { dom } from "../page/streamlit_dom.js";
+import { dom } from "../components/streamlit_dom.js";
 import { set } from "./svg.js";
 
 const OF = { X: "block", x0: "spring", R: "top", shared: "hoop" }; // the bodies of arrows that are named otherwise

@@ -3,8 +3,8 @@
 // a person has moved it, and the server has not answered yet. A drag of the slab moves the slider of x₀ along. When the drag
 // ends, that slider sends its value as after a key stroke, or as soon as the server is back.
 
-import { bus } from "../page/bus.js";
-import { dom } from "../page/streamlit_dom.js";
+import { bus } from "../components/bus.js";
+import { dom } from "../components/streamlit_dom.js";
 
 export class Hand {
   held = null; // m, x₀ as it is drawn while the slab is in a hand, and until its slider has sent it

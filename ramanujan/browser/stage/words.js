@@ -1,8 +1,8 @@
 // What a stage says: sentences from WORDS, the note over the picture, news for the page's live region.
 
-import { bus } from "../page/bus.js";
-import { atRest } from "../page/lasting.js";
-import { fill, fixed, number, withUnit } from "../page/sentences.js";
+import { bus } from "../components/bus.js";
+import { atRest } from "../components/lasting.js";
+import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { TURN } from "./motion.js";
 import { WORDS } from "./texts.js";
 

@@ -6,7 +6,7 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan import UNIT_MASS_RATIO
-from ramanujan.browser import page, stage
+from ramanujan.browser import components, stage
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
@@ -68,7 +68,7 @@ def show() -> None:
         margin()
     with sheet("try", _("Try it yourself")):
         try_it()
-    page.give_back("route", "show", "values", "masses")
+    components.give_back("route", "show", "values", "masses")
     if not setting.numbers:
         sidebar.follow("beside", "results", "modes", "asked_machine")
 
@@ -154,7 +154,7 @@ def turn_pages(setting: Setting) -> None:
     address.keep(STEP)
     machine = sidebar.oscillator()
     if setting.is_lecture:
-        page.steps(setting.route, [step.heading for step in setting.steps], turned)
+        components.steps(setting.route, [step.heading for step in setting.steps], turned)
         if setting.steps[min(address.held(STEP), len(setting.steps)) - 1].key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
     told = stage.payload(machine, sidebar.compression())

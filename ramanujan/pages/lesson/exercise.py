@@ -8,7 +8,7 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.answers import QUESTIONS, question
-from ramanujan.browser import page
+from ramanujan.browser import components
 from ramanujan.pages.derivation import cache, tryout
 from ramanujan.pages.lesson import tasks
 from ramanujan.shell import address, display_mode, sheet_keys, widgets
@@ -33,7 +33,7 @@ def show(items: tuple[str, ...]) -> None:
     now = min(address.held(ITEM), len(headings))
     with st.container(key="lesson_head"):
         place = _("Part {now} of {count}: {heading}")
-        page.turn(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
+        components.turn(headings, now, lambda to: st.session_state.update({ITEM.name: to}), place=place)
     if now > len(items):
         finish(items)
     elif (name := items[now - 1]) in QUESTIONS:

@@ -6,7 +6,7 @@ Before a prediction nothing of the answer is on the page: it is not drawn, not s
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.browser import page
+from ramanujan.browser import components
 from ramanujan.pages.lesson import classroom, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.shell.display_mode import is_projector, sheet
@@ -44,7 +44,7 @@ def lesson_parts() -> None:
         head = st.container(key="turner")
         classroom.door()
     {"stops": walk, "tasks": work, "notes": notes}[part](head)
-    page.give_back("part")
+    components.give_back("part")
 
 
 def uses_sidebar() -> bool:
@@ -76,7 +76,7 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
 
     with head:
         # At the desk of a class a clicker presses the button of the next move.
-        page.turn(
+        components.turn(
             [*(stop.heading for stop in path), ENDING],
             number,
             turned,

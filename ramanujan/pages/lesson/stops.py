@@ -11,7 +11,7 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan import Oscillator, drawn_spacing
-from ramanujan.browser import page, stage
+from ramanujan.browser import components, stage
 from ramanujan.contact import first_to_slip
 from ramanujan.lesson import Run, Stop
 from ramanujan.lesson.classes import Phase
@@ -137,7 +137,7 @@ def draw(stop: Stop, number: int) -> None:
             if running and len(stop.runs) == 1:
                 st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_want_sliders)
             if sliders_wanted():
-                page.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
+                components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
     with picture:
         show(stop, running)
 
@@ -209,7 +209,7 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
             said = stop.options[stop.right]
             st.markdown(_(":green[:material/check_circle: **Right answer:**] {option}").format(option=said))
     # With the button that was clicked the focus has gone: who cannot see the page is told here.
-    page.publish(f"told_{stop.id}_published", {"say": {"sentence": said, "urgent": True}})
+    components.publish(f"told_{stop.id}_published", {"say": {"sentence": said, "urgent": True}})
 
 
 def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
@@ -234,7 +234,7 @@ def _compare_hands(stop: Stop) -> None:
     machine = sidebar.oscillator()
     time = stop.periods * 2 * math.pi * math.sqrt(machine.m / machine.k)
     label = _("Show the hands after {n} periods").format(n=stop.periods)
-    page.moment(f"stage_{stop.id}_0", time, label)
+    components.moment(f"stage_{stop.id}_0", time, label)
 
 
 def observe(stop: Stop, running: bool, fixed: bool) -> None:

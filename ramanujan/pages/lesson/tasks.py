@@ -6,7 +6,7 @@ from functools import partial
 import streamlit as st
 
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
-from ramanujan.browser import page, stage
+from ramanujan.browser import components, stage
 from ramanujan.browser.stage.words import BODIES as BODY_WORDS
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting, Task, Verdict
@@ -101,7 +101,7 @@ FIELDS = {
     "part": lambda: read_number(
         st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
     ),
-    "seconds": lambda: page.stopwatch("task_stopwatch"),
+    "seconds": lambda: components.stopwatch("task_stopwatch"),
     "periods": lambda: widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH),
     "formula": lambda: st.text_input("ε =", key="task_formula", placeholder=_EXAMPLE.format(entry="(sqrt(5) − 1)/2")),
     "method": lambda: widgets.menu(METHOD, _("Method")),

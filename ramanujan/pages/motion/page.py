@@ -6,7 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.browser import page, stage
+from ramanujan.browser import components, stage
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.numerals import quantity
 from ramanujan.pages.motion import cache, plots
@@ -59,7 +59,7 @@ def show() -> None:
         with picture, st.container(key="verdict"):
             verdict(friction, compression)
     if display_mode.is_projector():
-        page.cursor("motion")
+        components.cursor("motion")
     the_figures(motion, friction, setting)
 
 
@@ -102,7 +102,7 @@ def freeze(motion: Record) -> None:
     label = _("Pause at the greatest friction ({contact}, t = {time})").format(
         contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)
     )
-    page.moment("motion", instant, label)
+    components.moment("motion", instant, label)
 
 
 def greatest_friction(motion: Record) -> tuple[float, str]:
@@ -119,7 +119,7 @@ def cursor_and_download(motion: Record, mu: float) -> None:
     """Draw the time cursor over the figures of a view, and the download of all numbers."""
     marker, file = st.columns([5, 1], vertical_alignment="center")
     with marker:
-        page.cursor("motion")
+        components.cursor("motion")
     with file:
         widgets.download(
             _("CSV"),

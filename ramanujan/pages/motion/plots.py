@@ -7,8 +7,8 @@ import streamlit as st
 
 from ramanujan.contact import required_friction
 from ramanujan.derivation.energies import PARTS
+from ramanujan.derivation.model import MOMENTA
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.symbols import MOMENTA
 from ramanujan.figures.motion import friction_bars
 from ramanujan.numerals import filled, quantity
 from ramanujan.pages.motion import cache

@@ -9,9 +9,9 @@ import sympy as sp
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.derivation import Step
+from ramanujan.derivation.model import epsilon
 from ramanujan.derivation.numbers import Numbers, unit_frequency_condition
 from ramanujan.derivation.rows import Row, aligned, rows
-from ramanujan.derivation.symbols import epsilon
 from ramanujan.figures import Drawn
 from ramanujan.figures.oscillator import Curve, Mark, frequency_curve
 from ramanujan.shell import theme

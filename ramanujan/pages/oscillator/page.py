@@ -6,12 +6,12 @@ from dataclasses import asdict
 import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from ramanujan.browser import page, stage
+from ramanujan.browser import components, stage
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
-from ramanujan.shell import address, display_mode, drawings, navigation, sidebar, stages, theme
+from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme
 from ramanujan.shell.cache import numbers_stated
 from ramanujan.shell.display_mode import sheet
 from ramanujan.translation import _
@@ -34,7 +34,7 @@ def lead() -> bool:
     if display_mode.is_projector():
         return False
     composition()
-    if not stages.alone():
+    if not first_run.alone():
         more()
     return True
 
@@ -45,12 +45,12 @@ def show() -> None:
         with sheet("machine", _("The machine")):
             composition()
     told()
-    if stages.alone():
+    if first_run.alone():
         # Room for what comes: with a scroll bar that comes later the machine would jump.
         st.container(height=5000, border=False)
         return
     if not display_mode.hides("curve"):
-        page.pick("curve", take_clicked)
+        components.pick("curve", take_clicked)
         with sheet("curve", _("The curve")):
             the_curve()
     if display_mode.hides("steps"):
@@ -127,7 +127,7 @@ def more() -> None:
         with right:
             sidebar.radius()
         sidebar.symbols()
-        page.link(address.PRIVATE)
+        components.link(address.PRIVATE)
         display_mode.switch()
     sidebar.end()
 
@@ -154,12 +154,12 @@ def tell_story() -> None:
         ).format(periods=story.STILL_PERIODS),
         "hint": _("Watch how the hands part as m′ changes, and where they stay together"),
     }
-    page.story("oscillator", "m_prime", UNIT_MASS_RATIO, told, words)
+    components.story("oscillator", "m_prime", UNIT_MASS_RATIO, told, words)
 
 
 def to_lesson() -> None:
     """Lead a newcomer to the lesson; while the machine stands alone, keep the room for it."""
-    if stages.alone():
+    if first_run.alone():
         st.empty()
         return
     st.page_link(navigation.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")

@@ -32,7 +32,7 @@ from ramanujan.accuracy.work_precision import DTYPES, WorkPrecision, work_precis
 from ramanujan.figures import MASS_RATIO, Drawn
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.lesson import answers
+from ramanujan.lesson import answer_tasks
 from ramanujan.pages.speed import downsampling, verdicts
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.shell.cache import giving_way
@@ -69,7 +69,7 @@ def run(method: str, steps: int, periods: int, dtype: str) -> Run:
 @giving_way()
 def races() -> tuple[WorkPrecision, ...]:
     """Return the runs of all methods in the challenge."""
-    return answers.races()
+    return answer_tasks.races()
 
 
 def parts_of_diagram(periods: int) -> list[Callable[[], object]]:

@@ -13,7 +13,7 @@ from ramanujan.browser import stage
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting
-from ramanujan.lesson.answers import PERIODS, WITHIN
+from ramanujan.lesson.answer_tasks import PERIODS, WITHIN
 from ramanujan.pages.lesson import tasks
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, drawings, sidebar, stages, theme, widgets

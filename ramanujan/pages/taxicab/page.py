@@ -5,7 +5,7 @@ from fractions import Fraction
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.browser import page
+from ramanujan.browser import components
 from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
@@ -122,7 +122,7 @@ def two_stacks() -> None:
 
 def stacks() -> None:
     """Draw the two stacks."""
-    page.cubes(
+    components.cubes(
         [(larger, smaller) for smaller, larger in PAPER.cubes],
         [in_words(*cubes) for cubes in PAPER.cubes],
         [f"{x}³ + {y}³ = {x**3} + {y**3} = {PAPER.discriminant}" for x, y in PAPER.cubes],

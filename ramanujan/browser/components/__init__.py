@@ -34,10 +34,10 @@ from ramanujan.browser import modules
 from ramanujan.translation import _
 
 
-def bring(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
-    """Bring what every page has, and return whether the page has told that its machine moves; call it before all else.
+def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
+    """Mount the services that every page needs, before all else; return whether the page’s machine moves.
 
-    That is the page’s one live region, which says what the topic `say` brings; a notice while the server is
+    These are the page’s one live region, which says what the topic `say` brings; a notice while the server is
     away; the keyboard's access to boxes that scroll sideways; a new run of the page when the visitor switches the
     theme, so that figures follow; and a ring that follows the first page's machine on a curve. A figure has the
     ring if its layout's `meta` names the ring's colour; its axes are the mass ratio ε and Ω²m/k.
@@ -55,8 +55,8 @@ def bring(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
         "label": _("Wide content: scroll it with the arrow keys"),
         "ring": {"stage": "oscillator", "label": _("Your machine: ε = {ratio}, Ω²m/k = {normalized}")},
     }
-    library = modules.component("page/library")
-    return bool(library(key="library", data=data, on_switched_change=lambda: None, on_moving_change=on_moving).moving)
+    services = modules.component("components/services")
+    return bool(services(key="services", data=data, on_switched_change=lambda: None, on_moving_change=on_moving).moving)
 
 
 def publish(key: str, topics: Mapping[str, Any]) -> Any:
@@ -67,7 +67,7 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     key : of the element
     topics : topic → value; a value that has not changed since the last run is not published again
     """
-    return modules.component("page/publish")(key=key, data=dict(topics))
+    return modules.component("components/publish")(key=key, data=dict(topics))
 
 
 def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words: Mapping[str, str]) -> Any:
@@ -88,7 +88,7 @@ def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words:
     words : ratio, a template for ε; there, what is said in step; mark, begin, again, stop, hint
     """
     data = {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **told}
-    return modules.component("page/story")(key="story", data=data)
+    return modules.component("components/story")(key="story", data=data)
 
 
 def cubes(sums: Sequence[Sequence[int]], sees: Sequence[str], captions: Sequence[str]) -> Any:
@@ -100,7 +100,7 @@ def cubes(sums: Sequence[Sequence[int]], sees: Sequence[str], captions: Sequence
     sees, captions : of each stack its text alternative, and what stands below it
     """
     told = {"sees": list(sees), "captions": list(captions), "words": {"degrees": _("{angle} degrees")}}
-    return modules.component("page/cubes")(key="cubes", data={"sums": [list(sides) for sides in sums], **told})
+    return modules.component("components/cubes")(key="cubes", data={"sums": [list(sides) for sides in sums], **told})
 
 
 def cursor(stage: str) -> Any:
@@ -114,7 +114,7 @@ def cursor(stage: str) -> Any:
     stage : the name of the stage that shares the cursor's clock
     """
     place = _("t = {time}, {periods} periods")
-    return modules.component("page/cursor")(key="cursor", data={"stage": stage, "place": place})
+    return modules.component("components/cursor")(key="cursor", data={"stage": stage, "place": place})
 
 
 def moment(stage: str, time: float, label: str) -> Any:
@@ -126,17 +126,17 @@ def moment(stage: str, time: float, label: str) -> Any:
     time : the moment, since release [s]
     label : of the button
     """
-    return modules.component("page/moment")(key="moment", data={"stage": stage, "time": time, "label": label})
+    return modules.component("components/moment")(key="moment", data={"stage": stage, "time": time, "label": label})
 
 
 def give_back(*keys: str) -> None:
     """After a click on one of these widgets, return the keyboard focus to the page."""
-    modules.component("page/keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
+    modules.component("components/keys")(key="keys", data={"choices": ", ".join(f".st-key-{key}" for key in keys)})
 
 
-def sheet() -> Any:
-    """Put a handle on the sidebar, which is a sheet at the bottom of a narrow screen; fingers can scroll it."""
-    return modules.component("page/sheet")(key="handle")
+def drawer() -> Any:
+    """Put a handle on the sidebar, which is a drawer at the bottom of a narrow screen; fingers can scroll it."""
+    return modules.component("components/drawer")(key="handle")
 
 
 def link(private: Sequence[str] = ()) -> Any:
@@ -147,7 +147,7 @@ def link(private: Sequence[str] = ()) -> Any:
     private : keys of the address that are left out of the copy
     """
     told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    return modules.component("page/link")(key="link", data={**told, "private": list(private)})
+    return modules.component("components/link")(key="link", data={**told, "private": list(private)})
 
 
 def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:
@@ -162,7 +162,7 @@ def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) ->
     head : its symbol, unit and meaning; label and longest text of the box; default of the slider
     on_typed : called with what was typed
     """
-    return asks("page/exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
+    return asks("components/exact", f"{key}_exact", {"key": key, **head}, "typed", on_typed, "")
 
 
 def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
@@ -173,7 +173,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     figure : key of the figure
     on_picked : called with the point's x and y, in the units of the axes
     """
-    return asks("page/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
+    return asks("components/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
 
 
 def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
@@ -193,7 +193,7 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     def act(at: dict[str, Any]) -> None:
         on_turned(at["route"], min(max(at["step"], 1), len(headings)))
 
-    return asks("page/steps", "lecture_turn", data, "at", act, example)
+    return asks("components/steps", "lecture_turn", data, "at", act, example)
 
 
 def turn(
@@ -216,7 +216,7 @@ def turn(
     held : changes when the server has refused a turn
     """
     data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "held": held}
-    return asks("page/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
+    return asks("components/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
@@ -228,7 +228,7 @@ def pager(on_turned: Callable[[str], None]) -> Any:
     ----------
     on_turned : called with the name of the sheet some time after the last turn, with "" for the first one
     """
-    return asks("page/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
+    return asks("components/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
 
 
 def stopwatch(key: str) -> float | None:
@@ -239,7 +239,7 @@ def stopwatch(key: str) -> float | None:
     key : of the element
     """
     data = {"start": _("Start"), "stop": _("Stop"), "seconds": _("{seconds}\u202fs")}
-    taken = modules.component("page/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
+    taken = modules.component("components/stopwatch")(key=key, data=data, on_seconds_change=lambda: None).seconds
     return taken if _is_like(taken, 0.0) else None
 
 

@@ -1,20 +1,20 @@
-// On a narrow screen the sidebar is a sheet at the bottom (page.css): this is its handle, which opens and closes it. With the
-// sheet open, sliders and machine are seen together; choosing a page closes it.
+// On a narrow screen the sidebar is a drawer at the bottom (page.css): this is its handle, which opens and closes it. With the
+// drawer open, sliders and machine are seen together; choosing a page closes it.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
 
-const PULL = 16; // px that the handle must be pulled to open or close the sheet; less is a tap
+const PULL = 16; // px that the handle must be pulled to open or close the drawer; less is a tap
 
 export default function ({ parentElement }, signal) {
   const button = parentElement.querySelector("button");
   const root = document.documentElement;
   const narrow = matchMedia(dom.NARROW);
-  let back = null; // where the page was scrolled to before the sheet brought the machine into view
+  let back = null; // where the page was scrolled to before the drawer brought the machine into view
   let pulled = null;
 
   const set = (open, bring = true) => {
-    root.dataset.sheet = open ? "open" : "closed";
+    root.dataset.drawer = open ? "open" : "closed";
     button.setAttribute("aria-expanded", String(open));
     if (!bring || !narrow.matches) return;
     const main = dom.main();
@@ -40,7 +40,7 @@ export default function ({ parentElement }, signal) {
     button.dataset.pulled = "yes"; // the click that follows is part of the pull
   });
   on(button, "click", () => {
-    if (!button.dataset.pulled) set(root.dataset.sheet !== "open");
+    if (!button.dataset.pulled) set(root.dataset.drawer !== "open");
     delete button.dataset.pulled;
   });
   on(document, "click", (event) => {
@@ -48,6 +48,6 @@ export default function ({ parentElement }, signal) {
     back = null;
     set(false, false);
   });
-  signal.addEventListener("abort", () => delete root.dataset.sheet);
+  signal.addEventListener("abort", () => delete root.dataset.drawer);
   dom.showPresentPage();
 }

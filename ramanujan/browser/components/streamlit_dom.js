@@ -264,7 +264,7 @@ export const ASSUMPTIONS = {
     () => document.querySelectorAll("header").length === 1,
   ],
   "the sidebar stSidebar contains the controls": [
-    "the sheet of a phone, the printed page",
+    "the drawer of a phone, the printed page",
     () => each(".stSidebar .st-key-controls", (controls) => controls.closest("[data-testid=stSidebarUserContent]")),
   ],
   "the sidebar's links are a list in a nav, and the present page is marked": [

@@ -7,7 +7,7 @@ TEXTS = {
     "cursor": {"cursor": _("Time cursor")},
     "link": {"copy": _("Copy link"), "link": _("Link")},
     "pager": {"sheets": _("Sheets of this page"), "back": _("Back"), "next": _("Next")},
-    "sheet": {"handle": _("Sliders and presets")},
+    "drawer": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
     "stopwatch": {"stopwatch": _("Stopwatch")},
     "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},

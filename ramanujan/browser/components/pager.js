@@ -17,7 +17,7 @@ const asked = () => new URLSearchParams(location.search).get("sheet");
 const indexOf = (name, sheets) => sheets.findIndex((sheet) => sheet.name === name);
 const see = (now, sheets) => sheets.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
 
-// Where the address asks for a projector, library.js loads this file first. So one sheet is seen before there is a pager.
+// Where the address asks for a projector, services.js loads this file first. So one sheet is seen before there is a pager.
 const soon = new AbortController();
 const seeAsked = (sheets = dom.sheets()) => see(asked() ? indexOf(asked(), sheets) : 0, sheets);
 project(true);
