@@ -36,7 +36,7 @@ class _Updates:
     """Key of a widget → the values that it had before, the one that it has been set to, the number of the update."""
 
 
-def give(values: Mapping[str, Any]) -> None:
+def set_widgets(values: Mapping[str, Any]) -> None:
     """Set widgets, key → value, and keep them so until the page has heard of it."""
     held = {key: st.session_state.get(key) for key in values}
     waiting = _updates().waiting
@@ -44,7 +44,7 @@ def give(values: Mapping[str, Any]) -> None:
     _set({key: (before[key], value) for key, value in values.items() if key in waiting or held[key] != value})
 
 
-def hold() -> None:
+def reassert() -> None:
     """Set again what the page had not heard of when it wrote its last message.
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.

@@ -126,7 +126,7 @@ def _moved() -> None:
 
     Only a browser keeps the rest of the page: for a test without one, the whole page runs.
     """
-    pending_updates.hold()
+    pending_updates.reassert()
     fragments = st.session_state.get(_FOLLOW)
     if fragments and display_mode.in_browser() and not (_wishes() or pending_updates.waits() or messages.are_shown()):
         st.rerun(fragments)
@@ -152,7 +152,7 @@ def begin(said: list[str]) -> None:
     # In the first run the sliders show what the link has set, without what it got wrong.
     st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
     if not messages.runs_again():
-        pending_updates.hold()
+        pending_updates.reassert()
     for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
         wish()
         _wishes().remove(wish)
@@ -191,14 +191,14 @@ def _set_ratio(ratio: float, digits: int) -> None:
     m = others.present
     m_prime = _times(ratio, m, digits)
     if rollers.least <= m_prime <= rollers.most:
-        pending_updates.give({"m_prime": m_prime})
+        pending_updates.set_widgets({"m_prime": m_prime})
         return
     bound = rollers.clamp(m_prime)
     # The m nearest to the old one, on the slider's steps, with which the ratio can be had.
     steps = round(bound / ratio / others.step, 6)
     nearest = (math.floor if m_prime > bound else math.ceil)(steps) * others.step
     new_m = others.clamp(round(nearest, 10))
-    pending_updates.give({"m": new_m, "m_prime": rollers.clamp(_times(ratio, new_m, digits))})
+    pending_updates.set_widgets({"m": new_m, "m_prime": rollers.clamp(_times(ratio, new_m, digits))})
     sentences = []
     if new_m != m:
         sentence = (
@@ -217,7 +217,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
 
 def take_machine(machine: Oscillator, metres: float) -> None:
     """Set all sliders to a machine and its x₀ [m] in the run that follows."""
-    _wishes().append(partial(pending_updates.give, _on_sliders(machine, metres)))
+    _wishes().append(partial(pending_updates.set_widgets, _on_sliders(machine, metres)))
 
 
 def linked() -> bool:
@@ -244,7 +244,7 @@ def _reset() -> None:
     defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
     there = all(PARAMETERS[key].present == value for key, value in linked.items())
-    pending_updates.give(defaults if there else linked)
+    pending_updates.set_widgets(defaults if there else linked)
     if linked == defaults:
         return
     if there:
@@ -255,13 +255,13 @@ def _reset() -> None:
 
 def _take_preset() -> None:
     """Note what is asked for, and leave no choice standing: the next slider would belie it."""
-    pending_updates.hold()
+    pending_updates.reassert()
     preset = st.session_state[_PRESET]
     if preset in _RATIOS:
         take_ratio(_RATIOS[preset])
     elif preset:
         _wishes().append(partial(_reset))
-    pending_updates.give({_PRESET: None})
+    pending_updates.set_widgets({_PRESET: None})
 
 
 def slider(key: str) -> None:
@@ -278,7 +278,7 @@ def take_exact(key: str, text: str) -> None:
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
     number = read_number(text)
     if number is not None and parameter.least <= number <= parameter.most:
-        pending_updates.give({parameter.name: number})
+        pending_updates.set_widgets({parameter.name: number})
         return
     sentence = (
         _("Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept.")

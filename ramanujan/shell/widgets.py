@@ -15,7 +15,7 @@ Words = Mapping[Any, str]
 """Option → what the person reads; a widget needs them where the options themselves do not bring them."""
 
 
-def chips(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def segmented_control(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options side by side; exactly one of them is chosen."""
     return _choice(st.segmented_control, key, label, words, default=key.default, required=True, **more)
 
@@ -25,12 +25,12 @@ def pills(key: Choice, label: str, words: Words | None = None, **more: Any) -> A
     return _choice(st.pills, key, label, words, **more)
 
 
-def menu(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def selectbox(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options as a menu."""
     return _choice(st.selectbox, key, label, words, index=list(key.options).index(key.default), **more)
 
 
-def ladder(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
+def select_slider(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
     """Draw the options as the marks of a slider."""
     return _choice(st.select_slider, key, label, words, value=key.default, **more)
 

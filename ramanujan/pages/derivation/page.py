@@ -119,13 +119,13 @@ def choose(beside: DeltaGenerator | None) -> None:
     """Draw the choice of the route; the others are folded, but on a projector they stand beside the step."""
     hidden = {"label_visibility": "collapsed"}
     titles = {name: cache.route(name).title for name in ROUTE.options}
-    widgets.chips(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
+    widgets.segmented_control(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
     with beside or st.popover(_("Show"), icon=":material/tune:", key="more"):
         if not display_mode.is_projector():
-            widgets.chips(VIEW, _("How to show the steps"), **hidden)
+            widgets.segmented_control(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):
-            widgets.chips(VALUES, _("Symbols or numbers"), **hidden)
-        widgets.chips(MASSES, _("For which masses"), on_change=stay, **hidden)
+            widgets.segmented_control(VALUES, _("Symbols or numbers"), **hidden)
+        widgets.segmented_control(MASSES, _("For which masses"), on_change=stay, **hidden)
 
 
 def start_over() -> None:

@@ -38,7 +38,7 @@ def try_it() -> None:
     """Ask for a formula, say whether it is right or what is missing, and list what has been solved."""
     st.header(_("Try it yourself"), anchor=False)
     # The words of a menu's options stay: a browser names its choice by them.
-    name = widgets.menu(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
+    name = widgets.selectbox(QUESTION, _("What do you want to work out?"), {name: title(name) for name in QUESTIONS})
     take(name)
     ask(name)
     if solved := [*filter(is_solved, QUESTIONS)]:

@@ -40,7 +40,7 @@ def show() -> None:
 def lesson_parts() -> None:
     """Draw the choice between stops, tasks and notes, and the one that is chosen."""
     with st.container(horizontal=True, vertical_alignment="center", gap="medium", key="lesson_head"):
-        part = widgets.chips(progress.PART, _("Part of the lesson"), label_visibility="collapsed")
+        part = widgets.segmented_control(progress.PART, _("Part of the lesson"), label_visibility="collapsed")
         head = st.container(key="turner")
         classroom.door()
     {"stops": walk, "tasks": work, "notes": notes}[part](head)
@@ -140,7 +140,7 @@ def _to_tasks() -> None:
 def work(head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the present task, and in the head the choice of another one."""
     with head:
-        name = widgets.menu(progress.TASK, _("Task"), label_visibility="collapsed")
+        name = widgets.selectbox(progress.TASK, _("Task"), label_visibility="collapsed")
     tasks.draw(lesson.task(name))
 
 

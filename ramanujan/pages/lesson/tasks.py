@@ -91,7 +91,7 @@ def machine(task: Task, setting: Setting) -> None:
 
 def _bodies() -> tuple[str, ...]:
     labels = other_bodies.PLACE_WORDS.values()
-    return tuple(widgets.beside(3, *(partial(widgets.menu, *each) for each in zip(PLACES, labels, strict=True))))
+    return tuple(widgets.beside(3, *(partial(widgets.selectbox, *each) for each in zip(PLACES, labels, strict=True))))
 
 
 FIELDS = {
@@ -104,7 +104,7 @@ FIELDS = {
     "seconds": lambda: components.stopwatch("task_stopwatch"),
     "periods": lambda: widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH),
     "formula": lambda: st.text_input("ε =", key="task_formula", placeholder=_EXAMPLE.format(entry="(sqrt(5) − 1)/2")),
-    "method": lambda: widgets.menu(METHOD, _("Method")),
+    "method": lambda: widgets.selectbox(METHOD, _("Method")),
     "steps": lambda: widgets.count(STEPS, _("Steps per period"), width=_WIDTH),
     "bodies": _bodies,
 }

@@ -44,7 +44,7 @@ def draw() -> None:
     with words:
         st.container(key="posed").markdown(TASK.text)
         with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall"):
-            method = widgets.menu(METHOD, _("Method"), width="stretch")
+            method = widgets.selectbox(METHOD, _("Method"), width="stretch")
             steps = widgets.count(STEPS, _("Steps per period"), width=190)
         label = _("Run {periods} periods").format(periods=PERIODS)
         st.button(label, key="run", type="primary", icon=":material/play_arrow:", on_click=_try, args=(method, steps))

@@ -48,8 +48,8 @@ def costs_controls(asked: bool) -> tuple[str, float]:
     with st.container(horizontal=True, vertical_alignment="bottom"):
         label = _("Measure again") if asked else _("Measure on this server")
         st.button(label, key="measure", icon=":material/timer:", type="primary", on_click=_ask)
-        by = widgets.chips(COST, _("Cost"))
-        return by, float(widgets.ladder(TOLERANCE, _("Error that you allow"), width=320))
+        by = widgets.segmented_control(COST, _("Cost"))
+        return by, float(widgets.select_slider(TOLERANCE, _("Error that you allow"), width=320))
 
 
 def _ask() -> None:

@@ -73,7 +73,7 @@ def forms_at_extremes() -> list[Sweep]:
     )
     with st.skeleton(height=480):
         swept, _solvers = cache.sweeps()
-    name = widgets.chips(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
+    name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     along, _between, dtype = name.partition("_")
     shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
     drawings.plot(

@@ -55,9 +55,9 @@ def growing_errors(method: str, steps: int) -> int:
     st.header(_("How the errors grow"), anchor=False)
     compared, periods, precision = widgets.beside(
         [1.2, 1.2, 1],
-        partial(widgets.chips, COMPARED, _("Show")),
-        partial(widgets.ladder, PERIODS, _("Number of periods")),
-        partial(widgets.chips, PRECISION, _("Precision")),
+        partial(widgets.segmented_control, COMPARED, _("Show")),
+        partial(widgets.select_slider, PERIODS, _("Number of periods")),
+        partial(widgets.segmented_control, PRECISION, _("Precision")),
     )
     with st.skeleton(height=480):
         runs = [cache.run(name, steps, periods, precision) for name in METHODS if compared == "all" or name == method]

@@ -54,7 +54,7 @@ def choose() -> None:
     pictures.html(legend(theme.colors()["block"]))
     for column, key in zip((*st.columns(2), above), URL_PARAMETERS, strict=True):
         with column:
-            widgets.chips(key, PLACE_WORDS[key.name])
+            widgets.segmented_control(key, PLACE_WORDS[key.name])
 
 
 @st.fragment(key="bodies_machine")

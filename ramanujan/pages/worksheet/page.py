@@ -78,9 +78,9 @@ def choose() -> tuple[str, str, int]:
     with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
         has_key, paper = sheet_keys.fits(KEY, address.held(SEED)), "questions"
         if has_key:
-            paper = widgets.chips(PAPER, _("Sheet"), label_visibility="collapsed")
+            paper = widgets.segmented_control(PAPER, _("Sheet"), label_visibility="collapsed")
         name_of_sheet()
-        level = widgets.menu(LEVEL, _("Guidance"), width=280)
+        level = widgets.selectbox(LEVEL, _("Guidance"), width=280)
         if not is_projector():
             st.button(_("New sheet with its key"), on_click=make_sheet)
         st.caption(_("Another name makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
