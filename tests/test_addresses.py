@@ -27,8 +27,8 @@ DANGEROUS = ("empty", "infinite", "huge", "repeated")
 """What broke pages once: Streamlit reads an empty value as None, and its number input overflows at an infinite one."""
 OWN = {page.name: {key.name: key for key in page.url_parameters} for page in PAGES.values()}
 _EVERYWHERE = (parameters, class_keys, display_mode, stages)
-SHARED = {key.name: key for room in _EVERYWHERE for key in room.URL_PARAMETERS if key is not display_mode.SHEET}
-"""Any short word may be the name of a sheet."""
+SHARED = {key.name: key for room in _EVERYWHERE for key in room.URL_PARAMETERS if key is not display_mode.SLIDE}
+"""Any short word may be the name of a slide."""
 DEFAULTS = {name: key.default for keys in (SHARED, *OWN.values()) for name, key in keys.items()}
 OF_A_CLASS = {"class", "lecturer", "wall"}
 """Keys that mean something only while a class is open (test_scene_classroom)."""

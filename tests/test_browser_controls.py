@@ -279,6 +279,6 @@ def test_the_sidebar_fits_the_screen_and_is_open_only_where_it_matters(visit):
     expect(controls).not_to_be_in_viewport()
     # Who unfolds it has it as long as the page is open.
     page.locator("[data-testid=stExpandSidebarButton]").click()
-    page.get_by_role("button", name="New sheet with its key").click()
+    page.get_by_role("button", name="New worksheet with its key").click()
     settle(page)
     expect(controls).to_be_in_viewport()

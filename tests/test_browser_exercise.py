@@ -27,7 +27,7 @@ def test_an_exercise_from_its_link_to_the_saved_sheet(visit):
     settle(page)
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     with page.expect_download() as download:
-        page.get_by_role("button", name="Save this sheet").click()
+        page.get_by_role("button", name="Save this worksheet").click()
     assert download.value.suggested_filename == "exercise.md"
     text = Path(download.value.path()).read_text(encoding="utf-8")
     assert re.search(r"1\. \*\*The momentum of X\.\*\*.*\n.*`` \(3m\+2m'\)Ẋ .* ``\n.*Right since 20", text)

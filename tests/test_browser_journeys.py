@@ -191,22 +191,22 @@ def test_a_lesson_with_a_vote_from_two_browsers(at):
 
 
 def test_a_projector_is_turned_by_keys(at):
-    visitor = at("?view=projector&sheet=curve")
+    visitor = at("?view=projector&slide=curve")
     visitor.until(".st-key-pager >> select")
     visitor.until(".st-key-curve .nsewdrag")
     visitor.page.keyboard.press("PageUp")
     visitor.until("svg.machine")
-    visitor.wait("!/sheet=/.test(location.search)")
+    visitor.wait("!/slide=/.test(location.search)")
     for _ in range(2):
         visitor.page.keyboard.press("PageDown")
-    visitor.wait("/sheet=step_1/.test(location.search)")
-    assert visitor.page.evaluate("document.querySelectorAll('[class*=st-key-sheet-]:not([data-away])').length") == 1
+    visitor.wait("/slide=step_1/.test(location.search)")
+    assert visitor.page.evaluate("document.querySelectorAll('[class*=st-key-slide-]:not([data-away])').length") == 1
     assert visitor.page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight <= innerHeight")
 
 
 def test_worksheet_on_paper(at):
     visitor = at("worksheet?level=1", width=681, height=1000)  # A4 without its margins
-    visitor.until(".st-key-sheet_picture img")
+    visitor.until(".st-key-worksheet_picture img")
     # Only one of three lets a test print: the rules for paper are taken for the screen.
     visitor.page.evaluate("""() => {
       const on = { screen: "not all", print: "all" };
@@ -216,7 +216,7 @@ def test_worksheet_on_paper(at):
     }""")
     assert visitor.find("section[data-testid=stSidebar] *") is None
     assert visitor.find("button") is None
-    picture, text = visitor.find(".st-key-sheet_picture img"), visitor.find(".st-key-sheet_picture")
+    picture, text = visitor.find(".st-key-worksheet_picture img"), visitor.find(".st-key-worksheet_picture")
     assert picture["width"] > 0.55 * text["width"]
     left, top = (picture[each] - picture[size] / 2 for each, size in (("x", "width"), ("y", "height")))
     whole = Image.open(BytesIO(visitor.page.screenshot())).convert("L")

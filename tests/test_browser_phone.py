@@ -68,17 +68,17 @@ def check_arrival(phone: Phone) -> None:
         assert boxes[-1]["y"] + boxes[-1]["height"] <= height
 
 
-def check_sheet(phone: Phone) -> None:
-    """Check that in the opened sheet all sliders, and above it the machine and its button are seen."""
-    sheet = phone.box("[data-testid=stSidebar]")
+def check_drawer(phone: Phone) -> None:
+    """Check that in the opened drawer all sliders, and above it the machine and its button are seen."""
+    drawer = phone.box("[data-testid=stSidebar]")
     for key in ("m", "k", "compression"):
         place = phone.box(f".st-key-{key} .stSlider")
-        assert sheet["y"] < place["y"]
+        assert drawer["y"] < place["y"]
         assert place["y"] + place["height"] <= 844
     machine = phone.box("svg.machine")
     play = phone.page.get_by_role("button", name="Play", exact=True).bounding_box()
     assert machine["y"] >= 48
-    assert max(each["y"] + each["height"] for each in (machine, play)) <= sheet["y"]
+    assert max(each["y"] + each["height"] for each in (machine, play)) <= drawer["y"]
     assert play["height"] >= 44
 
 
@@ -140,7 +140,7 @@ def test_a_visit_with_one_finger(visit):
     phone.go_to("Motion", ".js-plotly-plot .nsewdrag")
     assert handle.get_attribute("aria-expanded") == "false"
     phone.handle()
-    check_sheet(phone)
+    check_drawer(phone)
     check_sliders(phone)
     # Choosing a page closes the drawer.
     phone.go_to("Motion", ".js-plotly-plot .nsewdrag")

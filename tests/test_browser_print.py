@@ -15,7 +15,7 @@ CONTROLS = (
     "Position in the period",
     "Print this page",
 )
-CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-sheet_picture img, [class*=st-key-question_] .base']
+CUT = """() => ['.katex-display > .katex, .main-svg, .st-key-worksheet_picture img, [class*=st-key-question_] .base']
   .flatMap((selector) => [...document.querySelectorAll(selector)])
   .filter((node) => node.checkVisibility())
   .filter((node) => node.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
@@ -104,7 +104,7 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit):
     page = None
     for query in ("level=1", "level=2", "level=3", f"seed={name_of(2)}&paper=key&key={key_of(2)}"):
         page = visit(f"worksheet?{query}", theme="dark", tab=page)
-        page.wait_for_selector(".st-key-sheet_picture img")
+        page.wait_for_selector(".st-key-worksheet_picture img")
         for paper, (_width, points) in PAPERS.items() if query == "level=1" else [("A4", PAPERS["A4"])]:
             pdf = printed(page, paper)
             assert float(pdf.pages[0].mediabox.width) == pytest.approx(points, abs=1)

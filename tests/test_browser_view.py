@@ -73,24 +73,24 @@ SIZES = """(small) => {
     .filter((node) => words(node) && seen(node) && size(node) < small);
   return small_words.map((node) => `${size(node).toFixed(1)} px: ${node.textContent.trim().slice(0, 30)}`);
 }"""
-"""The words of the present sheet that are smaller than this.
+"""The words of the present slide that are smaller than this.
 
 An index is smaller by nature, a name by its body, and an operation by the line that it leads to.
 """
 LAID = """() => {
   const main = document.querySelector('[data-testid=stMain]');
-  const sheets = [...document.querySelectorAll('[class*=st-key-sheet-]')];
-  const seen = sheets.filter((node) => !node.hasAttribute("data-away"));
-  const [sheet] = seen, { top, height } = sheet.getBoundingClientRect();
-  const drawn = [...sheet.children].map((node) => node.getBoundingClientRect()).filter((box) => box.height > 2);
+  const slides = [...document.querySelectorAll('[class*=st-key-slide-]')];
+  const seen = slides.filter((node) => !node.hasAttribute("data-away"));
+  const [slide] = seen, { top, height } = slide.getBoundingClientRect();
+  const drawn = [...slide.children].map((node) => node.getBoundingClientRect()).filter((box) => box.height > 2);
   return {
     seen: seen.length,
-    over: Math.max(...[sheet, main].map((node) => node.scrollHeight - node.clientHeight)),
-    wide: Math.max(...[sheet, main].map((node) => node.scrollWidth - node.clientWidth)),
+    over: Math.max(...[slide, main].map((node) => node.scrollHeight - node.clientHeight)),
+    wide: Math.max(...[slide, main].map((node) => node.scrollWidth - node.clientWidth)),
     filled: (Math.max(...drawn.map((box) => box.bottom)) - top) / height,
   };
 }"""
-"""How the sheets are laid out: how many are seen, what is cut, how much of its height the sheet fills."""
+"""How the slides are laid out: how many are seen, what is cut, how much of its height the slide fills."""
 OUT = """() => [...document.querySelectorAll(".js-plotly-plot")]
   .filter((figure) => figure.checkVisibility({ visibilityProperty: true })).flatMap((figure) => {
     const frame = figure.getBoundingClientRect();
@@ -111,28 +111,28 @@ HEIGHTS = "[...document.querySelectorAll('.js-plotly-plot')].map((figure) => fig
 SEEN = """(() => {
   window.seen = new Set();
   const look = () => {
-    const sheets = [...document.querySelectorAll("[class*='st-key-sheet-']")];
-    const seen = sheets.filter((sheet) => sheet.checkVisibility({ visibilityProperty: true }));
+    const slides = [...document.querySelectorAll("[class*='st-key-slide-']")];
+    const seen = slides.filter((slide) => slide.checkVisibility({ visibilityProperty: true }));
     const size = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    for (const { className } of seen) window.seen.add(`${/st-key-sheet-(\\w+)/.exec(className)[1]} ${size >= 24}`);
+    for (const { className } of seen) window.seen.add(`${/st-key-slide-(\\w+)/.exec(className)[1]} ${size >= 24}`);
     requestAnimationFrame(look);
   };
   requestAnimationFrame(look);
 })()"""
-"""Collects, frame by frame, which sheets have been seen, and whether the words were large then."""
+"""Collects, frame by frame, which slides have been seen, and whether the words were large then."""
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
-SHEETS = {
+SLIDES = {
     "?m=3.7&m_prime=0.41&k=33.3&radius=20": 7,
     "derivation?route=newton&step=4": 4,
     "motion?spin=3&mu=0.01": 6,
     "1729?left=sphere&top=shell": 8,
-    "speed?periods=1&sheet=costs": 7,
+    "speed?periods=1&slide=costs": 7,
     "lesson?stop=zero-modes&chosen=zero-modes.one": 2,
     "lesson?stop=end": 3,
     f"worksheet?seed={name_of(1)}&paper=key&key={key_of(1)}": 11,
 }
-"""Page → how many sheets it has."""
+"""Page → how many slides it has."""
 
 
 def projected(visit, path: str, *scripts: str, **more):
@@ -144,25 +144,25 @@ def projected(visit, path: str, *scripts: str, **more):
 
 
 @pytest.mark.parametrize("half", [0, 1])
-def test_a_projector_shows_one_sheet_at_a_time_large_filled_and_without_scrolling(visit, half):
+def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrolling(visit, half):
     page = None
-    for path in list(SHEETS)[half::2]:
+    for path in list(SLIDES)[half::2]:
         page = projected(visit, path, *([] if page else [SEEN]), tab=page)
-        check_sheets(page, path)
+        check_slides(page, path)
 
 
-def check_sheets(page, path: str) -> None:
-    """Check the sheets of one page, one after the other."""
-    sheets = page.locator(".st-key-pager select")
-    titles = sheets.locator("option").all_inner_texts()
-    assert len(titles) == SHEETS[path] == len(set(titles))
-    # While it was loaded, the sheet that was asked for was seen in large words, and no other.
+def check_slides(page, path: str) -> None:
+    """Check the slides of one page, one after the other."""
+    slides = page.locator(".st-key-pager select")
+    titles = slides.locator("option").all_inner_texts()
+    assert len(titles) == SLIDES[path] == len(set(titles))
+    # While it was loaded, the slide that was asked for was seen in large words, and no other.
     (seen,) = page.evaluate("[...window.seen]")
     assert seen.endswith(" true")
-    assert ("sheet=" not in path) or seen == f"{path.partition('sheet=')[2]} true"
-    sheets.select_option(titles[0])
+    assert ("slide=" not in path) or seen == f"{path.partition('slide=')[2]} true"
+    slides.select_option(titles[0])
     wrong = []
-    for sheet, title in enumerate(titles, start=1):
+    for slide, title in enumerate(titles, start=1):
         expect(page.locator(PLACE)).to_have_text(title)
         with contextlib.suppress(TimeoutError):  # a figure that has come into view may be drawn once more
             page.wait_for_function(f"({OVERLAPS})().length === 0", timeout=3000)
@@ -170,7 +170,7 @@ def check_sheets(page, path: str) -> None:
         held = laid["seen"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
         wrong += [(title, each) for each in page.evaluate(SIZES, 23.9) + page.evaluate(OVERLAPS) + page.evaluate(OUT)]
         wrong += [] if held else [(title, laid)]
-        if sheet < len(titles):
+        if slide < len(titles):
             page.locator(".st-key-pager .next").click()
             next_frame(page)
     assert wrong == []
@@ -182,34 +182,34 @@ def check_sheets(page, path: str) -> None:
         assert page.evaluate(SIZES, 23.9) == []
 
 
-def test_a_lecturer_projects_a_page_turns_its_sheets_and_gives_a_lesson_by_clicker(visit):
+def test_a_lecturer_projects_a_page_turns_its_slides_and_gives_a_lesson_by_clicker(visit):
     page = visit("motion", width=1920, height=1080)
     check_switch(page)
-    check_address(projected(visit, "?sheet=step_1", width=1920, height=1080, tab=page))
+    check_address(projected(visit, "?slide=step_1", width=1920, height=1080, tab=page))
     check_clicker(projected(visit, "lesson?chosen=two-clocks.ahead", tab=page))
 
 
 def check_address(page) -> None:
-    """Check that the sheet is in the address, and that figures grow with the screen."""
+    """Check that the slide is in the address, and that figures grow with the screen."""
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
-    # While Streamlit draws a page, another sheet may be there before the one that was asked for.
+    # While Streamlit draws a page, another slide may be there before the one that was asked for.
     page.evaluate("""async () => {
-      const sheet = document.querySelector(".st-key-sheet-step_1"), { parentElement } = sheet;
-      sheet.remove();
+      const slide = document.querySelector(".st-key-slide-step_1"), { parentElement } = slide;
+      slide.remove();
       await new Promise((resolve) => setTimeout(resolve, 100));
-      parentElement.append(sheet);
+      parentElement.append(slide);
     }""")
     expect(page.locator(PLACE)).to_have_text(re.compile(r"\b1\. "))
     page.keyboard.press("PageUp")
-    page.wait_for_url("**sheet=curve*")
+    page.wait_for_url("**slide=curve*")
     page.wait_for_function(f"Math.max(...{HEIGHTS}) > 0.6")
     page.get_by_role("link", name="Motion").first.click()
     expect(page.locator(PLACE)).to_have_text(re.compile("^1 / 6"))
-    page.wait_for_url(lambda url: "sheet=" not in url)
+    page.wait_for_url(lambda url: "slide=" not in url)
 
 
 def check_clicker(page) -> None:
-    """Check that a clicker turns the sheets of a stop, and then the stop."""
+    """Check that a clicker turns the slides of a stop, and then the stop."""
     stop = page.locator(".st-key-turn [data-testid=stBidiComponentIsolated] output")
 
     def at(place: str, now: int) -> None:

@@ -9,7 +9,7 @@ from ramanujan import lesson
 from ramanujan.answers import QUESTIONS, judge, question, shown_step
 from ramanujan.derivation.printers import latex
 from ramanujan.pages.derivation import cache
-from ramanujan.shell import sheet_keys
+from ramanujan.shell import worksheet_keys
 from tests.test_answers import RIGHT
 from tests.test_scene_lesson import sent, sound
 from tests.test_worksheet import key_of, name_of
@@ -119,7 +119,7 @@ def test_the_lecturer_composes_both_links_in_the_order_of_choice(app):
     (name,) = asked.pop("exercise_name")
     assert asked == {"k": ["33.5"], "exercise": ["two-cubes,block_momentum"]}
     assert lecturers.startswith(f"{students}&exercise_key=")
-    assert sheet_keys.name(lecturers.rpartition("=")[2]) == name
+    assert worksheet_keys.name(lecturers.rpartition("=")[2]) == name
 
 
 def test_a_session_lists_what_has_been_solved(app):

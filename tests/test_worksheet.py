@@ -14,7 +14,7 @@ from streamlit.testing.v1 import AppTest
 from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_squared
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
-from ramanujan.shell import address, sheet_keys, theme
+from ramanujan.shell import address, theme, worksheet_keys
 from tests.browser import ROOT
 from tests.latex import Formula
 
@@ -202,7 +202,7 @@ def key_of(number: int) -> str:
 
 def name_of(number: int) -> str:
     """The name of the sheet to which that key belongs."""
-    return sheet_keys.name(key_of(number))
+    return worksheet_keys.name(key_of(number))
 
 
 def sheet(**query: str) -> AppTest:
@@ -228,7 +228,7 @@ def test_questions_show_no_answer_and_the_key_shows_all():
     assert "mass ratio is ε = m′/m" in blank
     # Only its own key leads to a sheet's answers.
     typed = f" {name_of(6)[:5].lower()}-{name_of(6)[5:]}"
-    other = app.text_input(key="sheet_name").set_value(typed).run()
+    other = app.text_input(key="worksheet_name").set_value(typed).run()
     assert other.query_params["seed"] == name_of(6)
     for each in (other, sheet(seed=name, paper="key"), sheet(seed=name, paper="key", key=key_of(6))):
         assert each.title[0].value.startswith("Ramanujan’s oscillator: worksheet")
@@ -237,10 +237,10 @@ def test_questions_show_no_answer_and_the_key_shows_all():
 
 def test_who_makes_a_sheet_has_its_key():
     app = sheet()
-    (make,) = (each for each in app.button if each.label == "New sheet with its key")
+    (make,) = (each for each in app.button if each.label == "New worksheet with its key")
     made = make.click().run()
     name, key = made.query_params["seed"], made.query_params["key"]
-    assert sheet_keys.name(key) == name
+    assert worksheet_keys.name(key) == name
     written = f"{name[:5]} {name[5:]}"
     assert made.title[0].value == f"Ramanujan’s oscillator: worksheet {written}"
     assert sheet(seed=name, paper="key", key=key).title[0].value == f"Ramanujan’s oscillator: key {written}"
@@ -249,10 +249,10 @@ def test_who_makes_a_sheet_has_its_key():
 
 def test_what_is_no_name_of_a_sheet_gets_a_sentence_and_the_old_sheet_stays():
     app = sheet(seed=name_of(5))
-    app.text_input(key="sheet_name").set_value("<b>1729</b>").run()
+    app.text_input(key="worksheet_name").set_value("<b>1729</b>").run()
     assert app.query_params["seed"] == name_of(5)
     assert [each.value for each in app.warning] == [
-        "A sheet’s name has 10 letters, all from BCDFHJKLMNPRSTWXZ. The old name was kept."
+        "A worksheet’s name has 10 letters, all from BCDFHJKLMNPRSTWXZ. The old name was kept."
     ]
 
 
@@ -260,9 +260,9 @@ def test_a_name_leads_to_no_key():
     """Names are spread over at least 40 bits, and a key is hashed slowly: scrypt fills 16 MB for each."""
     names = {name_of(number) for number in range(12)}
     assert len(names) == 12
-    assert len(sheet_keys.ALPHABET) ** len(names.pop()) > 2**40
+    assert len(worksheet_keys.ALPHABET) ** len(names.pop()) > 2**40
     with pytest.MonkeyPatch.context() as patch:
         asked = []
         patch.setattr(hashlib, "scrypt", lambda *_, n, r, **__: asked.append(128 * n * r) or bytes(64))
-        sheet_keys.name(key_of(1729))
+        worksheet_keys.name(key_of(1729))
     assert min(asked) >= 2**24

@@ -130,7 +130,7 @@ def horizontal_bars(
 
 
 _LEAST = 400
-"""Pixels: the height that a figure has at least; where a sheet has more room, it takes it."""
+"""Pixels: the height that a figure has at least; where a slide has more room, it takes it."""
 _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
 _ABOVE = 44

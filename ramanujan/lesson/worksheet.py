@@ -1,6 +1,6 @@
 """A worksheet for one machine: stops of the lesson, a guided derivation, calculations with this machine, and the key.
 
-The seed chooses: the same machine and seed give the same sheet, so that a key fits the questions that were handed out.
+The seed chooses: the same machine and seed give the same questions, so that a key fits those that were handed out.
 All answers are worked out, the calculations exactly, by SymPy.
 """
 

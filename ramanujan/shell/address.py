@@ -21,7 +21,7 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 from ramanujan.translation import _
 
 PRIVATE = ("lecturer", "key", "exercise_key")
-"""URL parameters of the lecturer alone, in a class or with a sheet; *Copy link* leaves them out."""
+"""URL parameters of the lecturer alone, in a class or with a worksheet; *Copy link* leaves them out."""
 
 _PLACE = "address_page"
 """Session state: the page whose address was read last."""

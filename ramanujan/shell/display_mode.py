@@ -1,7 +1,7 @@
-"""How the app is shown: on a projector, one sheet at a time, and without the parts that a lecturer's link hides.
+"""How the app is shown: on a projector, one slide at a time, and without the parts that a lecturer's link hides.
 
-All of it stands in the address of every page, as `view=projector`, `sheet=curve` and `hide=numbers,curve,clocks`, so
-that it can be passed on. A page declares its sheets where it draws them: `with sheet("curve", _("The curve")):`.
+All of it stands in the address of every page, as `view=projector`, `slide=curve` and `hide=numbers,curve,clocks`, so
+that it can be passed on. A page declares its slides where it draws them: `with slide("curve", _("The curve")):`.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,11 +18,11 @@ PARTS = {**stage.PARTS, "curve": "the curve of Ω²m/k over the mass ratio", "st
 """Part that a link can hide → what it is."""
 VIEW = address.Choice("view", ("projector",))
 HIDE = address.Several("hide", tuple(PARTS))
-SHEET = address.Text(
-    "sheet", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
+SLIDE = address.Text(
+    "slide", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
 )
 _PAGE = "display_page"
-URL_PARAMETERS = (VIEW, HIDE, SHEET)
+URL_PARAMETERS = (VIEW, HIDE, SLIDE)
 """What every page keeps in its address beside the machine."""
 
 _SWITCH = "projector"
@@ -38,33 +38,33 @@ def is_projector() -> bool:
     return address.held(VIEW) == "projector"
 
 
-def sheet(name: str, title: str) -> AbstractContextManager:
-    """Return one sheet of the projector, for all that is drawn in a with-block; on another screen this changes nothing.
+def slide(name: str, title: str) -> AbstractContextManager:
+    """Return one slide of the projector, for all that is drawn in a with-block; on another screen this changes nothing.
 
-    What a page draws outside of its sheets is seen beside each of them.
+    What a page draws outside of its slides is seen beside each of them.
 
     Parameters
     ----------
-    name : of the sheet, as the address has it
-    title : in the list of sheets
+    name : of the slide, as the address has it
+    title : in the list of slides
     """
     if not is_projector():
         return nullcontext()
-    drawn = st.container(key=f"sheet-{name}")
-    drawn.html(f'<i data-sheet="{escape(title)}"></i>')
+    drawn = st.container(key=f"slide-{name}")
+    drawn.html(f'<i data-slide="{escape(title)}"></i>')
     return drawn
 
 
 def picture_and_words() -> Sequence[AbstractContextManager]:
-    """Return the places of a sheet's picture and of its words: side by side, or on another screen as they are drawn."""
+    """Return the places of a slide's picture and of its words: side by side, or on another screen as they are drawn."""
     return st.columns([3, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
 
 
 @st.fragment
 def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = False) -> None:
-    """Draw something on a sheet of the projector; on another screen in a fold, once that is opened."""
+    """Draw something on a slide of the projector; on another screen in a fold, once that is opened."""
     if is_projector():
-        with sheet(name, title):
+        with slide(name, title):
             draw()
         return
     fold = st.expander(title, expanded, key=f"fold_{name}", on_change="rerun")
@@ -74,17 +74,17 @@ def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = 
 
 
 def begin(name: str) -> None:
-    """Begin another page than the last one with its first sheet, unless its address names a sheet."""
-    if st.session_state.get(_PAGE, name) != name and SHEET.name not in st.query_params:
-        st.session_state[SHEET.name] = ""
+    """Begin another page than the last one with its first slide, unless its address names a slide."""
+    if st.session_state.get(_PAGE, name) != name and SLIDE.name not in st.query_params:
+        st.session_state[SLIDE.name] = ""
     st.session_state[_PAGE] = name
 
 
 @st.fragment
 def pager() -> None:
-    """Draw what turns the sheets; a turn reruns nothing else."""
-    address.keep(SHEET)
-    components.pager(lambda name: st.session_state.update({SHEET.name: name}))
+    """Draw what turns the slides; a turn reruns nothing else."""
+    address.keep(SLIDE)
+    components.pager(lambda name: st.session_state.update({SLIDE.name: name}))
 
 
 def hides(*parts: str) -> bool:

@@ -220,13 +220,13 @@ def turn(
 
 
 def pager(on_turned: Callable[[str], None]) -> Any:
-    """Show one sheet of the page at a time, as a projector needs it, and put on the page what turns to the next.
+    """Show one slide of the page at a time, as a projector needs it, and put on the page what turns to the next.
 
-    A sheet is a container with the key "sheet-NAME"; its first node with `data-sheet` says there what it shows.
+    A slide is a container with the key "slide-NAME"; its first node with `data-slide` says there what it shows.
 
     Parameters
     ----------
-    on_turned : called with the name of the sheet some time after the last turn, with "" for the first one
+    on_turned : called with the name of the slide some time after the last turn, with "" for the first one
     """
     return asks("components/pager", "pager", {"place": "{now} / {count}: {title}"}, "at", on_turned, "")
 

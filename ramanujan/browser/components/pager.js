@@ -1,4 +1,4 @@
-// One sheet of the page at a time, for a projector. Python declares the sheets (shell/display_mode.py) and projector.css lays
+// One slide of the page at a time, for a projector. Python declares the slides (shell/display_mode.py) and projector.css lays
 // them out; here it is decided which one is seen.
 
 import { bus } from "./bus.js";
@@ -7,19 +7,19 @@ import { dom } from "./streamlit_dom.js";
 import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
 
-const AWAY = "data-away"; // projector.css takes such a sheet out of sight; it keeps its size
-const TELL = 400; // ms from the last turn to the message that keeps the sheet in the address
+const AWAY = "data-away"; // projector.css takes such a slide out of sight; it keeps its size
+const TELL = 400; // ms from the last turn to the message that keeps the slide in the address
 
-let page; // whose sheets were seen last, by this pager or the one before
+let page; // whose slides were seen last, by this pager or the one before
 
 const project = (on) => (document.querySelector("link[href$='projector.css']").media = on ? "all" : "not all");
-const asked = () => new URLSearchParams(location.search).get("sheet");
-const indexOf = (name, sheets) => sheets.findIndex((sheet) => sheet.name === name);
-const see = (now, sheets) => sheets.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
+const asked = () => new URLSearchParams(location.search).get("slide");
+const indexOf = (name, slides) => slides.findIndex((slide) => slide.name === name);
+const see = (now, slides) => slides.forEach(({ node }, i) => node.toggleAttribute(AWAY, i !== now));
 
-// Where the address asks for a projector, services.js loads this file first. So one sheet is seen before there is a pager.
+// Where the address asks for a projector, services.js loads this file first. So one slide is seen before there is a pager.
 const soon = new AbortController();
-const seeAsked = (sheets = dom.sheets()) => see(asked() ? indexOf(asked(), sheets) : 0, sheets);
+const seeAsked = (slides = dom.slides()) => see(asked() ? indexOf(asked(), slides) : 0, slides);
 project(true);
 seeAsked();
 observe(document.body, { childList: true, subtree: true }, () => seeAsked(), soon.signal);
@@ -33,48 +33,48 @@ export default function (component, signal) {
 class Pager {
   constructor(component, signal) {
     const root = component.parentElement;
-    Object.assign(this, { component, sheets: [], now: 0, list: root.querySelector("select") });
+    Object.assign(this, { component, slides: [], now: 0, list: root.querySelector("select") });
     this.wanted = asked();
     [this.back, this.next] = root.querySelectorAll("button");
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
-    this.tell = atRest(TELL, () => component.setStateValue("at", this.now > 0 ? this.sheets[this.now].name : ""), signal);
+    this.tell = atRest(TELL, () => component.setStateValue("at", this.now > 0 ? this.slides[this.now].name : ""), signal);
     // Bubbling up to the window: what the page itself does with a key comes first.
     window.addEventListener("keydown", (event) => this.press(event), { signal });
-    bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first sheet
-    bus.publish("sheets", { has: (by) => Boolean(this.sheets[this.now + by]) });
+    bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first slide
+    bus.publish("slides", { has: (by) => Boolean(this.slides[this.now + by]) });
     document.documentElement.dataset.pager = "";
     project(true);
     observe(document.body, { childList: true, subtree: true }, () => this.look(), signal);
     signal.addEventListener("abort", () => {
-      bus.forget("sheets");
+      bus.forget("slides");
       delete document.documentElement.dataset.pager;
       project(false);
-      for (const { node } of this.sheets) node.removeAttribute(AWAY);
+      for (const { node } of this.slides) node.removeAttribute(AWAY);
     });
   }
 
-  /** Take in the page's sheets. Streamlit draws them one after another, so this runs after every change of the page. */
+  /** Take in the page's slides. Streamlit draws them one after another, so this runs after every change of the page. */
   look() {
     const isNewPage = page && page !== location.pathname, before = this.now;
     page = location.pathname;
     if (isNewPage) this.wanted = null;
-    this.sheets = dom.sheets();
+    this.slides = dom.slides();
     this.listTitles();
     this.show(this.place());
     if (isNewPage) this.tell();
     else if (this.now !== before) this.tell.cancel();
   }
 
-  /** The index of the sheet that was asked for, else of the first. While a sheet has no title, more sheets may come. */
+  /** The index of the slide that was asked for, else of the first. While a slide has no title, more slides may come. */
   place() {
-    const found = indexOf(this.wanted, this.sheets), mayCome = this.wanted && this.sheets.some(({ title }) => !title);
+    const found = indexOf(this.wanted, this.slides), mayCome = this.wanted && this.slides.some(({ title }) => !title);
     return mayCome ? found : Math.max(found, 0);
   }
 
   listTitles() {
-    const count = this.sheets.length;
-    const titles = this.sheets.map(({ title }, i) => fill(this.component.data.place, { now: i + 1, count, title }));
+    const count = this.slides.length;
+    const titles = this.slides.map(({ title }, i) => fill(this.component.data.place, { now: i + 1, count, title }));
     if (titles.join() === this.titles) return;
     this.titles = titles.join();
     this.list.replaceChildren(...titles.map((title) => new Option(title)));
@@ -82,15 +82,15 @@ class Pager {
 
   show(now) {
     this.now = now;
-    see(now, this.sheets);
+    see(now, this.slides);
     this.list.selectedIndex = now;
     this.back.disabled = now <= 0;
-    this.next.disabled = now >= this.sheets.length - 1;
+    this.next.disabled = now >= this.slides.length - 1;
   }
 
   turn(by) {
-    if (!this.sheets[this.now + by]) return false;
-    this.wanted = this.sheets[this.now + by].name;
+    if (!this.slides[this.now + by]) return false;
+    this.wanted = this.slides[this.now + by].name;
     this.show(this.now + by);
     this.tell();
     return true;

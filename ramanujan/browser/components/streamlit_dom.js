@@ -196,15 +196,15 @@ export const dom = {
     return seen > 0.3 * Math.min(box.height, innerHeight);
   },
 
-  /** Where the sidebar is a sheet; page.css says the same. */
+  /** Where the sidebar is a drawer; page.css says the same. */
   NARROW: "(max-width: 768px)",
 
-  /** The sheets of a projector that the page declares, in their order; a title may come a moment later. */
-  sheets: () =>
-    [...document.querySelectorAll("[class*='st-key-sheet-']")].map((node) => ({
+  /** The slides of a projector that the page declares, in their order; a title may come a moment later. */
+  slides: () =>
+    [...document.querySelectorAll("[class*='st-key-slide-']")].map((node) => ({
       node,
-      name: /st-key-sheet-([a-z0-9_]+)/.exec(node.className)[1],
-      title: node.querySelector("[data-sheet]")?.dataset.sheet,
+      name: /st-key-slide-([a-z0-9_]+)/.exec(node.className)[1],
+      title: node.querySelector("[data-slide]")?.dataset.slide,
     })),
 
   /** How wide the content of a page is at most. */
@@ -260,7 +260,7 @@ export const ASSUMPTIONS = {
     () => dom.main()?.matches("main") === true && one(".stMainBlockContainer > *"),
   ],
   "there is one header above main": [
-    "a phone's bar of pages, what stands around a projector's sheet",
+    "a phone's bar of pages, what stands around a projector's slide",
     () => document.querySelectorAll("header").length === 1,
   ],
   "the sidebar stSidebar contains the controls": [

@@ -16,9 +16,9 @@ export default function (component, signal) {
     component.setTriggerValue("to", stop);
   }
 
-  // On a projector, a clicker turns the sheets of this stop first.
+  // On a projector, a clicker turns the slides of this stop first.
   function turns({ key }, by) {
-    return key.startsWith("Arrow") || (key.startsWith("Page") && component.data.clicker && !bus.last("sheets")?.has(by));
+    return key.startsWith("Arrow") || (key.startsWith("Page") && component.data.clicker && !bus.last("slides")?.has(by));
   }
 
   return () => {

@@ -6,7 +6,7 @@ TEXTS = {
     "cubes": {"apart": _("Pull the layers apart"), "turn": _("Turn the stacks")},
     "cursor": {"cursor": _("Time cursor")},
     "link": {"copy": _("Copy link"), "link": _("Link")},
-    "pager": {"sheets": _("Sheets of this page"), "back": _("Back"), "next": _("Next")},
+    "pager": {"slides": _("Slides of this page"), "back": _("Back"), "next": _("Next")},
     "drawer": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
     "stopwatch": {"stopwatch": _("Stopwatch")},

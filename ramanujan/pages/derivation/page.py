@@ -18,7 +18,7 @@ from ramanujan.pages.derivation.tryout import QUESTION, ask, is_solved, take, ti
 from ramanujan.pages.taxicab.page import stacks
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import giving_way, numbers_stated, symbols
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
 LONGEST_ROUTE = 99
@@ -60,13 +60,13 @@ class Setting:
 def show() -> None:
     """Draw the page."""
     setting = the_route()
-    with sheet("results", _("The results")):
+    with slide("results", _("The results")):
         compare()
-    with sheet("modes", _("The modes")):
+    with slide("modes", _("The modes")):
         three_modes(present() if setting.numbers else None)
     if not display_mode.is_projector():
         margin()
-    with sheet("try", _("Try it yourself")):
+    with slide("try", _("Try it yourself")):
         try_it()
     components.give_back("route", "show", "values", "masses")
     if not setting.numbers:
@@ -77,9 +77,9 @@ def show() -> None:
 
 
 def the_route() -> Setting:
-    """Draw the choices, the steps, and the machine beside them; on a projector all of them share one sheet."""
+    """Draw the choices, the steps, and the machine beside them; on a projector all of them share one slide."""
     setting, projector = the_setting(), display_mode.is_projector()
-    with sheet("lecture", _("The steps")):
+    with slide("lecture", _("The steps")):
         st.title(_("Many ways to one frequency"), anchor=False)
         head = st.container(horizontal=True, vertical_alignment="center", key="choices")
         with st.container(key="lectured" if setting.is_lecture else "reading"):

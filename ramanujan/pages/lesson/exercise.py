@@ -1,7 +1,7 @@
-"""An exercise by link: chosen questions and tasks, one at a time, and at the end a sheet to print or to save.
+"""An exercise by link: chosen questions and tasks, one at a time, and at the end a worksheet to print or to save.
 
 The lecturer composes the link on the page Worksheet. The link for students has a name; the lecturer's has the key,
-too, to which the name belongs (`shell/sheet_keys.py`).
+too, to which the name belongs (`shell/worksheet_keys.py`).
 """
 
 import streamlit as st
@@ -11,8 +11,8 @@ from ramanujan.answers import QUESTIONS, question
 from ramanujan.browser import components
 from ramanujan.pages.derivation import cache, tryout
 from ramanujan.pages.lesson import tasks
-from ramanujan.shell import address, display_mode, sheet_keys, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell import address, display_mode, widgets, worksheet_keys
+from ramanujan.shell.display_mode import slide
 from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
@@ -20,16 +20,16 @@ from ramanujan.translation import _
 ITEMS = (*QUESTIONS, *(task.id for task in lesson.TASKS))
 EXERCISE = address.Several("exercise", ITEMS)
 ITEM = address.Count("item", len(ITEMS) + 1)
-SHEET = sheet_keys.name_parameter("exercise_name")
-KEY = sheet_keys.key_parameter("exercise_key")
-URL_PARAMETERS = (EXERCISE, ITEM, SHEET, KEY)
-END = _("Your sheet")
+WORKSHEET = worksheet_keys.name_parameter("exercise_name")
+KEY = worksheet_keys.key_parameter("exercise_key")
+URL_PARAMETERS = (EXERCISE, ITEM, WORKSHEET, KEY)
+END = _("Your worksheet")
 FILE = "exercise.md"
 
 
 def show(items: tuple[str, ...]) -> None:
-    """Draw the present item of an exercise, or after the last one the sheet."""
-    headings, with_key = [*map(title, items), END], sheet_keys.fits(KEY, address.held(SHEET))
+    """Draw the present item of an exercise, or after the last one the worksheet."""
+    headings, with_key = [*map(title, items), END], worksheet_keys.fits(KEY, address.held(WORKSHEET))
     now = min(address.held(ITEM), len(headings))
     with st.container(key="lesson_head"):
         place = _("Part {now} of {count}: {heading}")
@@ -37,7 +37,7 @@ def show(items: tuple[str, ...]) -> None:
     if now > len(items):
         finish(items)
     elif (name := items[now - 1]) in QUESTIONS:
-        with sheet("question", title(name)):
+        with slide("question", title(name)):
             st.title(title(name), anchor=False)
             tryout.take(name)
             tryout.ask(name, with_step=with_key)
@@ -55,17 +55,17 @@ def title(item: str) -> str:
 
 
 def finish(items: tuple[str, ...]) -> None:
-    """Draw the sheet, and offer it as a file."""
-    written = written_sheet(items)
-    with sheet("question", END):
+    """Draw the worksheet, and offer it as a file."""
+    written = written_worksheet(items)
+    with slide("question", END):
         st.markdown(written)
-        with st.container(horizontal=True, vertical_alignment="center", key="sheet_choices"):
-            widgets.download(_("Save this sheet"), written, FILE, "text/markdown")
+        with st.container(horizontal=True, vertical_alignment="center", key="worksheet_choices"):
+            widgets.download(_("Save this worksheet"), written, FILE, "text/markdown")
             st.caption(_("Or print this page with Ctrl+P or ⌘P. Your answers are kept until you close or reload it."))
 
 
-def written_sheet(items: tuple[str, ...]) -> str:
-    """Return the sheet as Markdown: each item, what was answered, since when it is right, how many hints were used."""
+def written_worksheet(items: tuple[str, ...]) -> str:
+    """Return the worksheet as Markdown: each item, what was answered, when it became right, how many hints it took."""
     lines = ["# " + _("Ramanujan’s oscillator: exercise"), _("Name: {line} Date: {line}").format(line="\\_" * 16), ""]
     for number, item in enumerate(items, start=1):
         is_question = item in QUESTIONS
@@ -95,8 +95,8 @@ def compose() -> None:
         if not chosen:
             return
         machine = {each.name: f"{each.present:g}" for each in PARAMETERS.values() if each.present != each.default}
-        key = st.session_state.setdefault("composed_key", sheet_keys.new())
-        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), SHEET.name: sheet_keys.name(key)}
+        key = st.session_state.setdefault("composed_key", worksheet_keys.new())
+        asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
         link = address.link(asked, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)

@@ -9,13 +9,13 @@ from ramanujan import lesson
 from ramanujan.browser import components
 from ramanujan.pages.lesson import classroom, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
-from ramanujan.shell.display_mode import is_projector, sheet
+from ramanujan.shell.display_mode import is_projector, slide
 from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
 _NOTES, _LINES = 3, 9
-"""Stops whose notes, and whose results, fill a sheet of a projector."""
+"""Stops whose notes, and whose results, fill a slide of a projector."""
 ENDING = _("What you have seen")
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
@@ -119,14 +119,14 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
         lines.append(line.format(heading=stop.heading, **named))
     said = _("You answered {answered} of {stops} questions. Your prediction was right at {right} of them.")
     first = _LINES if is_projector() else len(lines)
-    with sheet("seen", ENDING):
+    with slide("seen", ENDING):
         st.title(ENDING, anchor=False)
         st.markdown(said.format(answered=answered, stops=len(path), right=right))
         st.markdown("\n".join(lines[:first]))
     if lines[first:]:
-        with sheet("seen_on", _("{heading}, continued").format(heading=ENDING)):
+        with slide("seen_on", _("{heading}, continued").format(heading=ENDING)):
             st.markdown("\n".join(lines[first:]))
-    with sheet("onwards", _("Where to go on")):
+    with slide("onwards", _("Where to go on")):
         st.markdown(_("Where to go on:"))
         st.button(_("Set the machine yourself: twelve tasks"), key="to_tasks", on_click=_to_tasks)
         for name, label in _ONWARDS.items():
@@ -146,7 +146,7 @@ def work(head: st.delta_generator.DeltaGenerator) -> None:
 
 def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the lecturer's notes, and the choice between all stops and a few."""
-    with sheet("notes", _("Lecturer’s notes")):
+    with slide("notes", _("Lecturer’s notes")):
         _begin_notes()
     # At the desk of a class the notes are open; a reader is told first what they contain.
     told = _("Show the notes on all stops. They name the right answers.")
@@ -154,10 +154,10 @@ def notes(_head: st.delta_generator.DeltaGenerator) -> None:
         return
     for start in range(0, len(lesson.STOPS), _NOTES):
         numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]
-        with sheet(f"notes_{start}", numbered[0][1].heading):
+        with slide(f"notes_{start}", numbered[0][1].heading):
             for number, stop in numbered:
                 _note(number, stop)
-    with sheet("sources", _("Sources")):
+    with slide("sources", _("Sources")):
         st.markdown("\n".join(f"{number}. {source}" for number, source in enumerate(lesson.SOURCES, start=1)))
 
 

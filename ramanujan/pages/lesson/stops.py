@@ -18,7 +18,7 @@ from ramanujan.lesson.classes import Phase
 from ramanujan.number_theory import BODIES
 from ramanujan.pages.lesson import classroom, progress
 from ramanujan.shell import class_session, display_mode, messages, sidebar, stages, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import slide
 from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _
@@ -104,9 +104,9 @@ def draw(stop: Stop, number: int) -> None:
         # A lecturer’s page predicts with the class, and shows nothing before the class has seen it.
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(seen, progress.ASKED)
     running = runs(phase)
-    # On a projector the machine has a sheet of its own with the reason, once it runs.
+    # On a projector the machine has a slide of its own with the reason, once it runs.
     apart = display_mode.is_projector() and (running or seen is not None) and not stop.exhibit
-    with sheet("question", stop.heading):
+    with slide("question", stop.heading):
         # On a projector the question needs all of the width.
         above = st.container() if display_mode.is_projector() else None
         words, picture, reason = (st.container(), None, None) if apart else places(stop, running)
@@ -123,7 +123,7 @@ def draw(stop: Stop, number: int) -> None:
                     st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
                 judge(stop, chosen, phase)
     if apart:
-        with sheet("machine", _("The machine")):
+        with slide("machine", _("The machine")):
             _words, picture, reason = places(stop, running)
     if phase == progress.ANSWERED:
         with reason:

@@ -15,7 +15,7 @@ from ramanujan.number_theory import BODIES
 from ramanujan.pages.motion import page as motion
 from ramanujan.pages.taxicab import other_bodies
 from ramanujan.shell import address, sidebar, stages, widgets
-from ramanujan.shell.display_mode import is_projector, sheet
+from ramanujan.shell.display_mode import is_projector, slide
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
 from ramanujan.translation import _
 
@@ -33,7 +33,7 @@ _WIDTH = 160
 
 def draw(task: Task) -> Verdict:
     """Draw a task, and return how far it is done."""
-    with sheet("task", task.heading):
+    with slide("task", task.heading):
         beside = task.stage and not is_projector()
         around = st.container(key="beside" if beside else None)
         words, picture = around.columns([1, 1], gap="medium") if beside else (around, around)
@@ -53,7 +53,7 @@ def draw(task: Task) -> Verdict:
                 judged = verdict(task, setting)
             widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
     if task.stage:
-        with sheet("machine", _("The machine")) if is_projector() else picture:
+        with slide("machine", _("The machine")) if is_projector() else picture:
             machine(task, setting)
     return judged
 

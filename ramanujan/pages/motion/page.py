@@ -13,7 +13,7 @@ from ramanujan.pages.motion import cache, plots
 from ramanujan.pages.motion.plots import Friction, centimetres
 from ramanujan.record import Record, table
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import slide
 from ramanujan.shell.parameters import Parameter
 from ramanujan.translation import _
 
@@ -33,7 +33,7 @@ URL_PARAMETERS = (GLIDE, SPIN, MU, FIGURE)
 def show() -> None:
     """Draw the page."""
     machine, compression = sidebar.oscillator(), sidebar.compression()
-    with sheet("machine", _("The machine")):
+    with slide("machine", _("The machine")):
         picture, words = display_mode.picture_and_words()
         with words:
             st.title(_("Motion"), anchor=False)
@@ -133,12 +133,12 @@ def cursor_and_download(motion: Record, mu: float) -> None:
 
 
 def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | float, ...]) -> None:
-    """Draw the figures of the view that is open, or on a projector a sheet for each."""
+    """Draw the figures of the view that is open, or on a projector a slide for each."""
     projector = display_mode.is_projector()
     shows = {"displacements": plots.show_displacements, "energy": plots.show_energy, "momentum": plots.show_momentum}
     shows["forces"] = plots.forces_over_time if projector else partial(plots.show_forces, friction=friction)
     if projector:
-        places = {view: sheet(view, title) for view, title in FIGURES.items()}
+        places = {view: slide(view, title) for view, title in FIGURES.items()}
     else:
         places = {view: tab for view, tab in widgets.tabs(FIGURE).items() if tab.open}
     for view, place in places.items():
@@ -151,7 +151,7 @@ def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | 
             if view == "forces":
                 plots.about_forces(motion)
     if projector:
-        with sheet("friction", _("Friction needed")):
+        with slide("friction", _("Friction needed")):
             plots.friction_needed(motion, friction)
 
 

@@ -13,7 +13,7 @@ from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
 from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme
 from ramanujan.shell.cache import numbers_stated
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
 FOUND = address.Choice("found", ("on",))
@@ -42,7 +42,7 @@ def lead() -> bool:
 def show() -> None:
     """Draw the page."""
     if display_mode.is_projector():
-        with sheet("machine", _("The machine")):
+        with slide("machine", _("The machine")):
             composition()
     told()
     if first_run.alone():
@@ -51,7 +51,7 @@ def show() -> None:
         return
     if not display_mode.hides("curve"):
         components.pick("curve", take_clicked)
-        with sheet("curve", _("The curve")):
+        with slide("curve", _("The curve")):
             the_curve()
     if display_mode.hides("steps"):
         sidebar.follow(*followers())
@@ -236,7 +236,7 @@ def six_steps() -> None:
     steps = cache.summary(numbers)
     shown = display_mode.is_projector()
     if shown:
-        on_sheets(steps)
+        on_slides(steps)
     else:
         for n, step in enumerate(steps, start=1):
             results = " ".join(f"${result}$" for result in step.results).replace(r"\frac", r"\dfrac")
@@ -268,11 +268,11 @@ def in_display(formula: str) -> str:
     return formula and f"$$\n{formula}\n$$"
 
 
-def on_sheets(steps: list[cache.SummaryStep]) -> None:
-    """Draw the steps on sheets of the projector, the first two on one; what has no room below stands beside."""
+def on_slides(steps: list[cache.SummaryStep]) -> None:
+    """Draw the steps on slides of the projector, the first two on one; what has no room below stands beside."""
     starts = (0, 2, 3, 4, 5)
     for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
-        with sheet(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
+        with slide(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
             for n, step in enumerate(steps[first:end], start=first + 1):
                 with st.container(horizontal=True, vertical_alignment="top", key=f"spread_{n}"):
                     st.markdown(f"### {n}. {step.heading}\n{step.ways[-1][0]}")

@@ -15,7 +15,7 @@ from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.pages.speed.extremes import SWEEP
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
-from ramanujan.shell.display_mode import folded, sheet
+from ramanujan.shell.display_mode import folded, slide
 from ramanujan.translation import _
 
 COMPARED = address.Choice("compare", {"own": _("your method"), "all": _("all methods")}, "own")
@@ -26,23 +26,23 @@ URL_PARAMETERS = (METHOD, STEPS, TRIES, COMPARED, PERIODS, PRECISION, COST, TOLE
 
 def show() -> None:
     """Draw the page, then take its experiments."""
-    with sheet("motion", _("Exact and computed")), st.container(key="race"):
+    with slide("motion", _("Exact and computed")), st.container(key="race"):
         challenge.draw()
         if address.held(TRIES) and not display_mode.is_projector():
             challenge.diagram()
     if address.held(TRIES) and display_mode.is_projector():
-        with sheet("tries", _("What was tried")):
+        with slide("tries", _("What was tried")):
             challenge.diagram()
-    with sheet("errors", _("How the errors grow")):
+    with slide("errors", _("How the errors grow")):
         periods = growing_errors(address.held(METHOD), address.held(STEPS))
-    with sheet("costs", _("What accuracy costs")):
+    with slide("costs", _("What accuracy costs")):
         costs_on_this_server = costs(periods)
-    with sheet("forms", _("Extreme values")):
+    with slide("forms", _("Extreme values")):
         forms = extremes.forms_at_extremes()
     if not display_mode.is_projector():
         with st.expander(_("Where each form fails, and the formulas")):
             extremes.where_forms_fail(forms)
-    with sheet("periods", _("Very many periods")):
+    with slide("periods", _("Very many periods")):
         extremes.many_periods(sidebar.oscillator())
     folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.general_solver)
     folded("choices", _("What this app uses, and why"), extremes.what_the_app_uses)
@@ -73,7 +73,7 @@ def growing_errors(method: str, steps: int) -> int:
     )
     drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
     st.markdown(verdicts.errors_of(run))
-    # A projector's sheet has room for the figure and what it found.
+    # A projector's slide has room for the figure and what it found.
     if display_mode.is_projector():
         return periods
     st.caption(

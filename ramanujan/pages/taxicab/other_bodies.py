@@ -10,7 +10,7 @@ from ramanujan.browser import stage
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _, ngettext
 
 WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
@@ -25,7 +25,7 @@ FOLLOWERS = ("bodies_machine", "bodies_numbers")
 
 def other_bodies() -> None:
     """Draw choosers, stage, numbers and the table of all machines."""
-    with sheet("bodies", _("Other bodies")):
+    with slide("bodies", _("Other bodies")):
         st.header(_("Other bodies, other numbers"), anchor=False)
         st.markdown(
             _(
@@ -40,7 +40,7 @@ def other_bodies() -> None:
         # On a projector the pickers need the height of the clocks.
         stages.mount(None, key=STAGE, layers=(), dials=not display_mode.is_projector())
         tell_machine(chosen)
-    with sheet("forty", _("All machines")):
+    with slide("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
         with words:
             told(story)

@@ -14,7 +14,7 @@ from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.pages.taxicab.other_bodies import about_cubes, pair
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
-from ramanujan.shell.display_mode import sheet
+from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _, ngettext
 
 P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
@@ -96,7 +96,7 @@ def the_curve() -> None:
 
 def open_question() -> None:
     """Say what has a reason, what was measured, and what stays a coincidence."""
-    with sheet("reason", _("Is there a reason?")):
+    with slide("reason", _("Is there a reason?")):
         st.header(_("Is there a reason?"), anchor=False)
         sentence = _(
             "**Known:** the machine’s bodies give {number} the form $x^2+3y^2$, and numbers of this form are often "
@@ -106,11 +106,11 @@ def open_question() -> None:
         )
         st.markdown(sentence.format(number=PAPER.discriminant))
         what_has_a_reason()
-    with sheet("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
+    with slide("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
         the_number_as_a_norm()
     pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
     paper = pairs.index(PAPER.bodies[:2])
-    with sheet("counts", _("A count")):
+    with slide("counts", _("A count")):
         tallies = _counted(pairs)
         figure, words = st.columns([3, 2]) if display_mode.is_projector() else 2 * [st.container()]
         with words:

@@ -10,7 +10,7 @@ from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, sidebar, widgets
-from ramanujan.shell.display_mode import folded, sheet
+from ramanujan.shell.display_mode import folded, slide
 from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
@@ -20,12 +20,12 @@ ASIDE = ("k", "compression")
 
 def show() -> None:
     """Draw the page."""
-    with sheet("in_step", _("In step")):
+    with slide("in_step", _("In step")):
         the_number()
         exactly_in_step()
     title = _("The exact ratio to a thousand digits, and the fractions closest to it")
     folded("digits", title, digits_and_fractions, expanded=address.held(DIGITS) != DIGITS.default)
-    with sheet("cubes", _("Two stacks of cubes")):
+    with slide("cubes", _("Two stacks of cubes")):
         two_stacks()
     other_bodies.other_bodies()
     other_targets.open_question()

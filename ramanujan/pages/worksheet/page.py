@@ -1,4 +1,4 @@
-"""A sheet to hand out: questions about the present machine with space to write, or the key; the browser prints it."""
+"""A worksheet to hand out: questions about this machine with space to write, or the key; the browser prints it."""
 
 from collections.abc import Iterable, Iterator
 
@@ -9,18 +9,18 @@ from ramanujan.lesson.class_codes import ALPHABET, spaced
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
 from ramanujan.pages.lesson import exercise
-from ramanujan.shell import address, drawings, messages, sheet_keys, sidebar, theme, widgets
-from ramanujan.shell.display_mode import is_projector, sheet
+from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
+from ramanujan.shell.display_mode import is_projector, slide
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _, ngettext
 
 PAPER = address.Choice("paper", {"questions": _("Questions"), "key": _("Key")}, "questions")
-SEED = sheet_keys.name_parameter("seed", default="BCDFHJKLMN")
-KEY = sheet_keys.key_parameter("key")
+SEED = worksheet_keys.name_parameter("seed", default="BCDFHJKLMN")
+KEY = worksheet_keys.key_parameter("key")
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
-# Of a sheet on a projector: its lines, letters in a line, and letters of LaTeX in a row of formulas.
+# Of a slide: its lines, letters in a line, and letters of LaTeX in a row of formulas.
 _LINES, _WIDTH, _ROW = {"questions": 15, "key": 11}, 105, 330
 _LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></span>"
 
@@ -28,7 +28,7 @@ _LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></
 def show() -> None:
     """Draw the page."""
     machine = sidebar.oscillator()
-    with sheet("machine", _("The machine")):
+    with slide("machine", _("The machine")):
         paper, seed, level = choose()
         asked = questions(machine, seed, level)
         calculations = [number for number, question in enumerate(asked, start=1) if question.working]
@@ -38,13 +38,13 @@ def show() -> None:
     for drawn in together(enumerate(asked, start=1), paper == "key"):
         first, last = drawn[0][0], drawn[-1][0]
         numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
-        with sheet(f"question_{first}", numbers.format(first=first, last=last)):
+        with slide(f"question_{first}", numbers.format(first=first, last=last)):
             for number, question in drawn:
                 draw(number, question, paper == "key")
 
 
 def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[list[tuple[int, Question]]]:
-    """Yield the numbered questions that fit on one sheet of a projector; calculations begin a new one."""
+    """Yield the numbered questions that fit on one slide; calculations begin a new one."""
     drawn, used = [], 0.0
     for number, question in asked:
         lines = [line for text in written(question, with_key) for line in text.splitlines() if line]
@@ -74,16 +74,16 @@ def uses_sidebar() -> bool:
 
 
 def choose() -> tuple[str, str, int]:
-    """Draw the choice of sheet and level, and with a key between questions and key; none of it is printed."""
-    with st.container(horizontal=True, vertical_alignment="bottom", key="sheet_choices"):
-        has_key, paper = sheet_keys.fits(KEY, address.held(SEED)), "questions"
+    """Draw the choice of worksheet and level, and with a key between questions and key; none of it is printed."""
+    with st.container(horizontal=True, vertical_alignment="bottom", key="worksheet_choices"):
+        has_key, paper = worksheet_keys.fits(KEY, address.held(SEED)), "questions"
         if has_key:
-            paper = widgets.segmented_control(PAPER, _("Sheet"), label_visibility="collapsed")
-        name_of_sheet()
+            paper = widgets.segmented_control(PAPER, _("Worksheet"), label_visibility="collapsed")
+        name_of_worksheet()
         level = widgets.selectbox(LEVEL, _("Guidance"), width=280)
         if not is_projector():
-            st.button(_("New sheet with its key"), on_click=make_sheet)
-        st.caption(_("Another name makes another sheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
+            st.button(_("New worksheet with its key"), on_click=make_worksheet)
+        st.caption(_("Another name makes another worksheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
         if has_key and not is_projector():
             st.caption(
                 _("The address of this page contains the key. Save it for yourself: *Copy link* leaves the key out.")
@@ -91,29 +91,31 @@ def choose() -> tuple[str, str, int]:
     return paper, address.keep(SEED), level
 
 
-def name_of_sheet() -> None:
-    """Draw the box with the sheet’s name; who has it on paper types it there."""
+def name_of_worksheet() -> None:
+    """Draw the box with the worksheet’s name; who has it on paper types it there."""
 
     def take() -> None:
-        if name := sheet_keys.read_name(st.session_state["sheet_name"]):
+        if name := worksheet_keys.read_name(st.session_state["worksheet_name"]):
             st.session_state[SEED.name] = name
         else:
-            sentence = _("A sheet’s name has {n} letters, all from {letters}. The old name was kept.")
-            messages.note(SEED.name, sentence.format(n=sheet_keys.LETTERS, letters=ALPHABET), warning=True)
+            sentence = _("A worksheet’s name has {n} letters, all from {letters}. The old name was kept.")
+            messages.note(SEED.name, sentence.format(n=worksheet_keys.LETTERS, letters=ALPHABET), warning=True)
 
-    st.session_state["sheet_name"] = spaced(address.held(SEED))
-    st.text_input(_("Name of the sheet"), key="sheet_name", max_chars=40, width=230, on_change=take, autocomplete="off")
+    st.session_state["worksheet_name"] = spaced(address.held(SEED))
+    st.text_input(
+        _("Name of the worksheet"), key="worksheet_name", max_chars=40, width=230, on_change=take, autocomplete="off"
+    )
     messages.show_note(SEED.name)
 
 
-def make_sheet() -> None:
-    """Take a new key and the sheet that belongs to it, in a callback."""
-    key = sheet_keys.new()
-    st.session_state.update({KEY.name: key, SEED.name: sheet_keys.name(key)})
+def make_worksheet() -> None:
+    """Take a new key and the worksheet that belongs to it, in a callback."""
+    key = worksheet_keys.new()
+    st.session_state.update({KEY.name: key, SEED.name: worksheet_keys.name(key)})
 
 
 def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
-    """Draw the title with the name, by which sheet and key find each other, and the machine of the calculations."""
+    """Draw the title with the name, by which worksheet and key find each other, and the machine of the calculations."""
     titles = {
         "questions": _("Ramanujan’s oscillator: worksheet {seed}"),
         "key": _("Ramanujan’s oscillator: key {seed}"),
@@ -124,7 +126,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
         st.html(f"<p class='name'>{lines.format(line=_LINE, points=points)}</p>")
     picture, words = st.columns(2) if is_projector() else (st.container(), st.container())
     values = ", ".join(each.equation(each.present) for each in PARAMETERS.values())
-    with picture, st.container(key="sheet_picture"):
+    with picture, st.container(key="worksheet_picture"):
         drawings.draw(
             machine_svg(machine, sidebar.compression(), theme.on_paper()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
