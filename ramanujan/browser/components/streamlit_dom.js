@@ -197,7 +197,7 @@ export const dom = {
   },
 
   /** Where the sidebar is a drawer; page.css says the same. */
-  NARROW: "(max-width: 768px)",
+  NARROW: "(max-width: 999px)",
 
   /** The slides of a projector that the page declares, in their order; a title may come a moment later. */
   slides: () =>
