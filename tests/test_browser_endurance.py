@@ -104,7 +104,7 @@ def test_a_running_stage_and_a_hundred_changes_leave_nothing_behind(visit: Calla
         tab.mouse.up()
         settle(tab)
 
-    tab.evaluate("(window.drawn = 0), ramanujan.subscribe('present/oscillator', () => (window.drawn += 1))")
+    tab.evaluate("(window.drawn = 0), ramanujan.subscribe('drawn/oscillator', () => (window.drawn += 1))")
     for i in range(2):
         drag(10, (-1) ** i)
     before, drawn = counts(tab, client), tab.evaluate("drawn")

@@ -30,7 +30,7 @@ def slider(picture) -> float:
 
 def drawn(picture) -> float:
     """What x₀ the machine is drawn with [cm]."""
-    return 100 * picture.page.evaluate("bus.last('present/oscillator').parameters.compression")
+    return 100 * picture.page.evaluate("bus.last('drawn/oscillator').parameters.compression")
 
 
 def note(picture) -> str:

@@ -87,12 +87,12 @@ def at(window: Callable, server: str) -> Callable[..., Visitor]:
 
 
 THUMB = ".st-key-m_prime [style*=left]"
-RATIO = "ramanujan.last('present/oscillator').ratio"
+RATIO = "ramanujan.last('drawn/oscillator').ratio"
 
 
 def check_stage(visitor: Visitor) -> Oscillator:
     """Hold what the stage says to the core's numbers for the machine that is drawn; return the machine."""
-    known = visitor.page.evaluate("ramanujan.last('present/oscillator').parameters")
+    known = visitor.page.evaluate("ramanujan.last('drawn/oscillator').parameters")
     machine = Oscillator(**{name: known[name] for name in ("m", "m_prime", "k", "radius")})
     said = inside(visitor.page, "root.querySelector('[data-read=normalized]').textContent")
     assert float(said) == pytest.approx(machine.normalized_frequency_squared, abs=1e-6)
@@ -117,7 +117,7 @@ def test_first_page_drag_type_drag_the_slab_and_bring_both_into_step(at):
     page.mouse.move(place["x"] - 60, place["y"], steps=5)
     next_frame(page)
     held = slab_over_block(page)
-    assert held == pytest.approx(page.evaluate("ramanujan.last('present/oscillator').parameters.compression") * 100)
+    assert held == pytest.approx(page.evaluate("ramanujan.last('drawn/oscillator').parameters.compression") * 100)
     assert held < 7
     page.mouse.up()
     visitor.wait("location.search.includes('compression=')")

@@ -28,7 +28,7 @@ SAID = """() => {
 }"""
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
 WIDTH = "document.querySelector('[data-testid=stMain]').scrollWidth"
-BUS = "JSON.stringify(ramanujan.last('present/stage_two-clocks_0'))"
+BUS = "JSON.stringify(ramanujan.last('drawn/stage_two-clocks_0'))"
 TELLING = ("faster", "slower", "ahead by", "behind by", "in step", "Period", "full turn apart")
 NUMBERS = [
     f"{value:.{digits}g}"

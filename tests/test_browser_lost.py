@@ -26,7 +26,7 @@ LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 HEADING = ".st-key-lecture h2:visible"
 
 TOLD = "globalThis.ramanujan.last('machine/oscillator').parameters"
-PRESENT = "globalThis.ramanujan.last('present/oscillator').parameters"
+PRESENT = "globalThis.ramanujan.last('drawn/oscillator').parameters"
 
 
 def take_slab(page, centimetres: float) -> None:
@@ -95,7 +95,7 @@ def check_slow_answer(page, late_by) -> None:
     late_by(0.3)
     before = normalized(page)
     drag(page, "m_prime", 40)
-    watch(page, "seen", "present/oscillator", "normalized")
+    watch(page, "seen", "drawn/oscillator", "normalized")
     # While the answer is on its way, another slider moves; it must not show the old m′ again.
     drag(page, "m", 72, steps=24)
     settle(page)
@@ -227,7 +227,7 @@ def check_held_slab(page, late_by) -> None:
     )
     assert max(places) - min(places) < 0.05
     page.mouse.up()
-    watch(page, "bent", "present/oscillator", "parameters.compression")
+    watch(page, "bent", "drawn/oscillator", "parameters.compression")
     settle(page)
     assert set(page.evaluate("window.bent")) == {0.05}
     assert page.evaluate(TOLD)["compression"] == pytest.approx(0.05)

@@ -177,7 +177,7 @@ def test_what_is_hidden_is_neither_drawn_nor_said(bare):
         assert {text for text in TELLING if text in said} == (set() if hide else TELLING)
         parts = picture.find("root.querySelectorAll('.dial, .gauge, .verdict, .parting, .readouts, .legend b').length")
         assert (parts == 0) == bool(hide)
-        assert (here.page.evaluate("bus.last('present/oscillator').normalized ?? null") is None) == bool(hide)
+        assert (here.page.evaluate("bus.last('drawn/oscillator').normalized ?? null") is None) == bool(hide)
         assert (picture.find("root.querySelector('[data-step]')?.dataset.step ?? ''") == "") == bool(hide)
 
 

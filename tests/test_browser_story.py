@@ -18,7 +18,7 @@ STORY = "document.querySelector('.st-key-story [data-testid=stBidiComponentIsola
 NOW = f"""() => {{
   const text = (root, selector) => root.querySelector(selector).textContent;
   const {{ phase, periods }} = ramanujan.last("time/oscillator");
-  return {{ periods, ratio: ramanujan.last("present/oscillator").ratio, said: text({STORY}, ".said"),
+  return {{ periods, ratio: ramanujan.last("drawn/oscillator").ratio, said: text({STORY}, ".said"),
     verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"), phase }};
 }}"""
 MARK = "document.querySelector('.st-key-m_prime').style.getPropertyValue('--mark')"
@@ -100,7 +100,7 @@ def test_the_story_is_true_at_every_second_and_ends_in_step(visit, width, height
     assert float(page.evaluate(MARK)) == pytest.approx((UNIT_MASS_RATIO * 1.5 - 0.05) / (10 - 0.05))
     # Whatever is touched takes over: the slider stays where it is, and says so.
     button(page, "Again").click()
-    page.wait_for_function("ramanujan.last('present/oscillator').ratio < 4.5")
+    page.wait_for_function("ramanujan.last('drawn/oscillator').ratio < 4.5")
     page.keyboard.press("Shift")
     settle(page)
     value = float(page.locator(".st-key-m_prime_exact input").input_value())
@@ -131,7 +131,7 @@ GOAL = 1.5 * UNIT_MASS_RATIO
 
 def held(page) -> tuple[float, str]:
     """The mass ratio that is drawn, and what the box shows."""
-    ratio = page.evaluate("ramanujan.last('present/oscillator').ratio")
+    ratio = page.evaluate("ramanujan.last('drawn/oscillator').ratio")
     return ratio, page.locator(".st-key-m_prime_exact input").input_value()
 
 

@@ -94,7 +94,7 @@ def answer(address: str, code: str, students: range, votes: multiprocessing.Queu
 def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server: Server) -> None:
     school = classes.Classes(server.address, Clock())
     opened = school.open_class()
-    school.present(opened.key, "faster", OPTIONS)
+    school.ask(opened.key, "faster", OPTIONS)
     votes = NEW_PROCESS.Queue()
     others = [
         NEW_PROCESS.Process(target=answer, args=(server.address, opened.code, range(start, start + 30), votes))
@@ -128,7 +128,7 @@ def test_what_holds_in_a_file_holds_on_a_server(test, server: Server) -> None:
     clock = Clock()
     school = classes.Classes(server.address, clock)
     opened = school.open_class()
-    school.present(opened.key, "faster", OPTIONS)
+    school.ask(opened.key, "faster", OPTIONS)
     given = {"school": school, "opened": opened, "clock": clock}
     test(**{name: given[name] for name in inspect.signature(test).parameters})
 

@@ -59,7 +59,7 @@ def school(tmp_path: Path, clock: Clock) -> classes.Classes:
 def opened(school: classes.Classes) -> classes.Class:
     """A class that is asked who is faster."""
     opened = school.open_class()
-    school.present(opened.key, "faster", OPTIONS)
+    school.ask(opened.key, "faster", OPTIONS)
     return opened
 
 
@@ -243,11 +243,11 @@ def test_an_answer_is_changed_until_the_reveal_and_a_late_one_is_refused_with_it
     school.show(opened.key, Phase.REVEALED)
     with pytest.raises(ClassError, match="already been shown"):
         vote(asked=Vote(1, 2))
-    school.present(opened.key, "energy", ["spring", "slab"])
+    school.ask(opened.key, "energy", ["spring", "slab"])
     with pytest.raises(ClassError, match="another question"):
         vote(asked=Vote(1, 2))
     # A stop to which the lecturer returns is as it was left.
-    school.present(opened.key, "faster", OPTIONS)
+    school.ask(opened.key, "faster", OPTIONS)
     assert astuple(school.question(opened.code))[:3] == ("faster", Vote(1, 2), Phase.REVEALED)
     with pytest.raises(ClassError, match="already voted twice"):
         school.ask_again(opened.key)
@@ -393,7 +393,7 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
             with pytest.raises(ClassError, match="belongs to no class"):
                 act(key)
         with pytest.raises(ClassError, match="belongs to no class"):
-            school.present(key, "faster", OPTIONS)
+            school.ask(key, "faster", OPTIONS)
     assert school.question(opened.code).stop == "faster"
 
 
@@ -450,11 +450,11 @@ def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_on
     school.vote(seat, "faster", "neither", Vote(1, 2))
     school.show(opened.key, Phase.SOLVED)
     clock.now += 60
-    school.present(opened.key, "energy", ["spring", "slab"])
+    school.ask(opened.key, "energy", ["spring", "slab"])
     school.vote(seat, "energy", "slab")
     school.show(opened.key, Phase.REVEALED)
     clock.now += 60
-    school.present(opened.key, "faster", OPTIONS, anew=True)
+    school.ask(opened.key, "faster", OPTIONS, anew=True)
     assert chosen(school, seat) is None
     assert not school.question(opened.code).vote.is_second
     school.vote(seat, "faster", "machine", Vote(2))

@@ -146,7 +146,7 @@ def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr)
     )
     if not spin.has(m_prime):
         return merged
-    return replace(merged, reason=f"{reason} {spins}", present=lambda _numbers: merged)
+    return replace(merged, reason=f"{reason} {spins}", special=lambda _numbers: merged)
 
 
 CELLS = {

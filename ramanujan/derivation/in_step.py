@@ -30,8 +30,8 @@ def close_to_one_step(normalized: sp.Expr) -> Step:
         ),
         equation(Omega_squared * m / k, normalized),
     )
-    present = replace(compared, equations=(equation(model.normalized_frequency_squared, normalized),))
-    return replace(compared, present=lambda _numbers: present)
+    special = replace(compared, equations=(equation(model.normalized_frequency_squared, normalized),))
+    return replace(compared, special=lambda _numbers: special)
 
 
 def unit_steps(general: Elimination) -> tuple[Step, ...]:
@@ -143,7 +143,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         operations=(),
     )
     return (
-        replace(only_ratio, present=lambda _numbers: replace(only_ratio, equations=normalized)),
-        replace(exactly_one, present=residual),
-        replace(root, present=lambda _numbers: distance),
+        replace(only_ratio, special=lambda _numbers: replace(only_ratio, equations=normalized)),
+        replace(exactly_one, special=residual),
+        replace(root, special=lambda _numbers: distance),
     )

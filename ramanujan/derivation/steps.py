@@ -31,7 +31,7 @@ class Step:
     heading : what is done
     reason : why the step is allowed, in one sentence or a few, Markdown with $…$
     equations : relations that hold for every machine, or state a condition on ε
-    present : numbers → what the step says about one given machine, still in symbols, where its own equations state a
+    special : numbers → what the step says about one given machine, still in symbols, where its own equations state a
         condition. None where numbers can be put into the equations themselves.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     operations : LaTeX in the margin of each equation: what leads to it, in the words of a blackboard; or none
@@ -42,14 +42,14 @@ class Step:
     heading: str
     reason: str
     equations: tuple[sp.Eq, ...]
-    present: Callable[[Numbers], Step] | None = None
+    special: Callable[[Numbers], Step] | None = None
     labels: tuple[str, ...] = ()
     operations: tuple[str, ...] = ()
     marks: tuple[sp.Expr, ...] = ()
 
     def about(self, numbers: Numbers | None) -> Step:
         """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
-        return self.present(numbers) if numbers and self.present else self
+        return self.special(numbers) if numbers and self.special else self
 
     def _repr_markdown_(self) -> str:
         """Show the step in a notebook."""

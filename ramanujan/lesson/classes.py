@@ -3,7 +3,7 @@
     classes = shared()
     opened = classes.open_class()                   # a code for everybody, a key for the lecturer alone
     seat = classes.join(opened.code)                # a student: no name, a random voter
-    classes.present(opened.key, "faster", ["machine", "plain"])
+    classes.ask(opened.key, "faster", ["machine", "plain"])
     classes.vote(seat, "faster", "plain")
     classes.show(opened.key, Phase.REVEALED)
     classes.distribution(opened.code, "faster")     # {"machine": 0, "plain": 1}
@@ -107,7 +107,7 @@ class Classes:
         """Return when the class and all its answers are deleted [s since 1970]."""
         return self._store.read("SELECT expires FROM class WHERE code = ?", (self.code_of(key),))[0][0]
 
-    def present(self, key: str, stop: str, options: Sequence[str], anew: bool = False) -> None:
+    def ask(self, key: str, stop: str, options: Sequence[str], anew: bool = False) -> None:
         """Take the class to a question; one that was asked before is as it was left, or asked once more.
 
         The votes of an earlier asking are kept.

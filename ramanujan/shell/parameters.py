@@ -60,16 +60,16 @@ class Parameter(URLParameter):
         return f"{self.meaning}, {self.symbol}{unit}"
 
     @property
-    def present(self) -> float:
-        """The present value, in this unit; before the slider is drawn, what the address says."""
+    def value(self) -> float:
+        """The value, in this unit; before the slider is drawn, what the address says."""
         if self.name not in st.session_state and self.name in st.query_params and fits(self):
             return self.read(st.query_params[self.name])
         return st.session_state.get(self.name, self.default)
 
     @property
     def in_si(self) -> float:
-        """The present value in SI units."""
-        return self.present * self.scale
+        """The value in SI units."""
+        return self.value * self.scale
 
     @property
     def limits(self) -> tuple[float, float]:

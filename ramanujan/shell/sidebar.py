@@ -117,7 +117,7 @@ def follow(*fragments: str) -> None:
 def followed() -> dict[str, object]:
     """Return what the sliders’ boxes are told: topics of the page’s bus."""
     judged = st.session_state.get(_JUDGED, 0)
-    held = {key: parameter.present for key, parameter in PARAMETERS.items()}
+    held = {key: parameter.value for key, parameter in PARAMETERS.items()}
     return {f"exact/{key}": {"value": value, "text": repr(value), "judged": judged} for key, value in held.items()}
 
 
@@ -150,7 +150,7 @@ def begin(said: list[str]) -> None:
     st.session_state[_BEGUN] = True
     st.session_state[_FIRST] = _FIRST not in st.session_state
     # In the first run the sliders show what the link has set, without what it got wrong.
-    st.session_state.setdefault(_LINKED, {key: parameter.present for key, parameter in PARAMETERS.items()})
+    st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
     if not messages.runs_again():
         pending_updates.reassert()
     for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
@@ -188,7 +188,7 @@ def take_ratio(ratio: float, digits: int = 17) -> None:
 def _set_ratio(ratio: float, digits: int) -> None:
     rollers, others = PARAMETERS["m_prime"], PARAMETERS["m"]
     ratio = min(max(ratio, rollers.least / others.most), rollers.most / others.least)
-    m = others.present
+    m = others.value
     m_prime = _times(ratio, m, digits)
     if rollers.least <= m_prime <= rollers.most:
         pending_updates.set_widgets({"m_prime": m_prime})
@@ -227,7 +227,7 @@ def linked() -> bool:
 
 def holds(machine: Oscillator, metres: float) -> bool:
     """Tell whether the sliders hold this machine and this x₀ [m]."""
-    return all(math.isclose(PARAMETERS[key].present, x) for key, x in _on_sliders(machine, metres).items())
+    return all(math.isclose(PARAMETERS[key].value, x) for key, x in _on_sliders(machine, metres).items())
 
 
 def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
@@ -243,7 +243,7 @@ def _reset() -> None:
     """Put every parameter back to what the link has set, or from there to its default; say so where the two differ."""
     defaults = {parameter.name: parameter.default for parameter in PARAMETERS.values()}
     linked = st.session_state.get(_LINKED, defaults)
-    there = all(PARAMETERS[key].present == value for key, value in linked.items())
+    there = all(PARAMETERS[key].value == value for key, value in linked.items())
     pending_updates.set_widgets(defaults if there else linked)
     if linked == defaults:
         return
@@ -286,7 +286,7 @@ def take_exact(key: str, text: str) -> None:
         else _("{symbol} must be between {least} and {most}. The old value, {old}, was kept.")
     )
     limits = {"least": f"{parameter.least:g}", "most": parameter.written(parameter.most)}
-    sentence = sentence.format(symbol=parameter.symbol, old=parameter.written(parameter.present), **limits)
+    sentence = sentence.format(symbol=parameter.symbol, old=parameter.written(parameter.value), **limits)
     messages.note(parameter.name, sentence, warning=True)
 
 

@@ -14,7 +14,7 @@ The topics of the bus, where NAME is the name of a stage:
                       changed; periods of the plain mass since both hands started together
     story/NAME        how many seconds a period of the plain mass lasts while a story is told, during which the hands
                       keep the angle between them; null ends it
-    present/NAME      {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
+    drawn/NAME        {ratio, normalized, parameters}: ε, Ω²m/k and the machine that is drawn, also while a thumb moves
     seek/NAME         {time [s]}: somebody asks the stage to go to that time and to stay there
     seen/CLOCK        what is seen at the desk of a class, which the stages on this clock show, too: `stage.SEEN`, and
                       ago, how long ago that was [s]

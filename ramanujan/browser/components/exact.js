@@ -12,12 +12,12 @@ const PAUSE = 400; // ms after the last move until the goal is sent: the slider 
 
 export default function (component, signal) {
   const { data: { key }, parentElement: root } = component, box = root.querySelector("input");
-  let told = {}; // what the server said last: value, text, judged
+  let received = {}; // what the server said last: value, text, judged
   box.id = root.querySelector("label").htmlFor = "box";
 
-  const held = () => dom.held(dom.slider(key), told);
+  const held = () => dom.held(dom.slider(key), received);
   const show = () => {
-    if (dom.shows(dom.slider(key), told.value, told)) dom.writeAddress(key, told.value, component.data.default);
+    if (dom.shows(dom.slider(key), received.value, received)) dom.writeAddress(key, received.value, component.data.default);
     const edited = root.activeElement === box && box.value !== box.dataset.shown;
     if (!edited) box.value = box.dataset.shown = held();
   };
@@ -27,7 +27,7 @@ export default function (component, signal) {
   const arrived = atRest(PAUSE, () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
     if (dom.isDragged(slider)) arrived();
-    else if (slider && dom.value(slider) === goal && told.value !== goal) send(String(goal));
+    else if (slider && dom.value(slider) === goal && received.value !== goal) send(String(goal));
   }, signal);
   const snap = () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
@@ -67,7 +67,7 @@ export default function (component, signal) {
   });
 
   bus.subscribe(`exact/${key}`, (given) => {
-    told = given;
+    received = given;
     before = given.value;
     show();
   }, { signal });

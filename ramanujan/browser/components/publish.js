@@ -3,13 +3,13 @@
 import { bus } from "./bus.js";
 
 export default function (component, signal) {
-  const told = new Map();
-  signal.addEventListener("abort", () => told.forEach((_, topic) => bus.forget(topic)));
+  const published = new Map();
+  signal.addEventListener("abort", () => published.forEach((_, topic) => bus.forget(topic)));
   return () => {
     for (const [topic, value] of Object.entries(component.data)) {
       const text = JSON.stringify(value);
-      if (told.get(topic) === text) continue;
-      told.set(topic, text);
+      if (published.get(topic) === text) continue;
+      published.set(topic, text);
       bus.publish(topic, value);
     }
   };

@@ -1,4 +1,4 @@
-// The ring around the present machine on a curve. It follows the stage by the topic present/NAME; the contract with the
+// The ring around the present machine on a curve. It follows the stage by the topic drawn/NAME; the contract with the
 // figure is in __init__.py.
 
 import { bus } from "./bus.js";
@@ -12,7 +12,7 @@ const IN_STEP = 1e-12; // only rounding is as small
 export default function ({ data: { ring } }, signal) {
   let graph = null;
   const show = () => {
-    const { ratio, normalized } = bus.last(`present/${ring.stage}`) ?? {};
+    const { ratio, normalized } = bus.last(`drawn/${ring.stage}`) ?? {};
     if (!graph) return;
     if (normalized === undefined) erase(graph, RING);
     else if (area(graph)) {
@@ -29,7 +29,7 @@ export default function ({ data: { ring } }, signal) {
     graph = each;
     show();
   };
-  bus.subscribe(`present/${ring.stage}`, show, { signal });
+  bus.subscribe(`drawn/${ring.stage}`, show, { signal });
   dom.watchGraphs(drawn, signal);
   signal.addEventListener("abort", () => graph && erase(graph, RING));
 }

@@ -78,7 +78,7 @@ export default function ({ data: { stage, slider, ratio, openings, rest, pace, s
     if (scenes) bus.publish(`story/${stage}`, null);
   });
   bus.subscribe(`time/${stage}`, ({ periods }) => scenes && goTo(periods), { signal });
-  bus.subscribe(`present/${stage}`, ({ ratio: present, parameters }) => {
+  bus.subscribe(`drawn/${stage}`, ({ ratio: present, parameters }) => {
     machine = parameters;
     if (scenes) return;
     const there = Math.abs(present / ratio - 1) < SAME;

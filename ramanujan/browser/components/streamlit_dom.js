@@ -4,7 +4,7 @@
 
 import { observe } from "./lasting.js";
 
-const left = new WeakMap(); // what the server told → the slider whose thumb a hand has dragged away from it
+const left = new WeakMap(); // what the server sent → the slider whose thumb a hand has dragged away from it
 const snapped = new WeakMap(); // slider → the value between its steps to which its thumb has snapped, until the server tells it
 
 const SAVE = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
@@ -14,19 +14,20 @@ export const dom = {
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
   /**
-   * Whether a slider shows a value that the server has told, rounded as its steps are; one that is not there shows none. A thumb
+   * Whether a slider shows a value that the server has sent, rounded as its steps are; one that is not there shows none. A thumb
    * that a hand drags away from the value and back shows the step that it will send.
    */
-  shows(slider, value, told) {
+  shows(slider, value, received) {
     if (!slider) return false;
     const off = Math.abs(dom.value(slider) - value), near = off <= 0.501 * Number(slider.step);
     if (snapped.has(slider)) return off === 0 && snapped.delete(slider);
-    if (!near && dom.isDragged(slider)) left.set(told, slider);
-    return near && (off < 1e-9 || left.get(told) !== slider);
+    if (!near && dom.isDragged(slider)) left.set(received, slider);
+    return near && (off < 1e-9 || left.get(received) !== slider);
   },
 
   /** What a slider holds, as text: what the server says of it in full, unless its thumb has been moved since. */
-  held: (slider, told) => (slider && !dom.shows(slider, told.value, told) ? String(dom.value(slider)) : told.text ?? ""),
+  held: (slider, received) =>
+    slider && !dom.shows(slider, received.value, received) ? String(dom.value(slider)) : received.text ?? "",
 
   /** The value of a slider: to which its thumb has snapped, else that of its step. */
   value: (slider) => snapped.get(slider) ?? Number(slider.value),

@@ -47,7 +47,7 @@ class Stage {
     // A slider may move, and may be drawn after the stage.
     observe(document.body, { childList: true, subtree: true, attributeFilter: ["value"] }, wake, signal);
     this.keeper = makeKeeper(this, options, (seen) => component.data.tells && component.setTriggerValue("seen", seen), signal);
-    signal.addEventListener("abort", () => ["time", "present", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
+    signal.addEventListener("abort", () => ["time", "drawn", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
     bus.subscribe(`story/${stage}`, (pace) => this.tell(pace), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
@@ -117,7 +117,7 @@ class Stage {
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
-    bus.publish(`present/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
+    bus.publish(`drawn/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
     this.slab.show();
     if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(solution));
     this.showSlowing();

@@ -13,9 +13,9 @@ export class Hand {
   inputs = new Map(); // key of a slider → its input
   seen = "{}"; // what a hand had set when the picture was drawn last
 
-  /** `watch` is the contract's; `told()` the server's parameters. */
-  constructor(watch, told) {
-    Object.assign(this, { watch, told });
+  /** `watch` is the contract's; `received()` the server's parameters. */
+  constructor(watch, received) {
+    Object.assign(this, { watch, received });
     this.slabKey = Object.keys(watch).find((key) => watch[key].parameter === "compression");
   }
 
@@ -26,10 +26,10 @@ export class Hand {
 
   /** The parameters that a hand has set, by name. */
   values() {
-    const set = {}, told = this.told();
+    const set = {}, received = this.received();
     for (const [key, { parameter, scale }] of Object.entries(this.watch)) {
       const input = this.input(key);
-      if (input && !dom.shows(input, told[parameter] / scale, told)) set[parameter] = dom.value(input) * scale;
+      if (input && !dom.shows(input, received[parameter] / scale, received)) set[parameter] = dom.value(input) * scale;
     }
     if (this.held !== null) set.compression = this.held;
     this.seen = JSON.stringify(set);

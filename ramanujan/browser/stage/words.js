@@ -32,7 +32,7 @@ export const moment = (phase, time, { hides }) =>
  */
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
-  let message = null, pace = "", described = "", told = "";
+  let message = null, pace = "", described = "", said = "";
   const show = (sentence) => (node.textContent = (message = sentence) ?? pace);
   const say = (sentence, urgent) => compact || bus.publish("say", { sentence, urgent });
   const fade = atRest(NOTE_TIME, () => show(null), signal);
@@ -51,13 +51,13 @@ export function makeVoice(root, { compact, parts, signal }) {
     describe(sentence) {
       if (sentence === described || parts.hides("numbers") || parts.hides("clocks")) return;
       described = sentence;
-      told = "";
+      said = "";
       say(sentence, false);
     },
     /** Say what happened; what happens again and again, as at the edge of the block, is said once. */
     tell(sentence, once = false) {
-      if (once && sentence === told) return;
-      if (once) told = sentence;
+      if (once && sentence === said) return;
+      if (once) said = sentence;
       say(sentence, true);
     },
   };

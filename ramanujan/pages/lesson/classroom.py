@@ -201,7 +201,7 @@ def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) ->
     button(_("Back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))
     button(*_onward(stop, now, last), keyed="PageDown", disabled=now.stop == place == END)
     if stop and now.stop != place and last:
-        button(_("Ask this question again"), "anew", partial(shared().present, anew=True), place, list(stop.options))
+        button(_("Ask this question again"), "anew", partial(shared().ask, anew=True), place, list(stop.options))
     if now.stop == place != END and not now.vote.is_second and now.reached < Phase.RUNNING:
         button(_("Ask again"), "again", shared().ask_again)
 
@@ -244,7 +244,7 @@ def _finish(key: str) -> None:
 
 def _present(key: str, stop: Stop) -> None:
     """Take the class to a stop, and this desk with it."""
-    shared().present(key, stop.id, list(stop.options))
+    shared().ask(key, stop.id, list(stop.options))
     st.session_state[_SEEN] = st.session_state[progress.STOP.name] = stop.id
 
 

@@ -94,7 +94,7 @@ def compose() -> None:
         chosen = st.multiselect(_("Questions and tasks, in their order"), ITEMS, format_func=title, key="composed")
         if not chosen:
             return
-        machine = {each.name: f"{each.present:g}" for each in PARAMETERS.values() if each.present != each.default}
+        machine = {each.name: f"{each.value:g}" for each in PARAMETERS.values() if each.value != each.default}
         key = st.session_state.setdefault("composed_key", worksheet_keys.new())
         asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
         link = address.link(asked, PAGES["lesson"].path).geturl()

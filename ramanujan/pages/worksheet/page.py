@@ -125,7 +125,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name'>{lines.format(line=_LINE, points=points)}</p>")
     picture, words = st.columns(2) if is_projector() else (st.container(), st.container())
-    values = ", ".join(each.equation(each.present) for each in PARAMETERS.values())
+    values = ", ".join(each.equation(each.value) for each in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
         drawings.draw(
             machine_svg(machine, sidebar.compression(), theme.on_paper()),
