@@ -11,7 +11,7 @@ from ramanujan.pages.oscillator.cache import CURVE_RANGE
 from tests.browser import WATCH_LAG, inside, next_frame, press_preset, settle, thumb
 from tests.test_browser_speed import CUT
 
-PANEL = ".st-key-curve .nsewdrag"
+PANEL = ".st-key-curve .nsewdrag >> nth=0"
 POINT = ".st-key-curve .scatterlayer .trace >> nth={} >> .point"
 FITTED = """() => [...document.querySelectorAll(".stPlotlyChart")]
   .every((chart) => Math.abs(chart.querySelector(".main-svg").clientWidth - chart.clientWidth) < 2)"""
@@ -188,18 +188,21 @@ def check_bytes(page) -> None:
 
 
 def check_ring(page) -> None:
-    """Check that the ring lies on the present machine and follows a drag without the server."""
-    ring = ".st-key-curve .present-machine"
+    """Check that both rings lie on the present machine and follow a drag without the server, also out of the inset."""
+    ring, in_inset = (f".st-key-curve .present-machine >> nth={i}" for i in (0, 1))
+    equal, unit = (POINT.format(i) for i in (4, 5))
     # Plotly itself has put a mark on equal masses and on the unit ratio; the star is not centred in its box.
-    assert middle(page, ring) == pytest.approx(middle(page, POINT.format(3)), abs=0.6)
+    assert middle(page, in_inset) == pytest.approx(middle(page, equal), abs=0.6)
+    assert math.dist(middle(page, equal), middle(page, unit)) > 100
     press(page, "In step (1729)")
-    assert middle(page, ring) == pytest.approx(middle(page, POINT.format(4)), abs=2)
+    assert middle(page, in_inset) == pytest.approx(middle(page, unit), abs=2)
     assert "Ω²m/k = 1.00000" in page.locator(ring).get_attribute("aria-label")
     before, sent = middle(page, ring), len(page.frames_sent)
     hold(page, "m_prime", 60, steps=4)
     after = middle(page, ring)
     assert after[0] > before[0] + 20
     assert after[1] > before[1] + 10
+    assert page.locator(in_inset).is_hidden()
     assert len(page.frames_sent) == sent
     page.mouse.up()
     settle(page)
@@ -231,7 +234,7 @@ def check_second_click(page) -> None:
     for other in ("2", "3"):
         write(page, "m_prime", other)
         page.wait_for_url(f"**m_prime={other}**")
-        x, y = middle(page, POINT.format(4))
+        x, y = middle(page, POINT.format(5))
         page.mouse.move(x, y)
         next_frame(page)
         page.mouse.click(x, y)

@@ -67,7 +67,7 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
             settle(tab)
             if place == 0:
                 tab.wait_for_selector(".present-machine", state="attached")
-                assert tab.locator(".present-machine").count() == 1
+                assert tab.locator(".present-machine").count() == 2
             if place == 2:
                 tab.wait_for_selector(".time-cursor", state="attached")
                 assert known("oscillator") == set()

@@ -42,10 +42,16 @@ class Curve:
     unit: Mark
 
 
-def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
-    """Draw Ω²m/k against ε: the curve, its two limits, the two marked ratios, and the line “in step” at 1.
+_LENS = (0.8, 1.4), (0.78, 1.2)
+"""The part of ε and of Ω²m/k that the inset enlarges: there the marked ratios keep apart, on a phone as well."""
+_PLACE = (0.04, 0.5), (0.12, 0.59)
+"""Where the inset is, below the curve, in shares of the panel."""
 
-    The page moves a ring over the figure, which marks the present machine.
+
+def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
+    """Draw Ω²m/k against ε: the curve, its two limits, and an inset of the part where both marked ratios are.
+
+    The page moves a ring over panel and inset, which marks the present machine.
 
     Parameters
     ----------
@@ -60,36 +66,65 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     below = heavy_limit <= 0.75 * curve.light_limit
     limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     no_hover = {"name": _("limit"), "hoverinfo": "skip"}
-    ends = ratios[[0, -1]].tolist()
+    ends, highest = ratios[[0, -1]].tolist(), 1.16 * curve.light_limit
+    (least, most), (low, high) = _LENS
+    near, inset = (least <= ratios) & (ratios <= most), {"xaxis": "x2", "yaxis": "y2"}
+    look = {"color": colors["primary"], "width": 3, "shape": "spline"}
     traces = [
         line(ends, [curve.light_limit] * 2, **limit) | no_hover,
         line(ratios[below], heavy_limit[below], **limit) | no_hover,
+        line(ratios, values, **look) | {"name": _("any machine")},
+        line(ratios[near], values[near], **look) | {"name": _("any machine")} | inset,
     ]
-    traces.append(line(ratios, values, color=colors["primary"], width=3, shape="spline") | {"name": _("any machine")})
     shown = (
         (curve.equal, _("equal masses"), "circle", 11, colors["hoop_ink"]),
         (curve.unit, _("unit frequency"), "star", 15, colors["top"]),
     )
     for mark, name, symbol, size, color in shown:
-        traces.append(marks([mark.ratio], [mark.value], symbol, size, color, width=3, color=color) | {"name": name})
-    in_step = {"type": "line", "line": {"color": colors["primary"], "width": 1.5, "dash": "dash"}, "layer": "below"}
-    in_step |= {"x0": 0, "x1": 1, "xref": "x domain", "y0": curve.unit.value, "y1": curve.unit.value, "yref": "y"}
+        outlined = marks([mark.ratio], [mark.value], symbol, size, color, width=3, color=color)
+        traces.append(outlined | {"name": name} | inset)
     # Here the space to the right of the asymptote is empty, above the line “in step”.
     there = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
     light = _("light rollers: {value}").format(value=curve.light)
     heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy.replace("ε", "<i>ε</i>"))
-    beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6}
+    beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "align": "left"}
+    in_lens, at_end = beside | {"xref": "x2", "yref": "y2"}, {"xanchor": "right", "xshift": -6}
     notes = [
-        # The labels are on opposite sides of the curve, so that they do not overlap on a narrow page.
-        pointed(curve.equal, (4, -66), "left", colors),
-        pointed(curve.unit, (-16, 62), "right", colors),
         note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
-        note(_("in step"), colors["primary"], np.log10(ends[0]), curve.unit.value) | beside,
-        note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside | {"xshift": 8, "align": "left"},
+        note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside,
+        note(_("in step"), colors["primary"], most, curve.unit.value) | in_lens | at_end,
+        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_lens | {"xshift": 10, "yshift": 6},
+        note(curve.unit.label, colors["top"], least, low) | in_lens,
     ]
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
-    more = {"shapes": [in_step], "annotations": notes, "meta": {"ring": colors["primary"]}}
-    return over_ratios(traces, ends, 1.16 * curve.light_limit, hover, colors, **more)
+    more = {"shapes": _lens(ends, highest, curve.unit.value, colors), "annotations": notes}
+    (left, right), (bottom, top) = _PLACE
+    box = {"mirror": True, "showgrid": False, "fixedrange": True}
+    more["xaxis2"] = box | {"range": [least, most], "domain": [left, right], "anchor": "y2", "dtick": 0.2}
+    more["yaxis2"] = box | {"range": [low, high], "domain": [bottom, top], "anchor": "x2", "tickvals": []}
+    return over_ratios(traces, ends, highest, hover, colors, meta={"ring": colors["primary"]}, **more)
+
+
+def _lens(ends: list[float], highest: float, unit: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:
+    """Return the lines “in step” of panel and inset, the ground of the inset, and the frame of what it enlarges."""
+    (least, most), (low, high) = _LENS
+    (_left, right), (bottom, top) = _PLACE
+    in_step = {"type": "line", "line": {"color": colors["primary"], "width": 1.5, "dash": "dash"}, "layer": "below"}
+    in_step |= {"x0": 0, "x1": 1, "y0": unit, "y1": unit}
+    domains = {"xref": "x domain", "yref": "y domain"}
+    thin = {"line": {"color": colors["ink"], "width": 1}, "opacity": 0.5} | domains
+    # A shape counts ε itself, even where the axis is logarithmic.
+    start, end = (np.log([least, most]) - np.log(ends[0])) / (np.log(ends[1]) - np.log(ends[0]))
+    corners = ((bottom, low / highest), (top, high / highest))
+    ground = {"type": "rect", "fillcolor": colors["paper"], "line": {"width": 0}, "layer": "below", "x0": 0, "x1": 1}
+    return [
+        in_step | {"xref": "x domain", "yref": "y"},
+        # The numbers of the inset are below it.
+        ground | {"y0": -0.25, "y1": 1, "xref": "x2 domain", "yref": "y2 domain"},
+        in_step | {"xref": "x2 domain", "yref": "y2"},
+        thin | {"type": "rect", "x0": start, "x1": end, "y0": corners[0][1], "y1": corners[1][1]},
+        *(thin | {"type": "line", "x0": right, "x1": start, "y0": at, "y1": to} for at, to in corners),
+    ]
 
 
 def over_ratios(
@@ -103,7 +138,7 @@ def over_ratios(
     """Return a figure of Ω²m/k: the mass ratio between two ends, logarithmic, and Ω²m/k from 0 on."""
     along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1, "title": {"text": MASS_RATIO}}
     upward = {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True}
-    return figure(traces, colors, 336, hover, xaxis={**along, "fixedrange": True}, yaxis=upward, **more)
+    return figure(traces, colors, 384, hover, xaxis={**along, "fixedrange": True}, yaxis=upward, **more)
 
 
 def pointed(mark: Mark, to: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:

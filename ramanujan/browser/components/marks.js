@@ -5,6 +5,12 @@ import { dom } from "./streamlit_dom.js";
 /** Where a value lies on an axis, as a share of its length; a logarithmic axis counts in powers of ten. */
 export const along = ({ type, range: [from, to] }, value) => ((type === "log" ? Math.log10(value) : value) - from) / (to - from);
 
+/** Where a value lies on the axis of an inset, as a share of all panels; nowhere beyond its ends. */
+export function within({ domain: [from, to] = [0, 1], ...axis }, value) {
+  const share = along(axis, value);
+  return share >= 0 && share <= 1 ? from + share * (to - from) : NaN;
+}
+
 /** The rectangle of all panels of a graph, in pixels from its corner; none before they are drawn. */
 export function area(graph) {
   const home = graph.getBoundingClientRect(), panels = dom.panels(graph).map((panel) => panel.getBoundingClientRect());

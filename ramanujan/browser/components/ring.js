@@ -3,7 +3,7 @@
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
-import { along, area, draw, erase } from "./marks.js";
+import { area, draw, erase, within } from "./marks.js";
 import { fill, number } from "./sentences.js";
 
 const RING = "present-machine";
@@ -16,12 +16,14 @@ export default function ({ data: { ring } }, signal) {
     if (!graph) return;
     if (normalized === undefined) erase(graph, RING);
     else if (area(graph)) {
-      const { xaxis, yaxis, meta } = graph.layout;
-      const node = draw(graph, RING, 0, along(xaxis, ratio), along(yaxis, normalized));
-      node.style.borderColor = meta.ring;
-      node.classList.toggle("in-step", Math.abs(normalized - 1) < IN_STEP);
-      node.role = "img";
-      node.ariaLabel = fill(ring.label, { ratio: number(ratio, 4), normalized: number(normalized, 6) });
+      const { xaxis, yaxis, xaxis2, yaxis2, meta } = graph.layout;
+      const ariaLabel = fill(ring.label, { ratio: number(ratio, 4), normalized: number(normalized, 6) });
+      for (const [i, [across, up]] of [[xaxis, yaxis], [xaxis2, yaxis2]].entries()) {
+        const node = draw(graph, RING, i, within(across, ratio), within(up, normalized));
+        node.style.borderColor = meta.ring;
+        node.classList.toggle("in-step", Math.abs(normalized - 1) < IN_STEP);
+        Object.assign(node, i ? { ariaHidden: true } : { role: "img", ariaLabel });
+      }
     }
   };
   const drawn = (each) => {

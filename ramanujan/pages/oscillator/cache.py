@@ -34,6 +34,7 @@ def curve() -> Curve:
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
+    headline = f'<span style="font-size: 1.8em; font-weight: 700">{unit_frequency_condition().discriminant}</span>'
     return Curve(
         ratios,
         normalized_frequency_squared(ratios),
@@ -42,7 +43,7 @@ def curve() -> Curve:
         sp.lambdify(epsilon, heavy, "numpy")(ratios),
         sp.sstr(heavy).replace("varepsilon", "ε").replace("*", ""),
         Mark(1.0, float(at_equal), _("equal masses<br>{value}").format(value=at_equal)),
-        Mark(UNIT_MASS_RATIO, 1.0, f"Ω² = <i>k</i>/<i>m</i><br><i>ε</i> = {unit_ratio()}"),
+        Mark(UNIT_MASS_RATIO, 1.0, f"{headline}<br><i>ε</i> = {unit_ratio()}"),
     )
 
 
