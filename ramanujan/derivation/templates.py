@@ -13,9 +13,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache
-from math import lcm
+from math import lcm, prod
+from typing import Any
 
 import sympy as sp
+from sympy.polys.domains.domain import Domain
 from sympy.utilities.iterables import sift
 
 from ramanujan.derivation.model import k, m, m_prime
@@ -27,9 +29,6 @@ GIVEN = (m, m_prime, k)
 
 Highlight = tuple[tuple[sp.Basic, str], ...]
 """Symbols, or functions of time, and their colours."""
-
-Coefficients = tuple[tuple[int, int], ...]
-"""Of a polynomial, by falling powers: c and d of each coefficient c + d√n."""
 
 _PRIVATE = 0xE000
 """Where the characters begin that no formula contains: one for each numerator, one for each denominator."""
@@ -56,16 +55,9 @@ class Template:
 
     def evaluated(self, given: Numbers) -> list[Number]:
         """Return the numbers in the formula, exactly; m′/m may carry a square root."""
-        mass, roller_mass, stiffness = (given.exact[symbol] for symbol in GIVEN)
-        p, r, q, n = _ratio(mass, roller_mass, _root_in(*self.numbers))
-        of_mass, of_spring = Fraction(mass.p, mass.q), Fraction(stiffness.p, stiffness.q)
-        found = []
-        for (of_m, of_k), above, below in map(_quotient, self.numbers):
-            (a, b), (c, d) = _at(above, p, r, q, n), _at(below, p, r, q, n)
-            scale = of_mass**of_m * of_spring**of_k * Fraction(q) ** (len(below) - len(above))
-            times, over = scale.as_integer_ratio()
-            found.append(Number.of((a * c - n * b * d) * times, (b * c - a * d) * times, (c * c - n * d * d) * over, n))
-        return found
+        field, known = _field(_root_in(*self.numbers, *given.exact.values()))
+        known = known | {symbol: _worth(value, field, known) for symbol, value in given.exact.items()}
+        return [_number(_worth(number, field, known), field) for number in self.numbers]
 
 
 @lru_cache(maxsize=1024)
@@ -216,43 +208,29 @@ def _without_number(term: sp.Expr) -> sp.Expr:
 
 
 @cache
-def _quotient(number: sp.Expr) -> tuple[tuple[int, int], Coefficients, Coefficients]:
-    """Return a number as mⁱkʲ times a quotient of polynomials in m′/m: i and j, and both polynomials.
-
-    A number has a unit, so it is homogeneous in m and m′, and in k.
-    """
-    root, symbol = _root_in(number), sp.Symbol("root")
-    plain = number.subs(root, symbol) if root else number
-    above, below = (sp.Poly(part, *GIVEN, symbol) for part in sp.fraction(sp.together(plain)))
-    common, above = above.clear_denoms(convert=True)
-    degrees, polynomials = [], []
-    for part in (above, below * common):
-        i, of_prime, j, _of_root = part.monoms()[0]
-        degrees.append((i + of_prime, j))
-        found = [[0, 0] for _power in range(part.degree(m_prime) + 1)]
-        for (_i, of_prime, _j, of_root), c in part.terms():
-            found[-1 - of_prime][of_root % 2] += int(c) * int(root.base if root else 1) ** (of_root // 2)
-        polynomials.append(tuple(map(tuple, found)))
-    (i, j), (below_i, below_j) = degrees
-    return (i - below_i, j - below_j), *polynomials
+def _field(root: sp.Pow | None) -> tuple[Domain, Mapping[sp.Basic, Any]]:
+    """Return the field of all p + r√n with fractions p and r, and the root in it; without a root, that of fractions."""
+    field = sp.QQ.algebraic_field(root) if root else sp.QQ
+    return field, {root: field.unit} if root else {}
 
 
-def _at(coefficients: Coefficients, p: int, r: int, q: int, n: int) -> tuple[int, int]:
-    """Return a polynomial at (p + r√n)/q, times q to the power of its degree, as a + b√n."""
-    a, b, scale = 0, 0, 1
-    for c, d in coefficients:
-        a, b, scale = a * p + b * r * n + c * scale, a * r + b * p + d * scale, scale * q
-    return a, b
+def _worth(number: sp.Expr, field: Domain, known: Mapping[sp.Basic, Any]) -> Any:
+    """Return the value of a number in a field."""
+    if number in known:
+        return known[number]
+    if number.is_Add or number.is_Mul:
+        parts = (_worth(part, field, known) for part in number.args)
+        return sum(parts, field.zero) if number.is_Add else prod(parts, start=field.one)
+    return _worth(number.base, field, known) ** int(number.exp) if number.is_Pow else field.from_sympy(number)
 
 
-@lru_cache(maxsize=1024)
-def _ratio(mass: sp.Rational, roller_mass: sp.Expr, other: sp.Pow | None) -> tuple[int, int, int, int]:
-    """Return p, r, q and n of m′/m = (p + r√n)/q; n is that of another root if there is one."""
-    root, ratio = _root_in(roller_mass, *([other] if other else [])), sp.expand(roller_mass / mass)
-    of_root = ratio.coeff(root) if root else sp.S.Zero
-    plain = ratio - of_root * root if root else ratio
-    q = lcm(plain.q, of_root.q)
-    return int(plain * q), int(of_root * q), q, int(root.base) if root else 1
+def _number(value: Any, field: Domain) -> Number:
+    """Return a value in a field as (p + r√n)/q."""
+    of_root = field.is_Algebraic
+    parts = [0, 0, *value.to_list()][-2:] if of_root else [0, value]
+    r, p = (Fraction(int(part.numerator), int(part.denominator)) for part in parts)
+    q = lcm(p.denominator, r.denominator)
+    return Number.of(int(p * q), int(r * q), q, int(field.ext.args[0] ** 2) if of_root else 1)
 
 
 @lru_cache(maxsize=4096)
