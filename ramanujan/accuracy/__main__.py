@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import fields
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
@@ -20,13 +20,14 @@ from ramanujan.accuracy.extremes import extremes
 from ramanujan.accuracy.general_solvers import eigen_solvers
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import phase_errors
-from ramanujan.accuracy.runs import LONGEST_RUN, steps_within
-from ramanujan.accuracy.work_precision import DTYPES, SHOWN_STEPS, STEPS_PER_PERIOD, WorkPrecision
+from ramanujan.accuracy.work_precision import DTYPES, SHOWN_STEPS, WorkPrecision
 from ramanujan.integrators import METHODS
 from ramanujan.numerals import number
 from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _, ngettext
-from ramanujan.validation import integer
+from ramanujan.translation import _
+
+MACHINE, PERIODS, TOLERANCE = Oscillator(), 10, 1e-3
+"""The machine, the length of each integration [periods], and the largest error relative to the amplitude."""
 
 Row = dict[str, Any]
 """Name of a column → text or number."""
@@ -35,72 +36,69 @@ Table = tuple[str, Iterable[Row]]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the experiments that the arguments name, print each table when it is ready, and return the exit status.
+    """Run one experiment or all, print each table when it is ready, and return the exit status.
 
-    >>> main(["--experiment", "phase", "--csv"])  # doctest: +ELLIPSIS
+    >>> main(["phase", "--csv"])  # doctest: +ELLIPSIS
     table,periods,float32,float64,reduced
     ...
     0
     """
-    parser = _parser()
+    parser = argparse.ArgumentParser(
+        prog="python -m ramanujan.accuracy",
+        description=_(
+            "Measure the accuracy and the cost of each method to compute Ramanujan’s oscillator on this computer."
+        ),
+    )
+    parser.add_argument("experiment", nargs="?", choices=EXPERIMENTS, help=_("the one to run; all by default"))
+    parser.add_argument("--csv", action="store_true", help=_("write CSV; the first column names the table"))
     options = parser.parse_args(arguments)
-    options.dtypes = DTYPES if options.dtype == "both" else (options.dtype,)
     write = _write_csv if options.csv else _write_text
     try:
-        oscillator = Oscillator(m=options.m, m_prime=options.m_prime, k=options.k)
-        for name in EXPERIMENTS if options.experiment == "all" else [options.experiment]:
-            for title, rows in EXPERIMENTS[name](oscillator, options):
+        for name in [options.experiment] if options.experiment else EXPERIMENTS:
+            for title, rows in EXPERIMENTS[name]():
                 write(title, list(rows))
-    except ValueError as error:
-        parser.error(str(error))
     except BrokenPipeError:
         # The reader has closed the pipe; what is still in the buffer must not raise an error at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0
 
 
-def _work_precision(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    # Bad settings are refused before the long work, not after it.
-    work_precision.cheapest([], options.tolerance)
-    n = options.periods
-    shown = [steps_within(each, integer("periods", n, 1, LONGEST_RUN // 3)) for each in options.steps]
-    searched = [*shown, *(each for each in STEPS_PER_PERIOD if each < max(shown))]
-    pairs = [(method, dtype) for dtype in options.dtypes for method in METHODS]
-    curves = [work_precision.timed(work_precision.work_precision(*pair, n, searched)) for pair in pairs]
-    title = ngettext("Error and cost over {n} period", "Error and cost over {n} periods", n).format(n=n)
-    yield title, (row for curve in curves for row in _runs(curve, shown))
+def _work_precision() -> Iterator[Table]:
+    curves = [
+        work_precision.timed(work_precision.work_precision(method, dtype, PERIODS))
+        for dtype in DTYPES
+        for method in METHODS
+    ]
+    yield _("Error and cost over {n} periods").format(n=PERIODS), (row for curve in curves for row in _runs(curve))
     titles = {
         "evaluations": _("Run of each method with the fewest evaluations for errors of at most {tolerance}"),
         "seconds": _("Fastest run of each method for errors of at most {tolerance}"),
     }
     for by, title in titles.items():
-        yield (
-            title.format(tolerance=_short(options.tolerance)),
-            _rows(work_precision.cheapest(curves, options.tolerance, by)),
-        )
+        yield title.format(tolerance=_short(TOLERANCE)), _rows(work_precision.cheapest(curves, TOLERANCE, by))
 
 
-def _runs(curve: WorkPrecision, shown: Sequence[int]) -> Iterator[Row]:
+def _runs(curve: WorkPrecision) -> Iterator[Row]:
     costs = ("steps_per_period", "error", "evaluations", "seconds")
-    for run in np.flatnonzero(np.isin(curve.steps_per_period, shown)):
+    for run in np.flatnonzero(np.isin(curve.steps_per_period, SHOWN_STEPS)):
         row = {"method": curve.method, "dtype": curve.dtype} | {name: getattr(curve, name)[run] for name in costs}
         steps = row["seconds"] / curve.step.median
         yield row | {"lower_quartile": curve.step.low * steps, "upper_quartile": curve.step.high * steps}
 
 
-def _choices(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
+def _choices() -> Iterator[Table]:
     yield _("Points of a curve 400 pixels high"), _rows(choices.curve_sampling())
-    yield _("Closed form"), _rows(choices.closed_form(oscillator))
-    yield _("Ω²m/k in several kinds of arithmetic"), _rows(choices.arithmetics(oscillator.mass_ratio))
+    yield _("Closed form"), _rows(choices.closed_form(MACHINE))
+    yield _("Ω²m/k in several kinds of arithmetic"), _rows(choices.arithmetics(MACHINE.mass_ratio))
     kept = _(
         "Ω and a state of a new machine (slow) and of the same one again (fast); {n} states singly (slow) and in one "
         "call (fast)"
     )
-    yield kept.format(n=choices.STATES), _rows(choices.caching(oscillator), "ratio")
+    yield kept.format(n=choices.STATES), _rows(choices.caching(MACHINE), "ratio")
 
 
-def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
-    sweeps = [sweep for sweep in extremes(dtypes=options.dtypes) if sweep.along != "machines"]
+def _extremes() -> Iterator[Table]:
+    sweeps = [sweep for sweep in extremes() if sweep.along != "machines"]
     of_form = ("form", "dtype", "along", "worst_right_ulp")
     yield (
         _("Forms of Ω² over the range of floating point"),
@@ -117,17 +115,17 @@ def _extremes(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[T
                 "samples": sweep.error_ulp.size,
                 "without_frequency": sweep.without_frequency.sum(),
             }
-            for sweep in eigen_solvers(dtypes=options.dtypes)
+            for sweep in eigen_solvers()
         ),
     )
 
 
-def _phase(oscillator: Oscillator, options: argparse.Namespace) -> Iterator[Table]:
+def _phase() -> Iterator[Table]:
     title = _("Phase error [rad] after many periods: of fl(Ω)·t in float32 and in float64, and of the reduced phase")
-    yield title, _rows(phase_errors(oscillator))
+    yield title, _rows(phase_errors(MACHINE))
 
 
-EXPERIMENTS: dict[str, Callable[[Oscillator, argparse.Namespace], Iterator[Table]]] = {
+EXPERIMENTS: dict[str, Callable[[], Iterator[Table]]] = {
     "work-precision": _work_precision,
     "choices": _choices,
     "extremes": _extremes,
@@ -140,47 +138,6 @@ def _rows(results: Iterable[Any], *properties: str) -> Iterator[Row]:
     for result in results:
         row = {name: getattr(result, name) for name in (*(field.name for field in fields(result)), *properties)}
         yield {name: value.median if isinstance(value, Timing) else value for name, value in row.items()}
-
-
-class _Parser(argparse.ArgumentParser):
-    """A parser that reports an error in one sentence."""
-
-    def error(self, message: str) -> NoReturn:
-        sentence = _("Error: {problem}.").format(problem=message.rstrip("."))
-        self.exit(2, f"{sentence}\n")
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
-        prog="python -m ramanujan.accuracy",
-        description=_(
-            "Measure the accuracy and the cost of each method to compute Ramanujan’s oscillator on this computer."
-        ),
-        formatter_class=argparse.ArgumentDefaultsHelpFormatter,
-    )
-    add = parser.add_argument
-    add("--experiment", choices=["all", *EXPERIMENTS], default="all", help=_("the tables to measure"))
-    add("--periods", type=int, default=10, help=_("length of each integration in periods"))
-    add(
-        "--steps",
-        type=int,
-        nargs="+",
-        default=list(SHOWN_STEPS),
-        metavar="N",
-        help=_("steps per period in the table, at least 3"),
-    )
-    add(
-        "--tolerance",
-        type=float,
-        default=1e-3,
-        help=_("largest error of the cheapest integration, relative to the amplitude"),
-    )
-    add("--dtype", choices=["both", *DTYPES], default="both", help=_("precision of integrations and formulas"))
-    add("--m", type=float, default=1.0, help=_("mass m of block, slab and top cylinder [kg]"))
-    add("--m-prime", type=float, default=1.0, help=_("mass m′ of hoop and lower cylinder [kg]"))
-    add("--k", type=float, default=1.0, help=_("stiffness k of the spring [N/m]"))
-    add("--csv", action="store_true", help=_("write CSV; the first column names the table"))
-    return parser
 
 
 def _write_text(title: str, rows: list[Row]) -> None:
