@@ -184,7 +184,7 @@ def test_the_policy_allows_all_that_a_page_needs(chromium, server):
         page.locator(".st-key-class_door button").first.click()
         page.locator(".st-key-class_open button").click()
         wall = page.get_by_role("link", name="Open the wall").get_attribute("href")
-        look(wall, ".st-key-class_invitation img")
+        look(wall, ".st-key-class_wall img")
         # What it must not load would have been told.
         page.evaluate("fetch('https://example.org').catch(() => 0)")
         assert page.evaluate("refused") != []

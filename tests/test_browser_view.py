@@ -222,10 +222,10 @@ def check_clicker(page) -> None:
     at("2 / 2", 1)
     page.keyboard.press("PageDown")
     at("1 / ", 2)
-    # What is asked stands beside the machine.
+    # The machine stands to the left of what is asked.
     assert page.locator("[data-away]").count() == 0
     words, machine = (page.locator(place).first.bounding_box() for place in (".st-key-options button", "svg.machine"))
-    assert words["x"] + words["width"] <= machine["x"]
+    assert machine["x"] + machine["width"] <= words["x"]
     assert abs(words["y"] - machine["y"]) < machine["height"]
     page.keyboard.press("PageUp")
     at("1 / 2", 1)

@@ -2,7 +2,8 @@
 () => {
   const roots = [document.querySelector(".st-key-class_wall")], words = [], bodies = [], found = new Set();
   for (const root of roots) for (const { shadowRoot } of root.querySelectorAll("*")) if (shadowRoot) roots.push(shadowRoot);
-  const seen = (node) => node.checkVisibility({ visibilityProperty: true, opacityProperty: true });
+  // In an SVG, checkVisibility alone takes what is not drawn for visible.
+  const seen = (node) => node.getClientRects().length && node.checkVisibility({ visibilityProperty: true, opacityProperty: true });
   const outside = ({ left, right, top, bottom }) => left < 0 || top < 0 || right > innerWidth + 1 || bottom > innerHeight;
   for (const root of roots) {
     bodies.push(...[...root.querySelectorAll(".machine .body .form")].filter(seen));

@@ -9,7 +9,7 @@ import numpy as np
 from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.runs import History, error_history
 from ramanujan.integrators import METHODS
-from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
+from ramanujan.lesson.stop import EQUAL, Run, Stop
 from ramanujan.numerals import power_of_ten
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -21,6 +21,8 @@ STEPS = {"explicit_euler": 1000, "velocity_verlet": 10}
 HUGE = 1e200
 """ε, with m = k = 1."""
 _RATIO = power_of_ten(round(math.log10(HUGE)))
+# The formulas of the picture square masses, too. It is the same with the root of the mass: nothing moves.
+_DRAWN = Oscillator(m=1.0, m_prime=math.sqrt(HUGE), k=1.0)
 _LARGEST = float(np.finfo(float).max)
 
 _SHOWN = 50
@@ -166,7 +168,15 @@ STOPS = (
             "“An error” is common, and some languages give one: Python’s power raises an OverflowError, NumPy warns. "
             "JavaScript, C and Fortran return zero. Let the class name other programs in which this could happen."
         ),
-        hides=FREQUENCY,
+        runs=(
+            Run(
+                _DRAWN,
+                label=_(
+                    "Nobody lives long enough to see this machine move: "
+                    "m\u00a0=\u00a01\u00a0kg, m′\u00a0=\u00a0{ratio}\u00a0kg."
+                ).format(ratio=_RATIO),
+            ),
+        ),
         exhibit=f"```js\n{program()}\n```",
         page="speed",
         link_label=_("See where each formula fails on the page Speed and accuracy"),

@@ -37,7 +37,7 @@ class Run:
     ----------
     machine : the machine
     compression : x₀ at release [m]
-    label : what stands under its picture, where several machines are shown side by side
+    label : what stands under its picture, where it follows no slider, as several side by side
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
     samples : returns a computed motion to show instead of the exact one: per_period and q
     slipping : the contact that slips is marked
@@ -113,8 +113,8 @@ class Stop:
 
     @property
     def machine(self) -> Oscillator:
-        """The machine of the question."""
-        return self.runs[0].machine
+        """The machine of the question, as far as sliders hold it; one with a label follows none."""
+        return EQUAL if self.runs[0].label else self.runs[0].machine
 
     @property
     def shown(self) -> Oscillator:

@@ -56,7 +56,7 @@ def slide(name: str, title: str) -> AbstractContextManager:
 
 
 def picture_and_words() -> Sequence[AbstractContextManager]:
-    """Return the places of a slide's picture and of its words: side by side, or on another screen as they are drawn."""
+    """Return the places of a slide's picture, to the left, and of its words; on another screen they are as drawn."""
     return st.columns([3, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
 
 

@@ -107,8 +107,8 @@ def draw(stop: Stop, number: int) -> None:
     # On a projector the machine has a slide of its own with the reason, once it runs.
     apart = display_mode.is_projector() and (running or seen is not None) and not stop.exhibit
     with slide("question", stop.heading):
-        # On a projector the question needs all of the width.
-        above = st.container() if display_mode.is_projector() else None
+        # On a projector the question needs all of the width, but an exhibit all of the height.
+        above = st.container() if display_mode.is_projector() and not stop.exhibit else None
         words, picture, reason = (st.container(), None, None) if apart else places(stop, running)
         with above or words, st.container(key="posed"):
             st.title(f"{number}. {stop.heading}", anchor=False)
@@ -134,7 +134,7 @@ def draw(stop: Stop, number: int) -> None:
     if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
             st.markdown(f":small[{_caption(stop, running)}]")
-            if running and len(stop.runs) == 1:
+            if running and not stop.runs[0].label:
                 st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_want_sliders)
             if sliders_wanted():
                 components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
@@ -152,11 +152,12 @@ def show(stop: Stop, running: bool, fixed: bool = False) -> None:
 
 def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, DeltaGenerator]:
     """Return where words, picture and reason stand; machines side by side need all of the width."""
-    arrangement, projector = _arrangement(stop, running), display_mode.is_projector()
-    if arrangement in _SEVERAL.values():
+    if _arrangement(stop, running) in _SEVERAL.values():
         return st.container(), st.container(), st.container()
-    around = st.container(key=None if stop.exhibit else "beside")
-    words, picture = around.columns([1, 2] if projector and arrangement == "dials" else [1, 1], gap="medium")
+    if display_mode.is_projector():
+        picture, words = display_mode.picture_and_words()
+    else:
+        words, picture = st.container(key=None if stop.exhibit else "beside").columns(2, gap="medium")
     return words, picture, words
 
 
@@ -164,7 +165,7 @@ def _arrangement(stop: Stop, running: bool) -> str:
     """Return by what the style sheets know how much room the picture takes."""
     if len(stop.runs) > 1 and running:
         return _SEVERAL[len(stop.runs)]
-    return "dials" if stop.dials else "one"
+    return "part" if stop.dials or stop.exhibit else "one"
 
 
 def ask(stop: Stop) -> None:
@@ -241,15 +242,16 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
     """Draw the machine as the sliders have it, or after the prediction all machines of the stop, on one clock."""
     several = len(stop.runs) > 1
     hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
-    # Machines side by side belong to the stop; a single one follows the sliders.
-    own = {"watch": {}} if several else {}
-    if fixed:
+    # A machine with a label belongs to the stop; another one follows the sliders.
+    labelled = bool(stop.runs[0].label)
+    own = {"watch": {}} if labelled else {}
+    if fixed or labelled:
         own["limits"] = stages.LIMITS[1:] * 2
     if class_session.key_held():
         own["on_seen"] = partial(class_session.tell_seen, stop)
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
-        machine = run.machine if several else sidebar.oscillator()
-        compression = run.compression if several else sidebar.compression()
+        machine = run.machine if labelled else sidebar.oscillator()
+        compression = run.compression if labelled else sidebar.compression()
         stages.mount(
             payload(run, machine, compression, running),
             key=f"stage_{stop.id}_{number}",
@@ -258,7 +260,7 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
             compact=several,
             dials=stop.dials,
             narrow=True,
-            label=run.label if several and running else None,
+            label=run.label if running or not several else None,
             hide=hidden,
             **own,
         )
@@ -279,7 +281,7 @@ def payload(run: Run, machine: Oscillator, compression: float, running: bool) ->
 
 def _caption(stop: Stop, running: bool) -> str:
     """Return what the sliders have to do with the picture."""
-    if len(stop.runs) > 1:
+    if stop.runs[0].label:
         return _("The sliders do not change what is shown here.")
     machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):

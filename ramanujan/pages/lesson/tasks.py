@@ -15,7 +15,7 @@ from ramanujan.number_theory import BODIES
 from ramanujan.pages.motion import page as motion
 from ramanujan.pages.taxicab import other_bodies
 from ramanujan.shell import address, sidebar, stages, widgets
-from ramanujan.shell.display_mode import is_projector, slide
+from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
 from ramanujan.translation import _
 
@@ -34,18 +34,16 @@ _WIDTH = 160
 def draw(task: Task) -> Verdict:
     """Draw a task, and return how far it is done."""
     with slide("task", task.heading):
-        beside = task.stage and not is_projector()
-        around = st.container(key="beside" if beside else None)
-        words, picture = around.columns([1, 1], gap="medium") if beside else (around, around)
+        words = picture = st.container(key="beside" if task.stage else None)
+        if task.stage and is_projector():
+            picture, words = picture_and_words()
+        elif task.stage:
+            words, picture = words.columns(2, gap="medium")
         with words, st.container(key="posed"):
             st.title(task.heading, anchor=False)
             st.markdown(task.text)
         with words:
-            places = st.columns(len(task.fields) or 1) if is_projector() else [st.container()] * len(task.fields)
-            typed = {}
-            for place, field in zip(places, task.fields, strict=False):
-                with place:
-                    typed[field] = FIELDS[field]()
+            typed = {field: FIELDS[field]() for field in task.fields}
             setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
             if not task.fields:
                 st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
@@ -53,7 +51,7 @@ def draw(task: Task) -> Verdict:
                 judged = verdict(task, setting)
             widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
     if task.stage:
-        with slide("machine", _("The machine")) if is_projector() else picture:
+        with picture:
             machine(task, setting)
     return judged
 
@@ -73,8 +71,8 @@ def verdict(task: Task, setting: Setting) -> Verdict:
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
     layers = ("coordinates",) if "formula" in task.fields else ()
-    shown = {"key": f"stage_task_{task.id}", "layers": layers, "narrow": not is_projector(), "hide": task.hides}
-    with st.container(key="observed_task"):
+    shown = {"key": f"stage_task_{task.id}", "layers": layers, "narrow": True, "hide": task.hides}
+    with st.container(key="observed_part"):
         if "release" not in task.fields:
             payload = stage.payload(setting.machine, setting.compression)
             stages.mount(payload, **shown)

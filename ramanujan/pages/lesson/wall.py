@@ -13,7 +13,7 @@ from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import ClassError, Phase, Question, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, stops
-from ramanujan.shell import address, class_session
+from ramanujan.shell import address, class_session, display_mode
 from ramanujan.translation import _
 
 EVERY = 0.5
@@ -47,8 +47,7 @@ def _draw(code: str) -> None:
     with st.container(key="class_wall"):
         st.html(NOTHING_TO_TURN)
         if question.stop is None:
-            with st.container(key="class_invitation"):
-                _how_to_join(code)
+            _how_to_join(code)
         elif question.stop == END:
             _look_back(code)
         else:
@@ -60,10 +59,11 @@ def _draw(code: str) -> None:
 def _show(code: str, stop: Stop, question: Question) -> None:
     """Draw a question as far as the class has come with it."""
     solved = question.phase == Phase.SOLVED
-    with st.container(key="wall_picture"):
-        stops.show(stop, running=question.phase >= Phase.RUNNING, fixed=True)
     asks = question.phase == Phase.ASKED
-    with st.container(key="wall_words_asked" if asks else "wall_words"):
+    picture, words = display_mode.picture_and_words()
+    with picture:
+        stops.show(stop, running=question.phase >= Phase.RUNNING, fixed=True)
+    with words, st.container(key="wall_asked" if asks else None):
         st.title(stop.heading, anchor=False)
         if not solved:
             st.markdown(stop.question)
@@ -103,10 +103,11 @@ def _watch(code: str, drawn: Question) -> None:
 def _look_back(code: str) -> None:
     """Draw what the class has learned, and where the whole lesson is; the code of the class has gone."""
     here = address.link({})
-    with st.container(key="wall_picture"):
+    table, words = display_mode.picture_and_words()
+    with table:
         st.title(class_results.LEARNED, anchor=False)
         class_results.learned(code)
-    with st.container(key="wall_words"):
+    with words:
         st.markdown(_("The whole lesson, to go on alone:"))
         class_results.qr_code(here.geturl())
         st.text(f"{here.netloc}{here.path}")
@@ -115,9 +116,10 @@ def _look_back(code: str) -> None:
 def _how_to_join(code: str) -> None:
     """Draw code and address so that the last row can read them."""
     here = address.link({"class": code})
-    with st.container(key="wall_picture"):
+    picture, words = display_mode.picture_and_words()
+    with picture:
         class_results.qr_code(here.geturl())
-    with st.container(key="wall_words"):
+    with words, st.container(key="class_invitation"):
         st.title(_("Join the class"), anchor=False)
         st.markdown(_("On your phone, open"))
         with st.container(key="class_address"):

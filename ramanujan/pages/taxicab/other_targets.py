@@ -112,7 +112,7 @@ def open_question() -> None:
     paper = pairs.index(PAPER.bodies[:2])
     with slide("counts", _("A count")):
         tallies = _counted(pairs)
-        figure, words = st.columns([3, 2]) if display_mode.is_projector() else 2 * [st.container()]
+        figure, words = display_mode.picture_and_words()
         with words:
             st.markdown(
                 _(

@@ -10,7 +10,7 @@ from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
 from ramanujan.pages.lesson import exercise
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
-from ramanujan.shell.display_mode import is_projector, slide
+from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _, ngettext
 
@@ -124,7 +124,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
     if paper == "questions" and not is_projector():
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name'>{lines.format(line=_LINE, points=points)}</p>")
-    picture, words = st.columns(2) if is_projector() else (st.container(), st.container())
+    picture, words = picture_and_words()
     values = ", ".join(each.equation(each.value) for each in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
         drawings.draw(
@@ -143,7 +143,8 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
             first=calculations[0], last=calculations[-1], values=values
         ),
     ]
-    words.markdown("\n\n".join(said))
+    with words:
+        st.markdown("\n\n".join(said))
 
 
 def draw(number: int, question: Question, with_key: bool) -> None:
