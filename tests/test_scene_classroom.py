@@ -117,7 +117,7 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
         assert "Second vote" in words(student.run())
         assert student.radio[0].value is None
         answer(student, option)
-    assert "Second vote: 3 of 3" in words(lecturer.run())
+    assert "Second vote. 3 of 3" in words(lecturer.run())
     press(lecturer, "reveal")
     for page in (lecturer, students[0].run()):
         assert "Second vote" in words(page)
@@ -133,8 +133,7 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
     press(lecturer, "solve")
     assert STOP.explanation() in words(lecturer)
     for page in (lecturer, students[0].run()):
-        assert "2 students changed from a wrong answer to the right one" in words(page)
-        assert "1 student changed from the right answer to a wrong one" in words(page)
+        assert "Changed to the right answer: 2.** Changed to a wrong answer: 1." in words(page)
     assert "This is right, and it was your answer" in words(students[0].run())
     assert STOP.explanation() in words(students[0])
     # Whoever was wrong reads a word on that option first.

@@ -136,9 +136,7 @@ class Classes:
 
     def finish(self, key: str) -> None:
         """Take the class to the end, where it looks back at its votes."""
-        code = self.code_of(key)
-        with self._store.writing() as execute:
-            execute("UPDATE class SET stop = ? WHERE code = ?", (END, code))
+        self._set(key, stop=END)
 
     def ask_again(self, key: str) -> None:
         """Begin the second vote on the present question; the first takes no answers any more."""
@@ -153,15 +151,11 @@ class Classes:
 
     def set_machine(self, key: str, machine: str) -> None:
         """Let the wall show this machine: what the lecturer's sliders hold, as the query of an address."""
-        code = self.code_of(key)
-        with self._store.writing() as execute:
-            execute("UPDATE class SET machine = ? WHERE code = ?", (machine, code))
+        self._set(key, machine=machine)
 
     def set_seen(self, key: str, seen: str) -> None:
         """Let every screen show what is seen of the machine at the lecturer's desk, and since when."""
-        code = self.code_of(key)
-        with self._store.writing() as execute:
-            execute("UPDATE class SET seen = ?, seen_at = ? WHERE code = ?", (seen, self._clock(), code))
+        self._set(key, seen=seen, seen_at=self._clock())
 
     def asked(self, key: str) -> list[Asked]:
         """Return what the lecturer takes home of a class: `results`."""
@@ -198,9 +192,7 @@ class Classes:
 
     def let_join(self, key: str, is_open: bool) -> None:
         """Open or close the door: whoever has a seat keeps it, and others get one only while it is open."""
-        code = self.code_of(key)
-        with self._store.writing() as execute:
-            execute("UPDATE class SET is_open = ? WHERE code = ?", (int(is_open), code))
+        self._set(key, is_open=int(is_open))
 
     def remove_absent(self, key: str) -> None:
         """Remove everybody who was not heard of lately, and their answers to a question whose result is not shown."""
@@ -355,6 +347,12 @@ class Classes:
     @property
     def _lately(self) -> float:
         return self._clock() - PRESENT
+
+    def _set(self, key: str, **columns: object) -> None:
+        """Set columns of the lecturer's class."""
+        code, names = self.code_of(key), ", ".join(f"{name} = ?" for name in columns)
+        with self._store.writing() as execute:
+            execute(f"UPDATE class SET {names} WHERE code = ?", (*columns.values(), code))
 
     def _votes(self, code: str, stop: str, vote: Vote, options: str) -> dict[str, int]:
         query = f"SELECT option, COUNT(*) FROM vote WHERE {_THIS_VOTE} GROUP BY option"

@@ -78,23 +78,10 @@ def _share(people: int, total: int) -> str:
 
 
 def _changes(changes: Counter[tuple[bool, bool]]) -> str:
-    """Return how many have changed their answers, a sentence for each kind of change; nothing if nobody voted twice."""
-    if not changes:
-        return ""
-    up, down, right = (changes[each] for each in ((False, True), (True, False), (True, True)))
-    to_right = ngettext(
-        "**{n} student changed from a wrong answer to the right one.**",
-        "**{n} students changed from a wrong answer to the right one.**",
-        up,
-    )
-    to_wrong = ngettext(
-        "{n} student changed from the right answer to a wrong one.",
-        "{n} students changed from the right answer to a wrong one.",
-        down,
-    )
-    stayed = ngettext("{n} student was right both times.", "{n} students were right both times.", right)
-    sentences = ((to_right, up), (to_wrong, down), (stayed, right))
-    return " ".join(sentence.format(n=n) for sentence, n in sentences if n or sentence == to_right)
+    """Return how many have changed their answers, each kind of change; nothing if nobody voted twice."""
+    kinds = {"up": (False, True), "down": (True, False), "both": (True, True)}
+    said = _("**Changed to the right answer: {up}.** Changed to a wrong answer: {down}. Right both times: {both}.")
+    return said.format(**{name: changes[kind] for name, kind in kinds.items()}) if changes else ""
 
 
 def comment(access: str, stop: Stop, vote: Vote) -> None:
@@ -141,16 +128,10 @@ def explain(stop: Stop, chosen: str | None = None) -> None:
 
 def answered(now: Question) -> str:
     """Return how many of those present have answered, as a sentence."""
-    numbers = {"answered": now.answered, "present": now.present}
-    if now.vote.is_second:
-        return ngettext(
-            "Second vote: {answered} of {present} here has answered.",
-            "Second vote: {answered} of {present} here have answered.",
-            now.present,
-        ).format(**numbers)
-    return ngettext(
+    said = ngettext(
         "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present
-    ).format(**numbers)
+    ).format(answered=now.answered, present=now.present)
+    return f"{_('Second vote.')} {said}" if now.vote.is_second else said
 
 
 def joined(people: int) -> str:
