@@ -58,7 +58,7 @@ def place() -> str:
 def component(name: str) -> Callable[..., Any]:
     """Return the component of a module, such as components/link: its script has begin.js load that module."""
     # All have one script, so that a browser reads it once. It is short, since Streamlit sends it with every run of the
-    # page; of one line alone it would think a file's name.
+    # page. Streamlit takes a script of one line for the name of a file.
     begin = f'new URL("{place()}/begin.js", document.baseURI)'
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 

@@ -225,7 +225,7 @@ def _take(parameter: URLParameter, back: bool) -> str | None:
 
 
 def _strangers(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
-    """Drop what pages that were left behind have kept in the address; return a sentence on what nobody knows."""
+    """Drop the settings of pages that were left; return a sentence about settings that no page knows."""
     strange = set(st.query_params).difference(names)
     for name in strange & met.keys():
         if not met[name]:

@@ -18,8 +18,8 @@ _KEPT = 30 * 24 * 3600
 class NamedBrowser:
     """Middleware that gives a browser its name with the first page that it asks for.
 
-    What a browser keeps from an HTTPS address, it sends over HTTPS only; a proxy says that it was asked over HTTPS.
-    It takes no file for anything but what the server says it is.
+    Over HTTPS the name is marked as secure, also where a proxy says that it was asked over HTTPS. Browsers are told not
+    to guess the type of a file.
     """
 
     def __init__(self, app: Any) -> None:

@@ -31,7 +31,7 @@ _WAITS = "class_waits"
 _SESSION = "class_session"
 """Session state: a random name, in place of the browser’s where that keeps no cookies."""
 _HERE = "here"
-"""In place of the IP address of whoever sits at the server’s own computer, which Streamlit leaves out."""
+"""Stands for the IP address of a visitor at the server’s own computer, which Streamlit leaves out."""
 _TOLD = "class_settings_told"
 """Session state: the settings of the desk, as this screen last told or took them."""
 _FOLLOWED = "class_followed"
@@ -44,7 +44,7 @@ _SHOWN = "class_said_with"
 
 
 def arrive() -> None:
-    """Know lecturer, wall and student again by their address, once a session; from then on the address follows."""
+    """Recognize lecturer, wall and student by their address, once a session; from then on the address follows."""
     if not st.session_state.get(_JUDGED):
         st.session_state[_JUDGED] = True
         code = address.held(CLASS)
@@ -119,8 +119,8 @@ def network() -> str:
     """Return the visitor’s IP address.
 
     It is that of the connection. Where this comes from a proxy that Uvicorn trusts (FORWARDED_ALLOW_IPS, by default
-    the same computer), it is the last one in X-Forwarded-For, which the proxy writes itself. Who comes without a proxy
-    may write into this header what they like: it is not read.
+    the same computer), it is the last one in X-Forwarded-For, which the proxy writes itself. A visitor without a
+    proxy can write anything into this header, so it is not read.
     """
     return st.context.ip_address or _HERE
 

@@ -1,8 +1,8 @@
 """The files of the page, as small as a browser takes them: Streamlit's scripts, its start page, our modules.
 
 The scripts of Streamlit's page are 8 MB. Streamlit leaves it to a proxy to compress them, and a laptop in a classroom
-has none. Each file is read from the disk and packed once, by whoever asks first, for everybody: what is kept depends
-on no client, and sixty who ask at once wait for one packing.
+has none. The server reads and packs each file once, for everybody. What it keeps depends on no client, and sixty
+browsers that ask at once wait for one packing.
 """
 
 import asyncio

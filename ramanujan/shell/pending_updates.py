@@ -8,7 +8,7 @@ against that, for every widget:
 2. Streamlit's page puts into its widgets what the server sets, the hidden slider last, and sends it back with every
    later message. So a message says by itself which updates the page had heard of when it was written.
 3. What it had not heard of is set again, under a new number. If the message shows that somebody has moved that very
-   widget meanwhile, the later wish counts: then that value is set.
+   widget meanwhile, the user's newer value wins.
 """
 
 from collections.abc import Mapping

@@ -29,9 +29,9 @@ PRESETS = {
 _RATIOS = {"equal": 1.0, "unit": UNIT_MASS_RATIO, "light": 0.1, "heavy": 5.0}
 _PRESET = "preset"
 _WISHES = "wishes"
-"""Session state: what has been asked for by box, preset or button, and waits for the run that follows.
+"""Session state: requests from a box, a preset or a button, which the next run carries out.
 
-It is changed in place, so that a run that is broken off loses nothing.
+The list is changed in place, so that a run that is broken off loses none.
 """
 _JUDGED = "judged"
 _FIRST = "first_run"
@@ -254,7 +254,7 @@ def _reset() -> None:
 
 
 def _take_preset() -> None:
-    """Note what is asked for, and leave no choice standing: the next slider would belie it."""
+    """Note the preset that is asked for, and leave none chosen: after the next slider the choice would be wrong."""
     pending_updates.reassert()
     preset = st.session_state[_PRESET]
     if preset in _RATIOS:
@@ -272,9 +272,9 @@ def slider(key: str) -> None:
 
 
 def take_exact(key: str, text: str) -> None:
-    """Take what was typed into the box of a parameter, or say what would do and that the old value stays."""
+    """Take what was typed into the box of a parameter, or say what is accepted and that the old value was kept."""
     parameter = PARAMETERS[key]
-    # The box shows its value again whether it has changed or not, so that it must hear of every text that was judged.
+    # The box hears of every text that was judged, and shows its value again, changed or not.
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
     number = read_number(text)
     if number is not None and parameter.least <= number <= parameter.most:

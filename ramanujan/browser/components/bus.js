@@ -30,5 +30,5 @@ class Bus extends EventTarget {
   }
 }
 
-/** It is also the one global of the app, for tests and for the console. */
+/** The bus is the app's only global, for tests and for the console. */
 export const bus = (globalThis.ramanujan = new Bus());

@@ -45,7 +45,7 @@ export function faces(sides, apart, turn) {
   return (Math.cos(angle) > 0 ? cubes : cubes.reverse()).flat();
 }
 
-/** How high the picture is at most, in whichever direction one looks: then nothing below it moves. */
+/** The picture's greatest height over all directions: with this room, nothing below the picture moves. */
 const tallest = (sides, apart, wide) => {
   const most = Math.max(...sides), high = most * (apart ? 1 + GAP : 1);
   return EDGE * (high * Math.cos(TILT) + Math.hypot(wide, most) * Math.sin(TILT) + 1);
@@ -88,7 +88,7 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
   };
   box.addEventListener("change", draw, { signal });
   slider.addEventListener("input", draw, { signal });
-  // What is hidden has no size: it is drawn when it is shown.
+  // A hidden element has no size, so the stacks are drawn when they are shown.
   const shown = new ResizeObserver(draw);
   shown.observe(root.querySelector(".stacks"));
   signal.addEventListener("abort", () => shown.disconnect());

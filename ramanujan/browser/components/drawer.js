@@ -27,7 +27,7 @@ export default function ({ parentElement }, signal) {
       back = null;
     }
   };
-  // Who comes to a page wants to read it first.
+  // A page opens with its drawer closed: people want to read first.
   set(false, false);
   bus.subscribe("sliders", () => set(true), { signal });
   const on = (node, type, handler, options = {}) => node.addEventListener(type, handler, { ...options, signal });

@@ -1,7 +1,7 @@
 // The head of a slider: its symbol, its meaning, and a box that shows the value in full and takes any number or fraction.
 // Only the slider holds the value. The box shows the slider's value, also while the thumb moves. It sends a typed text to the
-// server as one message, and no value of its own. The address is written where slider and server agree. Where the page looks for
-// a value between the slider's steps, the topic goal/KEY, a thumb that comes near snaps to it, and it is sent as if it were typed.
+// server as one message, and no value of its own. When slider and server agree, the address is written. The topic goal/KEY names
+// a value between the slider's steps. A thumb that comes near snaps to it, and the page sends it as if it were typed.
 
 import { bus } from "./bus.js";
 import { atRest, observe } from "./lasting.js";
@@ -46,7 +46,7 @@ export default function (component, signal) {
       if (!keyed) arrived();
     }, { capture: true, signal });
 
-  // The slider is drawn after its head, and may be drawn anew.
+  // Streamlit draws the slider after its head, and may draw it anew.
   const look = () => {
     snap();
     show();

@@ -3,11 +3,11 @@
 
 export default function ({ data }, signal) {
   const giveBack = (event) => {
-    // A click made by a key has no pointer, hence no detail: there the focus has to stay.
+    // A click that a key made has no detail. After such a click the focus has to stay.
     if (!event.detail || !event.target.closest?.(data.choices)) return;
-    // Not always the button that was clicked: a group gives the focus back to where it was before.
+    // A group may give the focus back to the button that had it before the click.
     setTimeout(() => document.activeElement.closest(data.choices) && document.activeElement.blur());
   };
-  // On the way down, since the choices keep their clicks to themselves.
+  // In the capture phase, because the choices stop their clicks.
   document.addEventListener("click", giveBack, { capture: true, signal });
 }

@@ -1,5 +1,5 @@
 // One slide of the page at a time, for a projector. Python declares the slides (shell/display_mode.py) and projector.css lays
-// them out; here it is decided which one is seen.
+// them out. This file decides which one is seen.
 
 import { bus } from "./bus.js";
 import { atRest, observe } from "./lasting.js";
@@ -7,7 +7,7 @@ import { dom } from "./streamlit_dom.js";
 import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
 
-const AWAY = "data-away"; // projector.css takes such a slide out of sight; it keeps its size
+const AWAY = "data-away"; // projector.css hides such a slide, which keeps its size
 const TELL = 400; // ms from the last turn to the message that keeps the slide in the address
 
 let page; // whose slides were seen last, by this pager or the one before
@@ -39,7 +39,7 @@ class Pager {
     for (const [button, by] of [[this.back, -1], [this.next, 1]]) button.addEventListener("click", () => this.turn(by));
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
     this.tell = atRest(TELL, () => component.setStateValue("at", this.now > 0 ? this.slides[this.now].name : ""), signal);
-    // Bubbling up to the window: what the page itself does with a key comes first.
+    // The window hears a key last, after the page itself has used it.
     window.addEventListener("keydown", (event) => this.press(event), { signal });
     bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first slide
     bus.publish("slides", { has: (by) => Boolean(this.slides[this.now + by]) });

@@ -7,7 +7,7 @@ import { area, draw, erase, within } from "./marks.js";
 import { fill, number } from "./sentences.js";
 
 const RING = "present-machine";
-const IN_STEP = 1e-12; // only rounding is as small
+const IN_STEP = 1e-12; // only rounding errors are smaller
 
 export default function ({ data: { ring } }, signal) {
   let graph = null;

@@ -9,16 +9,17 @@ const TELL = 300; // ms without a press after which the server is told
 
 export default function (component, signal) {
   const sheet = document.head.appendChild(document.createElement("style"));
-  // Keys that also scroll the page turn a step only while the lecture is what one looks at.
+  // Keys that also scroll the page turn a step only while the lecture is in view.
   const turns = ({ key }) => key.startsWith("Arrow") || dom.inView(dom.lecture());
   const turner = new Turner(component, signal, { moves: "input", turns, turned, onward: dom.onward });
   const tell = atRest(TELL, () => component.setStateValue("at", { route, step: turner.now }), signal);
   let route;
   signal.addEventListener("abort", () => sheet.remove());
 
-  /** The server draws the steps; which one is seen is decided here alone. */
+  /** Show the present step. The server draws them all. */
   function reveal() {
-    sheet.textContent = `#root .st-key-lecture .st-key-step_${turner.now}.st-key-step_${turner.now} { display: var(--step, flex); }`;
+    const step = `.st-key-step_${turner.now}`;
+    sheet.textContent = `#root .st-key-lecture ${step}${step} { display: var(--step, flex); }`;
   }
 
   function turned() {

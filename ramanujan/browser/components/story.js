@@ -1,6 +1,6 @@
 // The story of the first page: one press moves the slider of m′ as a hand does, from heavy rollers to the mass ratio at which
 // both hands turn together, and then sends the exact value. The scenes come from Python; the stage's clock tells how far the
-// story is. Whatever is touched meanwhile takes over: the slider stays where it is, and sends that.
+// story is. Any touch or key takes over: the slider stays where it is and sends its value.
 
 import { bus } from "./bus.js";
 import { dom } from "./streamlit_dom.js";
@@ -10,7 +10,8 @@ const SAME = 1e-12; // relative: the floats of ε* lie closer
 let found = false; // whether the ratio has been found since the page was loaded: only then does the slider mark it
 let ended = false; // whether the story has been told to its end
 
-export default function ({ data: { stage, slider, ratio, openings, rest, pace, stills: told, marked, said }, parentElement }, signal) {
+export default function ({ data, parentElement }, signal) {
+  const { stage, slider, ratio, openings, rest, pace, stills: clocks, marked, said } = data;
   const find = (selector) => parentElement.querySelector(selector);
   const button = find("button"), output = find(".said"), stills = find(".stills");
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -22,9 +23,9 @@ export default function ({ data: { stage, slider, ratio, openings, rest, pace, s
   const still = ({ label, turns }) => `<li>
     <svg viewBox="-56 -56 112 112" aria-hidden="true"><circle r="52" /><line y2="-38" class="plain" />
     <line y2="-48" transform="rotate(${360 * turns})" /></svg>${label}</li>`;
-  find("ol").innerHTML = told.map(still).join("");
+  find("ol").innerHTML = clocks.map(still).join("");
 
-  // Streamlit may draw the slider later than this.
+  // Streamlit may draw the slider later.
   const mark = () => found && (dom.markSlider(slider, goal(), said.mark) || signal.aborted || requestAnimationFrame(mark));
   const say = (sentence) => {
     if (output.textContent === sentence) return;
@@ -57,7 +58,7 @@ export default function ({ data: { stage, slider, ratio, openings, rest, pace, s
     before = 0;
     tell(story);
   };
-  /** Be where the story is after so many periods of the plain mass. */
+  /** Show the story as it is after so many periods of the plain mass. */
   const goTo = (now) => {
     const periods = now + Math.max(0, now - before) / 2; // this ratio holds for the next frame: take that of its middle
     let begun = 0;

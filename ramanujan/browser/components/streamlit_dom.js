@@ -1,11 +1,12 @@
 // What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file, and ASSUMPTIONS
-// says what each is for and whether it holds. Where one breaks, a function here returns null, false or nothing, what depends
-// on it stays still, and the console says so once. .github/upgrading.md tells how to move to another Streamlit.
+// says what each is for and whether it holds. If one breaks, the function that relies on it returns null, false or nothing. Its
+// feature then does nothing, and the console names the assumption once. How to move to another Streamlit is described in
+// .github/upgrading.md.
 
 import { observe } from "./lasting.js";
 
 const left = new WeakMap(); // what the server sent → the slider whose thumb a hand has dragged away from it
-const snapped = new WeakMap(); // slider → the value between its steps to which its thumb has snapped, until the server tells it
+const snapped = new WeakMap(); // slider → the value between its steps to which its thumb has snapped, until the server sends it
 
 const SAVE = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
 
@@ -14,8 +15,8 @@ export const dom = {
   slider: (key) => document.querySelector(`.st-key-${CSS.escape(key)} input[type="range"]`),
 
   /**
-   * Whether a slider shows a value that the server has sent, rounded as its steps are; one that is not there shows none. A thumb
-   * that a hand drags away from the value and back shows the step that it will send.
+   * Whether a slider shows a value that the server has sent, rounded as its steps are. A missing slider shows nothing. A
+   * thumb that a hand drags away from the value and back shows the step that it will send.
    */
   shows(slider, value, received) {
     if (!slider) return false;
@@ -25,11 +26,11 @@ export const dom = {
     return near && (off < 1e-9 || left.get(received) !== slider);
   },
 
-  /** What a slider holds, as text: what the server says of it in full, unless its thumb has been moved since. */
+  /** A slider's value as text: the server's full text, unless the thumb has been moved since. */
   held: (slider, received) =>
     slider && !dom.shows(slider, received.value, received) ? String(dom.value(slider)) : received.text ?? "",
 
-  /** The value of a slider: to which its thumb has snapped, else that of its step. */
+  /** A slider's value: the one to which its thumb has snapped, else that of its step. */
   value: (slider) => snapped.get(slider) ?? Number(slider.value),
 
   /** Let a slider's thumb snap to a value between its steps, or leave it for its step (null). */
@@ -89,7 +90,8 @@ export const dom = {
 
   /**
    * Keep one entry of the history for whatever a person asks for. Streamlit adds one for every value that its server writes
-   * into the address (streamlit#9279): the way to another page would be several, with a mixture of two machines between.
+   * into the address (streamlit#9279). The way back to another page would take several steps, some with a mixture of two
+   * machines.
    */
   keepOneEntry() {
     let asked = false;
@@ -121,7 +123,7 @@ export const dom = {
 
   /**
    * Call a listener with a graph after each of its drawings, and with every graph that comes, until the signal aborts.
-   * Streamlit loads figures when it likes and says nothing of it, so that the page itself must be observed.
+   * Streamlit does not say when it loads a figure, so this function observes the page.
    */
   watchGraphs(listener, signal) {
     const known = new WeakSet();
@@ -211,7 +213,7 @@ export const dom = {
   /** How wide the content of a page is at most. */
   contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
 
-  /** What scrolls. */
+  /** The element that scrolls. */
   main: () => document.querySelector("[data-testid=stMain]"),
 
   /** How far the page must scroll until its stage stands at the top, below the bar of pages; 0 where it has no stage. */

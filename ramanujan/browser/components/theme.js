@@ -1,5 +1,5 @@
-// Gives page.css the theme's colours, which Streamlit tells to components alone, and notices that the theme has been switched:
-// then it asks for a run of the page, since figures take their colours on the server.
+// Gives page.css the theme's colours, which only components get from Streamlit. After a switch of the theme it asks for a run of
+// the page, since figures take their colours on the server.
 
 import { dom } from "./streamlit_dom.js";
 
@@ -31,7 +31,7 @@ export default function (component, signal) {
 }
 
 function giveColors(parentElement) {
-  // All are read before the first is set, for the same reason.
+  // The loop reads all colours before it sets the first, for the same reason.
   const colors = Object.entries(COLORS).map(([name, its]) => [`--${name}`, dom.color(parentElement, its)]);
   for (const each of colors) document.documentElement.style.setProperty(...each);
 }

@@ -1,5 +1,5 @@
-// A finger on a figure scrolls the page. On a slider only a horizontal move or a tap is meant for the slider, everything else
-// scrolls: the touch is kept from Streamlit until it is known which of them it is; the browser itself ends it where the page scrolls.
+// A finger on a figure scrolls the page. On a slider a horizontal move or a tap moves the slider; everything else scrolls. So
+// this file keeps a touch from Streamlit until it knows which of them it is. Where the page scrolls, the browser ends the touch.
 
 import { dom } from "./streamlit_dom.js";
 
@@ -22,7 +22,7 @@ export default function (_component, signal) {
   on("touchstart", (event) => {
     if (dom.isSliderTrack(event.target)) event.stopImmediatePropagation();
   });
-  // Plotly takes every touch for the start of a drag, and a wheel for a zoom: it hears of taps alone, which come as clicks.
+  // Plotly takes every touch for the start of a drag, and a wheel for a zoom. It hears only of taps, which come as clicks.
   for (const type of ["touchstart", "touchmove", "wheel"])
     on(type, (event) => dom.graphOf(event.target) && event.stopImmediatePropagation(), { passive: true });
   on("pointermove", (event) => {

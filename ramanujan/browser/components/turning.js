@@ -1,4 +1,4 @@
-// What the parts that turn something by buttons, a slider and keys have in common.
+// Shared by the components that turn something by buttons, a slider and keys.
 
 import { bus } from "./bus.js";
 import { fill } from "./sentences.js";
@@ -20,14 +20,15 @@ export class Turner {
    */
   constructor(component, signal, { moves, turns, turned, onward = () => null }) {
     const root = component.parentElement;
-    Object.assign(this, { component, turned, onward, slider: root.querySelector("input"), output: root.querySelector("output") });
+    const [slider, output] = root.querySelectorAll("input, output");
+    Object.assign(this, { component, turned, onward, slider, output });
     this.buttons = [...root.querySelectorAll("button")];
     for (const button of this.buttons) button.addEventListener("click", () => this.go(this.now + Number(button.dataset.by)));
     this.slider.addEventListener(moves, () => this.go(Number(this.slider.value)));
     const press = (event) => {
       const space = event.key === " ", by = turnOf(event, KEYS) * (space && event.shiftKey ? -1 : 1);
       if (!by || event.composedPath()[0].matches?.(space ? dom.TAKES_SPACE : dom.TAKES_KEYS) || !turns(event, by)) return;
-      // The space bar scrolls the page no further at the end, either.
+      // At the end the space bar must not scroll the page, either.
       if (this.go(this.now + by) || space) event.preventDefault();
     };
     document.addEventListener("keydown", press, { signal });

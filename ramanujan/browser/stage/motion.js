@@ -26,7 +26,7 @@ export function solve(parameters, initial) {
   };
 }
 
-/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift; `turned` is in place of cos Ωt and sin Ωt. */
+/** Coordinates and rates at a phase Ωt of the oscillation and a time t of the drift; `turned` replaces cos Ωt and sin Ωt. */
 export function stateAt({ Omega, motion }, phase, time, turned = [Math.cos(phase), Math.sin(phase)]) {
   const [cosine, sine] = turned, state = {};
   for (const [name, { a, b, c, d }] of Object.entries(motion)) {

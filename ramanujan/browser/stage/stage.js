@@ -61,7 +61,8 @@ class Stage {
     if (!before) Object.assign(this.clock, this.keeper.clock());
     this.hide(data.hide ?? []);
     this.change(() => (this.data = data));
-    if (before && data.computed && data.computed.run !== before.computed?.run) this.race(this.calm.matches ? null : data.computed.pace);
+    const { computed } = data;
+    if (before && computed && computed.run !== before.computed?.run) this.race(this.calm.matches ? null : computed.pace);
     if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
     if (!this.parts.hides("motion")) this.keeper.tell();
     if (before) return;

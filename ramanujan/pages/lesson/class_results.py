@@ -131,7 +131,7 @@ def answered(now: Question) -> str:
     said = ngettext(
         "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present
     ).format(answered=now.answered, present=now.present)
-    return f"{_('Second vote.')} {said}" if now.vote.is_second else said
+    return " ".join((_("Second vote."), said)) if now.vote.is_second else said
 
 
 def joined(people: int) -> str:

@@ -46,7 +46,7 @@ def show() -> None:
         extremes.many_periods(sidebar.oscillator())
     folded("solver", _("A general eigen-solver, which does not know this machine"), extremes.general_solver)
     folded("choices", _("What this app uses, and why"), extremes.what_the_app_uses)
-    # What may take long comes when all else is drawn.
+    # Long work comes last, when all else is drawn.
     costs_on_this_server()
 
 
