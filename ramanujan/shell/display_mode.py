@@ -55,6 +55,21 @@ def slide(name: str, title: str) -> AbstractContextManager:
     return drawn
 
 
+def columns(name: str) -> Sequence[AbstractContextManager]:
+    """Return the columns of the page's grid: words, and to their right the figure or formula of which they speak.
+
+    On a narrow screen the words come first (page.css), and on a slide all is as it is drawn.
+
+    Parameters
+    ----------
+    name : of these columns, unique on the page
+    """
+    if is_projector():
+        return nullcontext(), nullcontext()
+    row = st.container(key=f"columns_{name}")
+    return row.container(), row.container()
+
+
 def picture_and_words() -> Sequence[AbstractContextManager]:
     """Return the places of a slide's picture, to the left, and of its words; on another screen they are as drawn."""
     return st.columns([3, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())

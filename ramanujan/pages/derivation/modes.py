@@ -7,7 +7,7 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.motion import InitialState
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import sidebar, stages
-from ramanujan.shell.display_mode import is_projector
+from ramanujan.shell.display_mode import columns, is_projector
 from ramanujan.translation import _
 
 MODES = stages.url_parameters("modes_")
@@ -17,14 +17,19 @@ MODES = stages.url_parameters("modes_")
 def three_modes(numbers: Numbers | None) -> None:
     """Draw the three modes side by side, each moving by itself."""
     st.header(_("Three normal modes, one of them oscillates"), anchor=False)
-    st.markdown(
-        _(
-            "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\omega$ is "
-            "the mode’s angular frequency. A mode that does not deform the spring has $\\omega=0$. It is "
-            "called a zero mode, and it conserves a momentum."
+    words, formulas = columns("modes")
+    with words:
+        st.markdown(
+            _(
+                "The mode shape $v$ lists the amplitudes of $X$, $\\varphi$ and $\\Phi$ in proportion, and $\\omega$ "
+                "is the mode’s angular frequency. A mode that does not deform the spring has $\\omega=0$. It is "
+                "called a zero mode, and it conserves a momentum."
+            )
         )
-    )
     shapes, momenta = cache.spectrum(numbers)
+    if not is_projector():
+        with formulas:
+            st.latex(momenta)
     shown = (
         (
             "swing",
@@ -56,8 +61,6 @@ def three_modes(numbers: Numbers | None) -> None:
             stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, kept="modes_")
             st.markdown(words)
             st.latex(shape)
-    if not is_projector():
-        st.latex(momenta)
     tell_modes()
 
 

@@ -18,7 +18,7 @@ from ramanujan.pages.derivation.tryout import QUESTION, ask, is_solved, take, ti
 from ramanujan.pages.taxicab.page import stacks
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import giving_way, numbers_stated, symbols
-from ramanujan.shell.display_mode import slide
+from ramanujan.shell.display_mode import columns, slide
 from ramanujan.translation import _
 
 LONGEST_ROUTE = 99
@@ -250,18 +250,21 @@ def take_home(setting: Setting) -> None:
 def compare() -> None:
     """Draw the one result of all routes, and for each route a tick that leads to it."""
     st.header(_("All routes give the same frequency"), anchor=False)
-    for line in cache.result(None if display_mode.hides("numbers") else present()):
-        st.latex(line)
-    with st.container(horizontal=True):
-        for way in cache.all_routes():
-            agrees = cache.agrees(way.name)
-            st.page_link(
-                navigation.PAGES["derivation"].file,
-                label=_("{route}, {n} steps").format(route=way.title, n=len(way.steps)),
-                icon=":material/check:" if agrees else ":material/close:",
-                query_params={ROUTE.name: way.name},
-            )
-    st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
+    words, formulas = columns("results")
+    with formulas:
+        for line in cache.result(None if display_mode.hides("numbers") else present()):
+            st.latex(line)
+    with words:
+        with st.container(horizontal=True):
+            for way in cache.all_routes():
+                agrees = cache.agrees(way.name)
+                st.page_link(
+                    navigation.PAGES["derivation"].file,
+                    label=_("{route}, {n} steps").format(route=way.title, n=len(way.steps)),
+                    icon=":material/check:" if agrees else ":material/close:",
+                    query_params={ROUTE.name: way.name},
+                )
+        st.markdown(_("SymPy has checked that the difference between any two results is exactly 0."))
 
 
 def margin() -> None:

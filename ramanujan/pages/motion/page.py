@@ -13,7 +13,7 @@ from ramanujan.pages.motion import cache, plots
 from ramanujan.pages.motion.plots import Friction, centimetres
 from ramanujan.record import Record, table
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
-from ramanujan.shell.display_mode import slide
+from ramanujan.shell.display_mode import columns, slide
 from ramanujan.shell.parameters import Parameter
 from ramanujan.translation import _
 
@@ -45,18 +45,17 @@ def show() -> None:
             )
         with picture:
             scene = st.container(key="without_dials")
-        with words:
-            columns = 1 if display_mode.is_projector() else 3
-            glide, spin, mu = widgets.beside(
-                columns, *(partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU))
-            )
+        said, set_by = columns("verdict")
+        with words, set_by:
+            sliders = [partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)]
+            glide, spin, mu = widgets.beside(1 if display_mode.is_projector() else 3, *sliders)
         setting = (machine, compression, glide, spin)
         motion = cache.record(*setting)
         largest = largest_compression(machine, mu, spacing=motion.spacing)
         friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
         with scene:
             the_machine(motion, friction)
-        with picture, st.container(key="verdict"):
+        with picture, said, st.container(key="verdict"):
             verdict(friction, compression)
     if display_mode.is_projector():
         components.cursor("motion")

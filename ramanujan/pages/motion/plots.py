@@ -14,6 +14,7 @@ from ramanujan.numerals import filled, quantity
 from ramanujan.pages.motion import cache
 from ramanujan.record import Record
 from ramanujan.shell import drawings, theme
+from ramanujan.shell.display_mode import columns
 from ramanujan.translation import _
 
 
@@ -69,7 +70,10 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
             "cylinder relative to it."
         )
         sentences.append(filled(sentence, block=block, top=top))
-    st.caption(" ".join(sentences))
+    plane, *modes = sentences
+    for place, said in zip(columns("displacements"), (plane, " ".join(modes)), strict=True):
+        with place:
+            st.caption(said)
 
 
 def show_energy(motion: Record, drawn: tuple) -> None:
@@ -82,7 +86,9 @@ def show_energy(motion: Record, drawn: tuple) -> None:
         "Energies of all bodies, stacked: energy passes between the spring and the bodies, and the sum stays at "
         "{total:4 mJ}. No other body ever has as much kinetic energy as this one: {body}."
     )
-    chart(drawn[0], "energy", filled(sees, total=1e3 * total[0], body=PARTS[greatest]))
+    words, figure = columns("energy")
+    with figure:
+        chart(drawn[0], "energy", filled(sees, total=1e3 * total[0], body=PARTS[greatest]))
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
@@ -93,7 +99,8 @@ def show_energy(motion: Record, drawn: tuple) -> None:
     if total[0] > motion.energies["spring"][0]:
         sentences.append(_("The initial velocities add the rest."))
     spring = 1e3 * motion.energies["spring"][0]
-    st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=spread, spring=spring))
+    with words:
+        st.caption(filled(" ".join(sentences), total=1e3 * total[0], error=spread, spring=spring))
 
 
 def show_momentum(motion: Record, drawn: tuple) -> None:
@@ -104,14 +111,17 @@ def show_momentum(motion: Record, drawn: tuple) -> None:
         "Momentum of each body over time. The bodies exchange momentum, but two lines are flat, because two momenta "
         "are conserved: all bodies together {all:3 kg m/s}, p_Φ/R {top:3 kg m/s}."
     )
-    chart(drawn[0], "momentum", filled(sees, all=-p_X, top=p_Phi / motion.oscillator.radius))
+    words, figure = columns("momentum")
+    with figure:
+        chart(drawn[0], "momentum", filled(sees, all=-p_X, top=p_Phi / motion.oscillator.radius))
     sentence = _(
         "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
         "$\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
         "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. Change the "
         "initial velocities and watch both lines move."
     )
-    st.caption(sentence.format(p_X=of_X, p_Phi=of_Phi))
+    with words:
+        st.caption(sentence.format(p_X=of_X, p_Phi=of_Phi))
 
 
 def show_forces(motion: Record, drawn: tuple, friction: Friction) -> None:

@@ -12,6 +12,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.numerals import number, percent
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
+from ramanujan.shell.display_mode import columns
 from ramanujan.translation import _, ngettext
 
 COST = address.Choice("cost", {"evaluations": _("evaluations"), "seconds": _("seconds")}, "evaluations")
@@ -88,29 +89,29 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     ranked = cheapest(curves, tolerance, by)
     best = ranked[0] if ranked else None
     sentence = verdicts.what_to_take(ranked, tolerance, by, closed)
-    st.markdown(sentence)
+    words, figure = columns("costs")
+    with words:
+        st.markdown(sentence)
     singled = {}
     if best:
         singled[_("cheapest")] = getattr(best, by), best.error, "circle-open", 22, "primary"
     if by == "seconds":
         singled[_("closed form")] = closed.seconds.median, closed.phase_error, "star", 15, "ink"
-    drawings.plot(
-        figures.work_precision(
-            {(METHODS[c.method].title, c.dtype): downsampling.costs(c, by) for c in curves},
-            titles=(_COST_TITLES[by], _("largest error, relative to the amplitude")),
-            tolerance=tolerance,
-            singled=singled,
-            colors=theme.colors(),
-        ),
-        "work_precision",
-        _("Work–precision diagram: the error of each method falls as its cost rises. {finding}").format(
-            finding=sentence.replace("**", "")
-        ),
+    drawn = figures.work_precision(
+        {(METHODS[c.method].title, c.dtype): downsampling.costs(c, by) for c in curves},
+        titles=(_COST_TITLES[by], _("largest error, relative to the amplitude")),
+        tolerance=tolerance,
+        singled=singled,
+        colors=theme.colors(),
     )
-    if steeper := verdicts.order_and_slope(curves, cache.run):
-        st.markdown(steeper)
+    sees = _("Work–precision diagram: the error of each method falls as its cost rises. {finding}")
+    with figure:
+        drawings.plot(drawn, "work_precision", sees.format(finding=sentence.replace("**", "")))
     spread = float(np.median([(curve.step.high - curve.step.low) / curve.step.median for curve in curves]))
-    st.caption(_how_measured(periods, spread))
+    with words:
+        if steeper := verdicts.order_and_slope(curves, cache.run):
+            st.markdown(steeper)
+        st.caption(_how_measured(periods, spread))
     with st.expander(_("The cheapest run of each method")):
         if ranked:
             widgets.table(verdicts.choice_table(ranked), "cheapest")

@@ -13,6 +13,7 @@ from ramanujan.numerals import duration, filled, number
 from ramanujan.pages.speed import cache, verdicts
 from ramanujan.pages.speed.downsampling import SCREEN_HEIGHT
 from ramanujan.shell import address, drawings, theme, widgets
+from ramanujan.shell.display_mode import columns
 from ramanujan.translation import _
 
 SWEEPS = {
@@ -64,30 +65,32 @@ _CHOICES = (
 def forms_at_extremes() -> list[Sweep]:
     """Draw the forms of Ω² over the range of floating point; return what is shown."""
     st.header(_("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)), anchor=False)
-    st.markdown(
-        _(
+    words, figure = columns("forms")
+    with words:
+        sentence = _(
             "On paper all of them are equal. A computer’s numbers end at {double} in float64 and at {single} in "
             "float32. The square of a large mass overflows and that of a small mass becomes 0, yet the answer may "
             "still look right."
-        ).format(double=number(float(np.finfo(np.float64).max)), single=number(float(np.finfo(np.float32).max)))
-    )
-    with st.skeleton(height=480):
+        )
+        double, single = (number(float(np.finfo(dtype).max)) for dtype in (np.float64, np.float32))
+        st.markdown(sentence.format(double=double, single=single))
+    with figure, st.skeleton(height=480):
         swept, _solvers = cache.sweeps()
-    name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
+    with words:
+        name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
     along, _between, dtype = name.partition("_")
     shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
-    drawings.plot(
-        cache.forms_figure(name, theme.colors(), shown),
-        "forms",
-        _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.").format(
-            count=len(FORMS), findings="; ".join(map(verdicts.in_words, shown))
-        ),
-    )
-    sentence = _(
-        "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look right. "
-        "Errors are in ulp (unit in the last place), measured against {digits} digits."
-    )
-    st.caption(sentence.format(digits=REFERENCE.dps))
+    sees = _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.")
+    findings = "; ".join(map(verdicts.in_words, shown))
+    with figure:
+        drawn = cache.forms_figure(name, theme.colors(), shown)
+        drawings.plot(drawn, "forms", sees.format(count=len(FORMS), findings=findings))
+    with words:
+        sentence = _(
+            "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look "
+            "right. Errors are in ulp (unit in the last place), measured against {digits} digits."
+        )
+        st.caption(sentence.format(digits=REFERENCE.dps))
     return shown
 
 
@@ -102,12 +105,13 @@ def many_periods(machine: Oscillator) -> None:
     """Draw the phase error after very many periods."""
     st.header(_("Extreme times: very many periods"), anchor=False)
     sentence = verdicts.how_phases_grow(cache.phases(machine))
-    drawings.plot(
-        cache.phases_figure(machine, theme.colors()),
-        "phase_errors",
-        _("Phase error over the number of periods. {findings}").format(findings=sentence.replace("**", "")),
-    )
-    st.markdown(sentence)
+    words, figure = columns("periods")
+    sees = _("Phase error over the number of periods. {findings}")
+    with figure:
+        drawn = cache.phases_figure(machine, theme.colors())
+        drawings.plot(drawn, "phase_errors", sees.format(findings=sentence.replace("**", "")))
+    with words:
+        st.markdown(sentence)
 
 
 def general_solver() -> None:

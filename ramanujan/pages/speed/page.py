@@ -15,7 +15,7 @@ from ramanujan.pages.speed.costs import COST, TOLERANCE, costs
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.pages.speed.extremes import SWEEP
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
-from ramanujan.shell.display_mode import folded, slide
+from ramanujan.shell.display_mode import columns, folded, slide
 from ramanujan.translation import _
 
 COMPARED = address.Choice("compare", {"own": _("your method"), "all": _("all methods")}, "own")
@@ -53,13 +53,15 @@ def show() -> None:
 def growing_errors(method: str, steps: int) -> int:
     """Draw how the errors grow, of one method beside the closed form or of all; return the number of periods."""
     st.header(_("How the errors grow"), anchor=False)
-    compared, periods, precision = widgets.beside(
-        [1.2, 1.2, 1],
-        partial(widgets.segmented_control, COMPARED, _("Show")),
-        partial(widgets.select_slider, PERIODS, _("Number of periods")),
-        partial(widgets.segmented_control, PRECISION, _("Precision")),
-    )
-    with st.skeleton(height=480):
+    words, place = columns("errors")
+    with words:
+        compared, periods, precision = widgets.beside(
+            [1.2, 1.2, 1] if display_mode.is_projector() else 1,
+            partial(widgets.segmented_control, COMPARED, _("Show")),
+            partial(widgets.select_slider, PERIODS, _("Number of periods")),
+            partial(widgets.segmented_control, PRECISION, _("Precision")),
+        )
+    with place, st.skeleton(height=480):
         runs = [cache.run(name, steps, periods, precision) for name in METHODS if compared == "all" or name == method]
     run = cache.run(method, steps, periods, precision)
     phases = cache.phases(sidebar.oscillator())
@@ -71,18 +73,20 @@ def growing_errors(method: str, steps: int) -> int:
         "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that of "
         "the closed form does not. {errors}"
     )
-    drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
-    st.markdown(verdicts.errors_of(run))
-    # A projector's slide has room for the figure and what it found.
-    if display_mode.is_projector():
-        return periods
-    st.caption(
-        _(
-            "Each curve shows the largest error so far, and all methods take the same steps. Below its stability limit "
-            "a symplectic method keeps its energy error bounded, but its phase error grows steadily. In the gray zone, "
-            "where rounding errors are, each power of ten takes an eighth of its usual height."
-        )
-    )
+    with place:
+        drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
+    with words:
+        st.markdown(verdicts.errors_of(run))
+        # A projector's slide has room for the figure and what it found.
+        if not display_mode.is_projector():
+            st.caption(
+                _(
+                    "Each curve shows the largest error so far, and all methods take the same steps. Below its "
+                    "stability limit a symplectic method keeps its energy error bounded, but its phase error grows "
+                    "steadily. In the gray zone, where rounding errors are, each power of ten takes an eighth of its "
+                    "usual height."
+                )
+            )
     return periods
 
 

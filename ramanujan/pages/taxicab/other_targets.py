@@ -14,7 +14,7 @@ from ramanujan.pages.taxicab import cache
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.pages.taxicab.other_bodies import about_cubes, pair
 from ramanujan.shell import address, display_mode, drawings, sidebar, theme, widgets
-from ramanujan.shell.display_mode import slide
+from ramanujan.shell.display_mode import columns, slide
 from ramanujan.translation import _, ngettext
 
 P, Q = (address.Count(part, cache.LARGEST_PART) for part in ("p", "q"))
@@ -104,15 +104,20 @@ def open_question() -> None:
             "is. **An answer would be** a property of the machine from which both sums follow. The paper leaves this "
             "open: it asks for “a number theoretic reason for the appearance of the number {number}”."
         )
-        st.markdown(sentence.format(number=PAPER.discriminant))
-        what_has_a_reason()
+        known, reason = columns("reason")
+        with known:
+            st.markdown(sentence.format(number=PAPER.discriminant))
+        with reason:
+            where_the_form_comes_from()
+        what_it_means()
     with slide("norm", _("{number} as a norm").format(number=PAPER.discriminant)):
         the_number_as_a_norm()
     pairs = [machine.bodies[:2] for machine in cache.machines()[:: len(BODIES)]]
     paper = pairs.index(PAPER.bodies[:2])
     with slide("counts", _("A count")):
         tallies = _counted(pairs)
-        figure, words = display_mode.picture_and_words()
+        projector = display_mode.is_projector()
+        figure, words = display_mode.picture_and_words() if projector else reversed(columns("counts"))
         with words:
             st.markdown(
                 _(
@@ -126,8 +131,8 @@ def open_question() -> None:
             what_stays(tallies[paper])
 
 
-def what_has_a_reason() -> None:
-    """Say why the discriminant is a norm."""
+def where_the_form_comes_from() -> None:
+    """Say which bodies lead to the form, for any target."""
     x, y = number_theory.norm_form()
     sentence = _(
         "**Where the form comes from.** The discriminant of the paper’s machine is ${x}^2+3\\cdot{y}^2={number}$. A "
@@ -137,15 +142,25 @@ def what_has_a_reason() -> None:
     with st.expander(_("The same for any target, $\\Omega^2m/k=p/q$")):
         st.markdown(_("The discriminant of the paper’s machine is, up to a square factor:"))
         st.latex(cache.norm_identity())
-    st.markdown(
-        _(
-            "**What the form means.** A number $x^2+3y^2$ is the *norm* of $x+y\\sqrt{{-3}}$: the product of this "
-            "number and the same number with the other sign."
-        ).format()
-    )
-    st.latex(cache.norm_multiplied_out())
-    st.markdown(_("The norm of a product is the product of the norms, $N(\\alpha\\beta)=N(\\alpha)\\,N(\\beta)$:"))
-    st.latex(cache.product_of_norms())
+
+
+def what_it_means() -> None:
+    """Say why the discriminant is a norm."""
+    words, formula = columns("norm")
+    with words:
+        st.markdown(
+            _(
+                "**What the form means.** A number $x^2+3y^2$ is the *norm* of $x+y\\sqrt{{-3}}$: the product of this "
+                "number and the same number with the other sign."
+            ).format()
+        )
+    with formula:
+        st.latex(cache.norm_multiplied_out())
+    words, formula = columns("product")
+    with words:
+        st.markdown(_("The norm of a product is the product of the norms, $N(\\alpha\\beta)=N(\\alpha)\\,N(\\beta)$:"))
+    with formula:
+        st.latex(cache.product_of_norms())
 
 
 def the_number_as_a_norm() -> None:
@@ -159,7 +174,9 @@ def the_number_as_a_norm() -> None:
         "**What it says about {number}.** There are {n} ways to write it in this form: ${written}$.",
         len(ways),
     )
-    st.markdown(sentence.format(number=PAPER.discriminant, n=len(ways), written=written))
+    number, cubes = columns("ways")
+    with number:
+        st.markdown(sentence.format(number=PAPER.discriminant, n=len(ways), written=written))
     factors = ",\\ ".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
     remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
     sentence = _(
@@ -167,13 +184,15 @@ def the_number_as_a_norm() -> None:
         "$\\sqrt{{-3}}$, and you get the {n} ways. The primes all leave the remainder {remainder} when divided by 3. "
         "This is no accident: a square-free number of this form has no other prime factors, except 3."
     )
-    st.markdown(sentence.format(norms=factors, n=len(ways), remainder=remainder))
+    with number:
+        st.markdown(sentence.format(norms=factors, n=len(ways), remainder=remainder))
     sentence = _(
         "**What it has to do with cubes.** They belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the "
         "second factor is such a norm, too. Here ${factored}$. So numbers of this form should be sums of two cubes "
         "more often than others."
     )
-    st.markdown(sentence.format(factored=cache.factored_cubes(PAPER.discriminant)))
+    with cubes:
+        st.markdown(sentence.format(factored=cache.factored_cubes(PAPER.discriminant)))
 
 
 def _counted(pairs: list[tuple[str, str]]) -> list[cache.Tally]:

@@ -10,7 +10,7 @@ from ramanujan.numerals import number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, sidebar, widgets
-from ramanujan.shell.display_mode import folded, slide
+from ramanujan.shell.display_mode import columns, folded, is_projector, picture_and_words, slide
 from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
@@ -21,8 +21,7 @@ ASIDE = ("k", "compression")
 def show() -> None:
     """Draw the page."""
     with slide("in_step", _("In step")):
-        the_number()
-        exactly_in_step()
+        in_step()
     title = _("The exact ratio to a thousand digits, and the fractions closest to it")
     folded("digits", title, digits_and_fractions, expanded=address.held(DIGITS) != DIGITS.default)
     with slide("cubes", _("Two stacks of cubes")):
@@ -32,22 +31,21 @@ def show() -> None:
     sidebar.follow(*other_bodies.FOLLOWERS, *other_targets.FOLLOWERS)
 
 
-def the_number() -> None:
-    """Draw the title, and the story of the taxicab."""
+def in_step() -> None:
+    """The story of the taxicab, and the unit condition as algebra and on the curve; folded: other targets on it."""
     st.title(str(PAPER.discriminant), anchor=False)
-    sentence = _(
-        "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the smallest "
-        "number that is a sum of two cubes in two different ways. Here the same number decides when two oscillators "
-        "stay in step."
-    )
-    st.markdown(sentence.format(number=PAPER.discriminant))
-
-
-def exactly_in_step() -> None:
-    """The unit condition on the curve and as algebra; folded: other targets on the same curve."""
-    st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
-    picture, algebra = st.columns([3, 2], gap="medium")
-    with algebra:
+    words, figure = columns("in_step")
+    with words:
+        sentence = _(
+            "G. H. Hardy found the number of his taxicab, {number}, rather dull. “No,” said Ramanujan: it is the "
+            "smallest number that is a sum of two cubes in two different ways. Here the same number decides when two "
+            "oscillators stay in step."
+        )
+        st.markdown(sentence.format(number=PAPER.discriminant))
+        st.header(_("At which mass ratio is the machine exactly in step?"), anchor=False)
+    if is_projector():
+        figure, words = picture_and_words()
+    with words:
         st.markdown(
             _(
                 "The machine has the angular frequency $\\Omega$, a plain mass $m$ on the same spring $k$ has "
@@ -55,12 +53,13 @@ def exactly_in_step() -> None:
                 "matters: the mass of a lower roller divided by the mass of the others."
             )
         )
+    with figure:
+        other_targets.the_curve()
+    with words if is_projector() else figure:
         with st.skeleton(height=260):
             equations = cache.unit_equations()
         for line in equations:
             st.latex(line)
-    with picture:
-        other_targets.the_curve()
     other_targets.another_target()
 
 
@@ -110,14 +109,18 @@ def two_stacks() -> None:
         "sum of two *positive* cubes in two ways. Turn the stacks and count."
     )
     sums, smallest = cache.sums_of_cubes(PAPER.cubes), number_theory.smallest_taxicab()
-    st.markdown(sentence.format(number=PAPER.discriminant, cubes=sums, smallest=smallest))
-    stacks()
+    words, figure = columns("stacks")
+    with words:
+        st.markdown(sentence.format(number=PAPER.discriminant, cubes=sums, smallest=smallest))
+    with figure:
+        stacks()
     expanded, same_terms = cache.discriminant_written_out()
     sentence = _(
         "One of the two sums can be read off the quadratic, term by term. Its discriminant $b^2-4ac$ is "
         "${expanded}={sum}$."
     )
-    st.markdown(sentence.format(expanded=expanded, sum=same_terms))
+    with words:
+        st.markdown(sentence.format(expanded=expanded, sum=same_terms))
 
 
 def stacks() -> None:

@@ -1,6 +1,7 @@
 """A worksheet to hand out: questions about this machine with space to write, or the key; the browser prints it."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import nullcontext
 
 import streamlit as st
 
@@ -28,19 +29,22 @@ _LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></
 def show() -> None:
     """Draw the page."""
     machine = sidebar.oscillator()
-    with slide("machine", _("The machine")):
+    first_slide = slide("machine", _("The machine"))
+    with first_slide, st.container(key="worksheet_tools"):
         paper, seed, level = choose()
-        asked = questions(machine, seed, level)
-        calculations = [number for number, question in enumerate(asked, start=1) if question.working]
         if not is_projector():
             exercise.compose()
-        head(machine, paper, seed, calculations, sum(question.points for question in asked))
-    for drawn in together(enumerate(asked, start=1), paper == "key"):
-        first, last = drawn[0][0], drawn[-1][0]
-        numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
-        with slide(f"question_{first}", numbers.format(first=first, last=last)):
-            for number, question in drawn:
-                draw(number, question, paper == "key")
+    asked = questions(machine, seed, level)
+    calculations = [number for number, question in enumerate(asked, start=1) if question.working]
+    with nullcontext() if is_projector() else st.container(key="worksheet", border=True):
+        with first_slide:
+            head(machine, paper, seed, calculations, sum(question.points for question in asked))
+        for drawn in together(enumerate(asked, start=1), paper == "key"):
+            first, last = drawn[0][0], drawn[-1][0]
+            numbers = _("Question {first}") if first == last else _("Questions {first} to {last}")
+            with slide(f"question_{first}", numbers.format(first=first, last=last)):
+                for number, question in drawn:
+                    draw(number, question, paper == "key")
 
 
 def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[list[tuple[int, Question]]]:
