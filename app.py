@@ -35,7 +35,7 @@ else:
     )
     display_mode.begin(page.name)
     address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
-    shown = 340 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
+    shown = 272 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
     st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
     if display_mode.is_projector():
         display_mode.pager()
@@ -43,3 +43,5 @@ else:
     if not page.lead():
         sidebar.draw(page.withheld(), page.aside())
     runner.run()
+    if not (alone or display_mode.is_projector()):
+        display_mode.bar()

@@ -182,7 +182,6 @@ def test_everyone_can_use_and_read_a_page(visit, server, name):
 
 
 FOCUSED = (
-    ".st-key-preset button",
     "[data-testid=stExpander] summary",
     ".st-key-route button",
     ".st-key-more button",

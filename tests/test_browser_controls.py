@@ -103,7 +103,6 @@ def check_bad_entry(page) -> None:
 
 
 def check_copied_link(page) -> None:
-    page.locator(".st-key-more summary").first.click()
     page.locator(".st-key-link button").click()
     expect(page.locator(".st-key-link .told")).not_to_be_empty()
     said = page.locator(".st-key-link .told").inner_text()

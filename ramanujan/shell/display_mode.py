@@ -112,15 +112,12 @@ def on_stage() -> tuple[str, ...]:
     return tuple(part for part in address.held(HIDE) if part in stage.PARTS)
 
 
-def switch() -> None:
-    """Draw the switch for the projector."""
+def bar() -> None:
+    """Draw what belongs to the page as a whole: in the bar above it, or on a narrow screen below it (page.css)."""
     st.session_state[_SWITCH] = is_projector()
-    st.toggle(
-        _("Projector"),
-        key=_SWITCH,
-        on_change=_switched,
-        help=_("Larger words and one picture at a time, for a lecture hall. The sidebar is folded away."),
-    )
+    with st.container(horizontal=True, vertical_alignment="center", key="bar"):
+        components.link(address.PRIVATE)
+        st.toggle(_("Projector"), key=_SWITCH, on_change=_switched)
 
 
 def _switched() -> None:

@@ -15,7 +15,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
-from ramanujan.shell import address, cache, display_mode, messages, pending_updates, widgets
+from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
 from ramanujan.translation import _
 
@@ -54,24 +54,35 @@ def draw(withheld: Collection[str], aside: Collection[str]) -> None:
         raise RuntimeError("sidebar.begin() comes first: a widget that has been drawn can no longer be set")
     with st.sidebar, st.container(key="controls"):
         components.drawer()
-        if offered := [name for name in PRESETS if name not in withheld]:
-            presets(offered)
         folded = [key for key, each in PARAMETERS.items() if each.aside or key in aside]
         for key in PARAMETERS:
             if key not in folded:
                 slider(key)
-        with st.expander(_("More")):
-            radius()
-            for key in folded:
-                if key != "radius":
-                    slider(key)
-        symbols()
-        components.link(address.PRIVATE)
-        display_mode.switch()
+        more([name for name in PRESETS if name not in withheld], folded)
+        if display_mode.is_projector():
+            display_mode.bar()
         end()
 
 
-def presets(offered: Collection[str] = tuple(PRESETS)) -> None:
+def more(offered: Collection[str], folded: Collection[str]) -> None:
+    """Draw the controls that only some ask for, behind one line that says what they are.
+
+    Parameters
+    ----------
+    offered : the presets
+    folded : keys of parameters, the radius among them
+    """
+    with st.expander(_("More: ready machines, radius, symbols"), key="aside"):
+        if offered:
+            presets(offered)
+        for key in folded:
+            if key == "radius":
+                st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
+            slider(key)
+        symbols()
+
+
+def presets(offered: Collection[str]) -> None:
     """Draw buttons for machines that are worth a look, and for the way back."""
     st.pills(
         _("Presets"),
@@ -82,12 +93,6 @@ def presets(offered: Collection[str] = tuple(PRESETS)) -> None:
         required=True,  # else the second press of a double click takes the first one back
         label_visibility="collapsed",
     )
-
-
-def radius() -> None:
-    """Draw the slider of the one parameter that changes no frequency."""
-    st.caption(_("The radius R sets the size of the machine. Does it change the frequency? Try it."))
-    slider("radius")
 
 
 def symbols() -> None:

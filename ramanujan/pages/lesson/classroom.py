@@ -28,7 +28,9 @@ DESK_EVERY, PHONE_EVERY = 2.0, 2.5
 """Seconds between two looks at what is new, at the lecturer's desk and on a phone."""
 
 _LONGEST_CODE = 20
-NOTHING_TO_SET = "<style>@media (width < 1000px) { :root:root:root { --drawer: 0px; --drawer-content: none; } }</style>"
+NOTHING_TO_SET = """<style>@media (width < 1000px) {
+  :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
+}</style>"""
 """On a phone whose owner answers. A rule for all pages would need :has(), and phones half of their time for styles."""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine a phone was last drawn with, and whether it runs."""

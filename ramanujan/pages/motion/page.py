@@ -55,6 +55,8 @@ def show() -> None:
         friction = Friction(mu, largest, first_to_slip(machine, largest, motion.spacing))
         with scene:
             the_machine(motion, friction)
+            if not display_mode.is_projector():
+                components.cursor("motion")
         with picture, said, st.container(key="verdict"):
             verdict(friction, compression)
     if display_mode.is_projector():
@@ -114,21 +116,16 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
     return float(motion.t[needed[first].argmax()]), first
 
 
-def cursor_and_download(motion: Record, mu: float) -> None:
-    """Draw the time cursor over the figures of a view, and the download of all numbers."""
-    marker, file = st.columns([5, 1], vertical_alignment="center")
-    with marker:
-        components.cursor("motion")
-    with file:
-        widgets.download(
-            _("CSV"),
-            table(motion, mu),
-            "ramanujan motion.csv",
-            "text/csv",
-            icon=":material/download:",
-            help=_("All numbers of this page, in SI units"),
-            width="stretch",
-        )
+def download(motion: Record, mu: float) -> None:
+    """Offer all numbers as a file."""
+    widgets.download(
+        _("CSV"),
+        table(motion, mu),
+        "ramanujan motion.csv",
+        "text/csv",
+        icon=":material/download:",
+        help=_("All numbers of this page, in SI units"),
+    )
 
 
 def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | float, ...]) -> None:
@@ -143,9 +140,10 @@ def the_figures(motion: Record, friction: Friction, setting: tuple[Oscillator | 
     for view, place in places.items():
         with place:
             if not projector:
-                cursor_and_download(motion, friction.coefficient)
-                if view == "forces":
-                    freeze(motion)
+                with st.container(horizontal=True):
+                    download(motion, friction.coefficient)
+                    if view == "forces":
+                        freeze(motion)
             shows[view](motion, cache.figures(view, theme.current(), *setting))
             if view == "forces":
                 plots.about_forces(motion)

@@ -35,7 +35,8 @@ def lead() -> bool:
         return False
     composition()
     if not first_run.alone():
-        more()
+        sidebar.more(sidebar.PRESETS, ("compression", "radius"))
+        sidebar.end()
     return True
 
 
@@ -115,21 +116,6 @@ def opening() -> None:
         tell_story()
     for key in ("m_prime", "m", "k"):
         sidebar.slider(key)
-
-
-def more() -> None:
-    """Draw the controls that only some ask for, behind one line that says what they are."""
-    with st.expander(_("More: ready machines, exact x₀, radius, symbols, link, projector"), key="more"):
-        sidebar.presets()
-        left, right = st.columns(2, gap="medium")
-        with left:
-            sidebar.slider("compression")
-        with right:
-            sidebar.radius()
-        sidebar.symbols()
-        components.link(address.PRIVATE)
-        display_mode.switch()
-    sidebar.end()
 
 
 def tell_story() -> None:
