@@ -212,7 +212,7 @@ def check_views(page):
     """Check that to choose a view moves nothing above its figure, and brings the figure into view."""
     tabs = page.get_by_role("tab")
     tabs.first.scroll_into_view_if_needed()
-    page.evaluate("document.querySelector('[data-testid=stMain]').scrollBy(0, 250)")
+    page.evaluate("document.querySelector('[data-testid=stMain]').scrollBy(0, 350)")
     next_frame(page)
     top = tabs.first.bounding_box()["y"]
     for i in (1, 3, 2, 0):
