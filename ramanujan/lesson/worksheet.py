@@ -26,7 +26,7 @@ from ramanujan.translation import _
 
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
-_TOLD = ("block",)
+_NAMED = ("block",)
 """Stops whose answer the derivation names: on which side X is positive."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
 """Of the route of Euler and Lagrange, those in which there is something to find."""
@@ -79,7 +79,7 @@ def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Question,
     """
     draw = random.Random(seed)
     # Stops of one chapter would answer each other.
-    kept = [[stop for stop in chapter if stop.id not in _TOLD] for chapter in CHAPTERS]
+    kept = [[stop for stop in chapter if stop.id not in _NAMED] for chapter in CHAPTERS]
     chosen = [draw.choice(kept[i]) for i in sorted(draw.sample(range(len(kept)), _STOPS))]
     asked = [_predicted(stop, draw) for stop in chosen]
     return (*asked, *derivation(level), *_calculations(machine, draw.choice(_TARGETS)))
@@ -96,9 +96,9 @@ def _guided(step: Step, level: int) -> Question:
     blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
     wide = [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
     given, asked = {1: (whole[:-1], blanks[-1:]), 2: ([], wide), 3: ([], [])}[level]
-    told = () if level == 3 else (step.reason, _WHERE.get(step.key, ""))
+    said = () if level == 3 else (step.reason, _WHERE.get(step.key, ""))
     return Question(
-        " ".join(filter(None, (f"**{step.heading}.**", *told))),
+        " ".join(filter(None, (f"**{step.heading}.**", *said))),
         in_a_row(whole),
         blanks="\n\n".join(filter(None, (in_a_row(given), in_a_row(asked)))),
         space=_lines(whole[-1:] if level == 1 else whole),

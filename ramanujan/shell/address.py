@@ -27,7 +27,7 @@ _PLACE = "address_page"
 """Session state: the page whose address was read last."""
 _MET = "address_met"
 """Session state: name → whether Streamlit binds it, for the URL parameters of every page that was opened."""
-_TOLD = "address_told"
+_WARNED = "address_warned"
 _FEW = 8
 """As many options as a sentence can list."""
 
@@ -230,9 +230,9 @@ def _strangers(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
     for name in strange & met.keys():
         if not met[name]:
             del st.query_params[name]
-    if not strange - met.keys() or st.session_state.get(_TOLD):
+    if not strange - met.keys() or st.session_state.get(_WARNED):
         return []
-    st.session_state[_TOLD] = True
+    st.session_state[_WARNED] = True
     return [_("The address contains a setting that this page does not know. It was ignored.")]
 
 

@@ -32,7 +32,7 @@ _SESSION = "class_session"
 """Session state: a random name, in place of the browser’s where that keeps no cookies."""
 _HERE = "here"
 """Stands for the IP address of a visitor at the server’s own computer, which Streamlit leaves out."""
-_TOLD = "class_settings_told"
+_SETTINGS = "class_settings"
 """Session state: the settings of the desk, as this screen last told or took them."""
 _FOLLOWED = "class_followed"
 """Session state: what the desk has told of its stage, and what this screen’s stage was told of it."""
@@ -157,19 +157,19 @@ def tell_settings(key: str) -> None:
     """Tell the wall what the sliders of the lecturer's desk hold, if that has changed."""
     machine = sidebar.oscillator()
     held = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
-    if (text := urlencode(held)) != st.session_state.get(_TOLD):
+    if (text := urlencode(held)) != st.session_state.get(_SETTINGS):
         try:
             shared().set_machine(key, text)
         except ClassError:
             return
-        st.session_state[_TOLD] = text
+        st.session_state[_SETTINGS] = text
 
 
-def take_settings(told: str | None) -> None:
+def take_settings(settings: str | None) -> None:
     """Give the sliders of the wall what those of the desk hold."""
-    st.session_state[_TOLD] = told
-    if told:
-        held = {name: float(text) for name, text in parse_qsl(told)}
+    st.session_state[_SETTINGS] = settings
+    if settings:
+        held = {name: float(text) for name, text in parse_qsl(settings)}
         compression = held.pop("compression")
         machine = Oscillator(**held)
         if not sidebar.holds(machine, compression):
@@ -177,9 +177,9 @@ def take_settings(told: str | None) -> None:
             messages.run_again()
 
 
-def settings_differ(told: str | None) -> bool:
+def settings_differ(settings: str | None) -> bool:
     """Tell whether the desk has moved its sliders since the wall was drawn."""
-    return told != st.session_state.get(_TOLD)
+    return settings != st.session_state.get(_SETTINGS)
 
 
 def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
@@ -195,8 +195,8 @@ def follow(code: str) -> None:
     text, ago = shared().seen(code)
     if text is None:
         return
-    told, seen = st.session_state.get(_FOLLOWED, (None, None))
-    if told != text:
+    known, seen = st.session_state.get(_FOLLOWED, (None, None))
+    if known != text:
         seen = {**json.loads(text), "ago": ago}
         st.session_state[_FOLLOWED] = text, seen
     components.publish("class_seen_published", {f"seen/stop_{seen['stop']}": seen})

@@ -70,7 +70,7 @@ def publish(key: str, topics: Mapping[str, Any]) -> Any:
     return modules.component("components/publish")(key=key, data=dict(topics))
 
 
-def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words: Mapping[str, str]) -> Any:
+def story(stage: str, slider: str, ratio: float, script: Mapping[str, Any], words: Mapping[str, str]) -> Any:
     """Put a button on the page that tells a story: it moves a slider until a stage's machine is in step.
 
     The page itself moves the slider, as a hand does, and sends the last value alone. Once the ratio has been found, by
@@ -81,13 +81,13 @@ def story(stage: str, slider: str, ratio: float, told: Mapping[str, Any], words:
     stage : the name of the stage
     slider : key of the slider of m′
     ratio : ε = m′/m of the machine in step
-    told : openings, each a list of scenes {sentence, ratios, periods}, the first of which that the slider can show is
+    script : openings, each a list of scenes {sentence, ratios, periods}, the first of which that the slider can show is
         taken; rest, the scenes that follow; pace, the seconds that a period of the plain mass lasts; stills, {label,
         turns} of each clock for someone who asked for less motion; marked, whether the slider marks the ratio from the
         start
     words : ratio, a template for ε; there, what is said in step; mark, begin, again, stop, hint
     """
-    data = {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **told}
+    data = {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **script}
     return modules.component("components/story")(key="story", data=data)
 
 
@@ -99,8 +99,8 @@ def cubes(sums: Sequence[Sequence[int]], sees: Sequence[str], captions: Sequence
     sums : of each stack the sides of its cubes, in unit cubes
     sees, captions : of each stack its text alternative, and what stands below it
     """
-    told = {"sees": list(sees), "captions": list(captions), "words": {"degrees": _("{angle} degrees")}}
-    return modules.component("components/cubes")(key="cubes", data={"sums": [list(sides) for sides in sums], **told})
+    said = {"sees": list(sees), "captions": list(captions), "words": {"degrees": _("{angle} degrees")}}
+    return modules.component("components/cubes")(key="cubes", data={"sums": [list(sides) for sides in sums], **said})
 
 
 def cursor(stage: str) -> Any:
@@ -146,8 +146,8 @@ def link(private: Sequence[str] = ()) -> Any:
     ----------
     private : keys of the address that are left out of the copy
     """
-    told = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    return modules.component("components/link")(key="link", data={**told, "private": list(private)})
+    words = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
+    return modules.component("components/link")(key="link", data={**words, "private": list(private)})
 
 
 def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:

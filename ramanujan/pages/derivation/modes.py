@@ -72,5 +72,4 @@ def tell_modes() -> None:
     speed = compression / 2 / machine.period
     starts = {"swing": None, "glide": InitialState(X_dot=speed), "roll": InitialState(Phi_dot=speed / machine.radius)}
     for key, initial in starts.items():
-        told = stage.payload(machine, compression, initial=initial)
-        stages.tell(told, key=f"mode_{key}")
+        stages.tell(stage.payload(machine, compression, initial=initial), key=f"mode_{key}")

@@ -157,8 +157,7 @@ def turn_pages(setting: Setting) -> None:
         components.steps(setting.route, [step.heading for step in setting.steps], turned)
         if setting.steps[min(address.held(STEP), len(setting.steps)) - 1].key == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
-    told = stage.payload(machine, sidebar.compression())
-    stages.tell(told, key="beside", more=sidebar.followed())
+    stages.tell(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.followed())
 
 
 # ---- the steps

@@ -149,8 +149,8 @@ def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     with slide("notes", _("Lecturer’s notes")):
         _begin_notes()
     # At the desk of a class the notes are open; a reader is told first what they contain.
-    told = _("Show the notes on all stops. They name the right answers.")
-    if not (class_session.key_held() or st.toggle(told, key="notes_shown")):
+    label = _("Show the notes on all stops. They name the right answers.")
+    if not (class_session.key_held() or st.toggle(label, key="notes_shown")):
         return
     for start in range(0, len(lesson.STOPS), _NOTES):
         numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]

@@ -45,7 +45,7 @@ def show() -> None:
     if display_mode.is_projector():
         with slide("machine", _("The machine")):
             composition()
-    told()
+    tell_machine()
     if first_run.alone():
         # Room for what comes: with a scroll bar that comes later the machine would jump.
         st.container(height=5000, border=False)
@@ -71,7 +71,7 @@ def shows_numbers() -> bool:
 
 
 @st.fragment(key="machine")
-def told() -> None:
+def tell_machine() -> None:
     """Tell the stage and the boxes what the sliders hold."""
     machine = stage.payload(sidebar.oscillator(), sidebar.compression())
     stages.tell(machine, name="oscillator", more=sidebar.followed())
@@ -121,7 +121,7 @@ def opening() -> None:
 def tell_story() -> None:
     """Offer the story that ends at the one mass ratio at which both hands turn together."""
     stories = [story.story(start) for start in story.STARTS]
-    told = {
+    script = {
         "openings": [list(map(asdict, scenes[: story.OPENING])) for scenes in stories],
         "rest": list(map(asdict, stories[0][story.OPENING :])),
         "pace": story.PACE,
@@ -140,7 +140,7 @@ def tell_story() -> None:
         ).format(periods=story.STILL_PERIODS),
         "hint": _("Watch how the hands part as m′ changes, and where they stay together"),
     }
-    components.story("oscillator", "m_prime", UNIT_MASS_RATIO, told, words)
+    components.story("oscillator", "m_prime", UNIT_MASS_RATIO, script, words)
 
 
 def to_lesson() -> None:

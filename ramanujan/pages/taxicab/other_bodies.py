@@ -43,7 +43,7 @@ def other_bodies() -> None:
     with slide("forty", _("All machines")):
         table, words = st.columns([1, 1], gap="medium")
         with words:
-            told(story)
+            about_bodies(story)
         with table:
             forty_machines(story.machine)
 
@@ -70,7 +70,7 @@ def tell_machine(chosen: list[str]) -> None:
     )
 
 
-def told(story: cache.Story) -> None:
+def about_bodies(story: cache.Story) -> None:
     """Say what the chosen bodies lead to."""
     machine = story.machine
     st.markdown(f"**{name(machine)}**")

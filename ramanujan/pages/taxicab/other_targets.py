@@ -40,7 +40,7 @@ def another_target() -> None:
                 "{old_p}/{old_q} is shown."
             )
             st.warning(sentence.format(most=most, p=p, q=q, old_p=target.numerator, old_q=target.denominator))
-        told(story)
+        about_target(story)
 
 
 def _reached() -> cache.Story:
@@ -54,7 +54,7 @@ def _reached() -> cache.Story:
     return story
 
 
-def told(story: cache.Story) -> None:
+def about_target(story: cache.Story) -> None:
     """Say what the target leads to."""
     target, discriminant = story.machine.target, story.machine.discriminant
     st.latex(story.quadratic)
