@@ -7,6 +7,7 @@ import subprocess
 import sys
 import time
 import urllib.request
+from base64 import b64encode
 from email.message import Message
 from pathlib import Path
 
@@ -132,7 +133,7 @@ def open_address(page: Page, address: str, *scripts: str) -> None:
     page.goto(address)
     page.wait_for_selector("[data-testid=stMainBlockContainer]")
     settle(page)
-    page.wait_for_function(MOUNTED)
+    until(page, MOUNTED)
     settle(page)  # the first page has asked for what follows its machine
 
 
@@ -174,9 +175,33 @@ def settle(page: Page, seconds: float = 60) -> None:
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
 
 
+def until(page: Page, condition: str, given: object = None, seconds: float = 60) -> None:
+    """Wait until a JavaScript function returns what is true, also where the page's policy forbids to evaluate text."""
+    end = time.monotonic() + seconds
+    while not page.evaluate(condition, given):
+        assert time.monotonic() < end, f"never true: {condition}"
+        page.wait_for_timeout(50)
+
+
 def next_frame(page: Page) -> None:
     """Wait until the browser has drawn what just happened: to the end of the next animation frame."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+def leave_out_figures(page: Page) -> None:
+    """Let the page draw nothing where its figures are: to load Plotly takes more of a processor than all the rest."""
+    client = page.context.new_cdp_session(page)
+    answer = {
+        "responseCode": 200,
+        "responseHeaders": [{"name": "Content-Type", "value": "text/javascript"}],
+        "body": b64encode(b"export default () => null").decode(),
+    }
+
+    def fulfill(event: dict) -> None:
+        client.send("Fetch.fulfillRequest", {"requestId": event["requestId"]} | answer)
+
+    client.on("Fetch.requestPaused", fulfill)
+    client.send("Fetch.enable", {"patterns": [{"urlPattern": "*/PlotlyChart.*.js"}]})
 
 
 def inside(page: Page, expression: str) -> object:

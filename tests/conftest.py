@@ -14,7 +14,7 @@ from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
 
-from tests.browser import CHROMIUM, FLAGS, ROOT, open_address, running, started
+from tests.browser import CHROMIUM, FLAGS, ROOT, leave_out_figures, open_address, running, started
 from tests.engines import bare, bare_address, browsers, engine, missing, playwright, some, window  # noqa: F401
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
@@ -88,7 +88,7 @@ def visit(chromium: object, server: str) -> Iterator[Callable]:
     address in a visitor's tab instead, and `beside=page` in another tab of that visitor. Scripts run before those of
     the page. `network` is the address of another way to the server; `note` takes the address of each request. No page
     may end with an error. The stage stands still unless motion="no-preference" is asked for: to draw sixty frames a
-    second without a graphics card takes a processor of its own.
+    second without a graphics card takes a processor of its own. With figures=False there is nothing where they are.
     """
     contexts, errors = [], []
 
@@ -101,18 +101,21 @@ def visit(chromium: object, server: str) -> Iterator[Callable]:
         motion: str = "reduce",
         tab: object = None,
         beside: object = None,
+        figures: bool = True,
         network: str | None = None,
         note: Callable[[str], object] | None = None,
         **options: object,
     ) -> object:
         size = {"width": width, "height": height}
         if not (tab or beside):
-            contexts.append(chromium.new_context(viewport=size, bypass_csp=True, **options))
+            contexts.append(chromium.new_context(viewport=size, **({"bypass_csp": True} | options)))
             contexts[-1].set_default_timeout(60_000)
             contexts[-1].on("weberror", lambda error: errors.append(str(error.error)))
         page = tab or (beside.context if beside else contexts[-1]).new_page()
         page.set_viewport_size(size)
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
+        if not figures:
+            leave_out_figures(page)
         if note:
             page.on("request", lambda request: note(request.url))
         open_address(page, f"{network or server}/{address}", *scripts)

@@ -1,7 +1,8 @@
 """A tour of the pages, each opened once: everyone can use and read it, in both themes, wide, narrow, and on paper.
 
 axe-core finds nothing, headings skip no level, and the focus can be seen. Words are set well: the page's own typeface
-in its figures, short lines, no lone full stop, labels inside figures.
+in its figures, short lines, no lone full stop, labels inside figures. The server's policy holds, as for every visitor,
+and allows all of this.
 """
 
 import re
@@ -11,7 +12,8 @@ from itertools import pairwise
 import pytest
 
 from ramanujan.shell.navigation import PAGES
-from tests.browser import settle
+from tests.browser import settle, until
+from tests.engines import REFUSED
 from tests.test_browser_language import OVERLAPS
 from tests.test_browser_print import SHEETS, check_printed
 from tests.test_look import THEME, rgb
@@ -64,6 +66,7 @@ FACES = """() => [...document.querySelectorAll(".js-plotly-plot text")].filter((
   .map((each) => getComputedStyle(each).fontFamily)"""
 LOADED = """() => [...document.fonts].filter((each) => each.status === "loaded" && /Source Sans/.test(each.family))
   .map((each) => each.style)"""
+FILES = ", ".join(f":is(button, a):visible:has-text('{name}')" for name in ("SVG", "PNG", "CSV", "Download"))
 OUTSIDE = """() => [...document.querySelectorAll(".js-plotly-plot")].flatMap((graph) => {
   const home = graph.getBoundingClientRect();
   return [...graph.querySelectorAll(".annotation-text")].filter((label) => {
@@ -78,18 +81,19 @@ def switch(page, theme: str) -> None:
     """Switch the theme, and wait until the server's colours have followed."""
     page.emulate_media(color_scheme=theme, reduced_motion="reduce")
     paper = THEME[theme]["backgroundColor"]
-    page.wait_for_function(
+    until(
+        page,
         """([theme, paper]) => document.documentElement.dataset.theme === theme &&
           getComputedStyle(document.documentElement).getPropertyValue('--paper') === paper""",
-        arg=[theme, paper],
-        timeout=120_000,  # Plotly measures each word of a page of five figures in both themes and at both widths
+        [theme, paper],
+        120,  # Plotly measures each word of a page of five figures in both themes and at both widths
     )
 
 
 def audit(page, rules: list[str] = TAGS, within: str = "html") -> list[str]:
     """What axe-core finds now in a part of the page, once the page has come to rest."""
     settle(page)
-    page.wait_for_function(REACHED)
+    until(page, REACHED)
     return page.evaluate(FOUND, [within, rules])
 
 
@@ -131,7 +135,7 @@ def check_words(page) -> None:
 
 def check_figures_follow(page, inks: list[str]) -> None:
     """Check that no figure keeps an ink of the theme before, and that nothing asks the server for ever."""
-    page.wait_for_function(f"(before) => !{TICKS}.some((ink) => before.includes(ink))", arg=inks)
+    until(page, f"(before) => !{TICKS}.some((ink) => before.includes(ink))", inks)
     settle(page)
     sent = len(page.frames_sent)
     page.wait_for_timeout(800)
@@ -139,46 +143,13 @@ def check_figures_follow(page, inks: list[str]) -> None:
 
 
 def check_control(page) -> None:
-    """Negative control: what axe-core and the list of requests are asked to find they find."""
+    """Negative control: what axe-core, the list of requests and the policy are asked to find they find."""
     page.evaluate("document.querySelector('h1').insertAdjacentHTML('afterend', '<h4 style=color:#aaa>faint</h4><img>')")
     assert {each.partition(":")[0] for each in audit(page)} == {"color-contrast", "heading-order", "image-alt"}
     with page.expect_request(lambda request: re.search(OF_STREAMLIT, request.url)):
         page.evaluate("document.querySelector('h1').append(' Ж')")
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_everyone_can_use_and_read_a_page(visit, server, name):
-    asked: list[str] = []
-    page = visit(PAGES[name].address, width=1920, height=1080, theme="dark", note=asked.append)
-    check_requests(asked, server)
-    check_title_and_headings(page, name)
-    page.evaluate(OPEN)
-    settle(page)
-    check_words(page)
-    page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
-    assert page.locator(REGIONS).count() == 1
-    page.evaluate(AXE.read_text(encoding="utf-8"))
-    assert audit(page) == []
-    for tab in page.get_by_role("tab").all()[1:]:
-        tab.click()
-        assert audit(page, within="[role=tabpanel]") == []
-    if name == "derivation":
-        page.locator(".st-key-more button").click()
-        page.locator(".st-key-show button").nth(1).click()
-        page.keyboard.press("Escape")
-        settle(page)
-    inks = page.evaluate(TICKS)
-    if name in SHEETS:
-        check_printed(page, SHEETS[name])
-    # A theme changes nothing but colours, and a width no colours: two of the four see all of them.
-    page.set_viewport_size({"width": 390, "height": 844})
-    switch(page, "light")
-    check_figures_follow(page, inks)
-    assert audit(page, OF_THE_SCREEN) == []
-    for found in (OUTSIDE, OVERLAPS):  # Plotly draws anew some time after its width has changed
-        page.wait_for_function(f"({found})().length === 0")
-    if name == "worksheet":
-        check_control(page)
+    page.evaluate("fetch('https://example.org').catch(() => 0)")
+    assert page.evaluate("refused") != []
 
 
 FOCUSED = (
@@ -199,20 +170,64 @@ RING = """(node) => {
 }"""
 
 
-def test_whatever_has_the_focus_shows_it_in_the_theme_s_colour(visit):
-    page = visit("derivation?step=2")
-    for theme in ("light", "dark"):
-        switch(page, theme)
+def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
+    """Check that whatever has the focus shows it in the theme's colour."""
+    ring = [3, "rgb({}, {}, {})".format(*rgb(THEME[theme]["primaryColor"]))]
+    for selector in focused:
+        assert page.locator(f"{selector} >> visible=true").first.evaluate(RING) == ring, selector
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_everyone_can_use_and_read_a_page(visit, server, name):
+    asked: list[str] = []
+    large = {"width": 1920, "height": 1080, "theme": "dark"}
+    page = visit(PAGES[name].address, REFUSED, note=asked.append, bypass_csp=False, **large)
+    check_requests(asked, server)
+    check_title_and_headings(page, name)
+    page.evaluate(OPEN)
+    settle(page)
+    check_words(page)
+    page.wait_for_load_state("networkidle")  # the fonts of formulas come last, and make them wider
+    assert page.locator(REGIONS).count() == 1
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    assert audit(page) == []
+    for tab in page.get_by_role("tab").all()[1:]:
+        tab.click()
+        assert audit(page, within="[role=tabpanel]") == []
+    if name == "derivation":
+        check_focus(page, "dark", FOCUSED)
+        page.locator(".st-key-more button").click()
+        page.locator(".st-key-show button").nth(1).click()
+        page.keyboard.press("Escape")
         settle(page)
-        ring = [3, "rgb({}, {}, {})".format(*rgb(THEME[theme]["primaryColor"]))]
-        for selector in FOCUSED:
-            assert page.locator(selector).first.evaluate(RING) == ring, selector
-    # On a narrow screen formulas and tables scroll by themselves, by key as well.
+    inks = page.evaluate(TICKS)
+    if name in SHEETS:
+        check_printed(page, SHEETS[name])
+    # A theme changes nothing but colours, and a width no colours: two of the four see all of them.
     page.set_viewport_size({"width": 390, "height": 844})
-    box = page.locator(".katex-display[data-scrolls]:visible").first
-    box.wait_for()
-    assert box.evaluate(RING) == ring
-    box.focus()
-    page.keyboard.press("ArrowRight")
-    page.wait_for_function("(box) => box.scrollLeft > 0", arg=box.element_handle())
-    assert page.locator(".st-key-step_2").is_visible()
+    switch(page, "light")
+    check_figures_follow(page, inks)
+    assert audit(page, OF_THE_SCREEN) == []
+    if name == "derivation":
+        check_focus(page, "light", FOCUSED[1:])  # the sidebar is closed
+    for found in (OUTSIDE, OVERLAPS):  # Plotly draws anew some time after its width has changed
+        until(page, f"() => ({found})().length === 0")
+    for button in page.locator(FILES).all():
+        button.click(force=True)
+    settle(page)
+    assert page.evaluate("refused") == []
+    if name == "lesson":
+        check_wall(page, server)
+    if name == "worksheet":
+        check_control(page)
+
+
+def check_wall(page, server: str) -> None:
+    """Check that the policy allows the wall of a class, which has a drawing in its address."""
+    page.goto(f"{server}/lesson")
+    for name in ("door", "open"):
+        page.locator(f".st-key-class_{name} button").first.click()
+    page.goto(page.get_by_role("link", name="Open the wall").get_attribute("href"))
+    page.locator(".st-key-class_invitation img").wait_for()
+    settle(page)
+    assert page.evaluate("refused") == []

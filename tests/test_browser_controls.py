@@ -272,7 +272,7 @@ def check_widths(page) -> None:
 
 
 def test_the_sidebar_fits_the_screen_and_is_open_only_where_it_matters(visit):
-    page = visit("motion")
+    page = visit("motion", figures=False)
     controls = page.locator(".st-key-controls")
     expect(controls).to_be_in_viewport(ratio=1)
     assert controls.bounding_box()["y"] < 25

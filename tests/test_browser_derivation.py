@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 from ramanujan.derivation import ROUTES
 from ramanujan.shell.theme import BODY_COLORS
 from tests.browser import settle
-from tests.test_browser_access import switch
+from tests.test_browser_access import RING, switch
 from tests.test_look import THEME, rgb
 
 STEP = ".st-key-lecture h2:visible"
@@ -162,7 +162,20 @@ def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(v
             assert json.loads(text)["nbformat"] == 4
         settle(page)
         assert len(page.frames_sent) == sent, kind
+    check_scrolling(page)
     check_long_formulas(visit("derivation?route=matrix&show=reading", width=320, height=640, tab=page))
+
+
+def check_scrolling(page) -> None:
+    """Check that on a narrow screen a formula scrolls by key, which turns no step, and shows that it has the focus."""
+    page.set_viewport_size({"width": 390, "height": 844})
+    box, before = page.locator(".katex-display[data-scrolls]:visible").first, step(page)
+    box.wait_for()
+    assert box.evaluate(RING)[0] == 3
+    box.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("(box) => box.scrollLeft > 0", arg=box.element_handle())
+    assert step(page) == before
 
 
 def check_long_formulas(page) -> None:

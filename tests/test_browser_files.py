@@ -16,9 +16,7 @@ import pytest
 import streamlit
 
 from ramanujan.browser import modules
-from ramanujan.shell.navigation import PAGES
-from tests.browser import get, next_frame, running
-from tests.engines import REFUSED
+from tests.browser import get, running
 
 pytestmark = pytest.mark.xdist_group("browser_files")
 
@@ -43,17 +41,6 @@ else:
     st.title("A page")
 """
 """An app with nothing but the page's files; it packs them quickly, and notes what it packs."""
-
-DRAWN = {
-    "oscillator": ".nsewdrag",
-    "derivation": ".katex",
-    "motion": ".nsewdrag",
-    "taxicab": ".st-key-cubes svg",
-    "speed": ".nsewdrag",
-    "lesson": "svg.machine",
-    "worksheet": ".katex",
-}
-FILES_OF_A_PAGE = ", ".join(f":is(button, a):visible:has-text('{name}')" for name in ("SVG", "PNG", "CSV", "Download"))
 
 
 @pytest.fixture(scope="module")
@@ -151,40 +138,3 @@ def test_a_page_loads_nothing_from_elsewhere_and_tells_nobody_its_address(fresh)
     for asked, is_secure in {"http": False, "https": True}.items():
         cookies = [get(f"{address}{path}", X_Forwarded_Proto=asked)[0]["Set-Cookie"] for path in ("/", "/motion")]
         assert [cookie.endswith("; Secure") for cookie in cookies] == [is_secure] * 2
-
-
-def test_the_policy_allows_all_that_a_page_needs(chromium, server):
-    """Other tests bypass the policy in Chromium, where Playwright's `wait_for_function` evaluates text.
-
-    Firefox keeps to it in all tests.
-    """
-    with chromium.new_context(reduced_motion="reduce") as context:
-        context.add_init_script(REFUSED)
-        page = context.new_page()
-        at_rest = page.locator("[data-test-script-state=notRunning] h1").first
-
-        def look(address: str, drawn: str) -> None:
-            page.goto(address)
-            page.locator(drawn).first.wait_for()
-            at_rest.wait_for()
-            page.evaluate("document.querySelectorAll('details:not([open]) > summary').forEach((fold) => fold.click())")
-            page.wait_for_timeout(500)
-            at_rest.wait_for()
-            for button in page.locator(FILES_OF_A_PAGE).all():
-                button.click(force=True)
-            page.emulate_media(media="print")
-            next_frame(page)
-            page.emulate_media(media="screen")
-            at_rest.wait_for()
-            assert page.evaluate("refused") == [], address
-
-        for each in PAGES.values():
-            look(f"{server}/{each.address}", DRAWN[each.name])
-        page.goto(f"{server}/lesson")
-        page.locator(".st-key-class_door button").first.click()
-        page.locator(".st-key-class_open button").click()
-        wall = page.get_by_role("link", name="Open the wall").get_attribute("href")
-        look(wall, ".st-key-class_wall img")
-        # What it must not load would have been told.
-        page.evaluate("fetch('https://example.org').catch(() => 0)")
-        assert page.evaluate("refused") != []

@@ -45,8 +45,8 @@ def late(visit, server) -> Iterator[Callable]:
     with network(server) as way:
         pages = []
 
-        def open_page(link: str = "?hide=curve,steps"):
-            pages.append(visit(link, network=way.address))
+        def open_page(link: str = "?hide=curve,steps", **options: object):
+            pages.append(visit(link, network=way.address, **options))
             return pages[-1]
 
         def by(seconds: float) -> None:
@@ -304,7 +304,7 @@ def check_broken_network(page, late) -> None:
 
 
 def test_quick_changes_over_a_slow_network_never_end_the_app(late):
-    page, chance = late(), random.Random(1729)
+    page, chance = late(figures=False), random.Random(1729)
     late.by(0.1)
     places = range(len(navigation.PAGES))
     for _ in range(CHANGES):

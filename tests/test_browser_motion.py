@@ -244,7 +244,7 @@ def check_edge(page):
 
 
 def test_the_csv_is_the_motion_shown(visit, tmp_path):
-    page = open_motion(visit, "?m=2.5&glide=4&spin=-1.3&mu=0.11")
+    page = visit("motion?m=2.5&glide=4&spin=-1.3&mu=0.11", figures=False)
     with page.expect_download() as download:
         page.get_by_role("button", name="CSV").click()
     path = tmp_path / download.value.suggested_filename
@@ -256,7 +256,7 @@ def test_the_csv_is_the_motion_shown(visit, tmp_path):
     assert np.array_equal(numbers[:, 0], motion.t)
     assert np.array_equal(numbers[:, 1:7], np.concatenate([motion.q, motion.q_dot]).T)
     assert "# mu = 0.11" in lines
-    another = open_motion(visit, beside=page)
+    another = visit("motion", beside=page, figures=False)
     for _ in range(3):
         nudge(another, "m_prime", "ArrowRight")
     assert page.request.get(download.value.url).ok, "a slow browser would have lost it in a class"

@@ -24,7 +24,7 @@ def measure(page):
 
 def test_a_run_is_drawn_no_control_is_cut_and_measuring_can_be_watched_stopped_and_left(visit):
     """A window of 900 pixels beside another one: the sidebar leaves the page 560 of them."""
-    page = visit("speed?periods=300&steps=8", width=900)
+    page = visit("speed?periods=300&steps=8", width=900, figures=False)
     run, label = page.locator(".st-key-run button"), page.locator(".st-key-stage_race .label")
     result = page.locator(".st-key-race_result")
     run.click()

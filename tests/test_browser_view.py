@@ -24,7 +24,7 @@ def test_a_link_keeps_all_that_is_seen(visit):
         node.type === "checkbox" ? String(node.checked) : node.getAttribute("aria-pressed") ?? node.value;
       return [...all(".controls :is(button, select, [type=checkbox])", set), ...lines.flat()];
     }}"""
-    page = visit("motion?m_prime=0.4&glide=3")
+    page = visit("motion?m_prime=0.4&glide=3", figures=False)
     page.get_by_role("button", name="Show", exact=True).click()
     for name in ("Velocities", "Weights", "Forces"):
         page.get_by_role("checkbox", name=name).click()
@@ -41,7 +41,7 @@ def test_a_link_keeps_all_that_is_seen(visit):
     page.wait_for_url(lambda url: "paused=" in url)
     settle(page)
     seen = page.evaluate(drawn)
-    other = visit(page.url.rpartition("/")[2])
+    other = visit(page.url.rpartition("/")[2], figures=False)
     again = other.evaluate(drawn)
     assert len(again) == len(seen) > 100
     for before, after in zip(seen, again, strict=True):
