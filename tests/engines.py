@@ -2,7 +2,8 @@
 
 Each is started when a test first needs it. Where one is missing its tests are skipped, unless RAMANUJAN_REQUIRE_BROWSER
 is set. A test that not every browser can take part in names those that can:
-`@pytest.mark.parametrize("engine", ["chromium"])`.
+`@pytest.mark.parametrize("engine", ["chromium"])`; one of what browsers have in common, arithmetic above all, has the
+mark ANY_ENGINE.
 """
 
 import os
@@ -16,6 +17,8 @@ from tests import webkit
 from tests.bare import Bare, serving
 
 ENGINES = ("chromium", "firefox", "webkit")
+ANY_ENGINE = pytest.mark.parametrize("engine", ENGINES if os.environ.get("RAMANUJAN_DEEP") else ENGINES[:1])
+"""One browser stands for all, unless RAMANUJAN_DEEP is set."""
 FIREFOX = shutil.which("firefox-esr") or shutil.which("firefox")
 CALM = {"ui.prefersReducedMotion": 1}
 """What makes Firefox wish for less motion, which Playwright cannot tell it."""

@@ -228,6 +228,6 @@ def check_wall(page, server: str) -> None:
     for name in ("door", "open"):
         page.locator(f".st-key-class_{name} button").first.click()
     page.goto(page.get_by_role("link", name="Open the wall").get_attribute("href"))
-    page.locator(".st-key-class_invitation img").wait_for()
+    page.locator(".st-key-class_wall img").wait_for()
     settle(page)
     assert page.evaluate("refused") == []

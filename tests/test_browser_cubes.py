@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from ramanujan.browser import components
+from tests.engines import ANY_ENGINE
 
 SUMS = [(12, 1), (10, 9)]
 ELEVATION = np.arctan2(0.42, 0.85)
@@ -31,6 +32,7 @@ def area(outline: str) -> float:
     return abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2
 
 
+@ANY_ENGINE
 def test_every_unit_cube_of_three_faces_can_be_counted_from_every_side(drawn):
     for turn in (0, 40, 130, 190, 305):
         drawn.evaluate(f"(turn) => {{ {TURN}.value = turn; {TURN}.dispatchEvent(new Event('input')); }}", turn)

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.browser import next_frame, slab_over_block
+from tests.engines import ANY_ENGINE
 from tests.picture import Picture
 
 SLIDER = "document.querySelector('.st-key-compression input')"
@@ -107,6 +108,7 @@ def test_the_slider_follows_the_held_slab_and_hears_its_last_place(picture):
     assert f"x₀ = {slider(picture):g}" in picture.find(HINT)
 
 
+@ANY_ENGINE
 def test_bounds_give_way_softly_and_say_so(picture):
     take_slab(picture, 9)
     assert 12.5 < slab_over_block(picture.page) < 14

@@ -6,6 +6,9 @@ import pytest
 
 from tests.bare import Bare
 from tests.browser import module
+from tests.engines import ANY_ENGINE
+
+pytestmark = ANY_ENGINE
 
 MACHINE = {"m": 1.3, "m_prime": 4.7, "k": 21.0, "radius": 0.07}
 PARAMETERS = {**MACHINE, "compression": 0.06, "beta_hoop": 1.0, "beta_cylinder": 0.5, "beta_top": 0.5}

@@ -20,6 +20,7 @@ from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.theme import BODY_COLORS
 from tests.bare import THEME
 from tests.browser import STAGE, next_frame
+from tests.engines import ANY_ENGINE
 from tests.picture import ROLLERS, Picture, difference, length, middle, places, upwards
 from tests.reading import NUMBER, read
 from tests.test_look import rgb
@@ -176,6 +177,7 @@ def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: floa
     assert middle(drawn["weights"]["floor block"]) == pytest.approx(expected, abs=3 * HALF_A_PIXEL)
 
 
+@ANY_ENGINE
 def test_seen_from_the_block_it_stands_still_and_rolling_is_seen(picture, some):
     """The floor moves then, and on a lower roller the velocities are 0, Rφ̇ and 2Rφ̇, whatever the block does."""
     switch = "root.querySelector('.viewpoint').click()"
@@ -217,6 +219,7 @@ def check_clock(picture: Picture, drawn: dict, home: dict[str, float], periods: 
     assert middle(drawn["plain"]) == pytest.approx(expected, abs=HALF_A_PIXEL)
 
 
+@ANY_ENGINE
 def test_a_pushed_machine_and_the_view_that_goes_with_it(pushed, some):
     known: dict[float, dict[str, float]] = {}
     corners = machines(MACHINES)
@@ -235,6 +238,7 @@ def test_a_pushed_machine_and_the_view_that_goes_with_it(pushed, some):
             assert max(centres) - min(centres) < HALF_A_PIXEL, "the centre of mass stands still in the view"
 
 
+@ANY_ENGINE
 def test_the_smallest_push_moves_the_picture_least(pushed):
     """The view has no threshold at which it would jump from the floor to the centre of mass."""
     machine = Oscillator(2.0, 0.7, 30.0)
@@ -272,6 +276,7 @@ def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str, size=leng
         assert size(arrows[name]) == pytest.approx(float(value) * per_unit, abs=2 * HALF_A_PIXEL), name
 
 
+@ANY_ENGINE
 def test_the_traces_follow_the_marks_on_the_rims(picture):
     picture.layers("traces")
     picture.show(Oscillator(1.0, 0.3, 20.0), 0.1)
@@ -293,10 +298,13 @@ def test_the_traces_follow_the_marks_on_the_rims(picture):
             assert np.linalg.norm(points - rim, axis=1).min() < 2, name
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_every_body_is_painted_in_its_own_colour_and_the_heavier_the_fuller(bare, theme):
+def test_every_body_is_painted_in_its_own_colour_and_the_heavier_the_fuller(bare, some):
     """From the pixels themselves: a body's fill lies on the way from the paper to its colour."""
-    picture = Picture(bare(theme=theme))
+    for theme in some(["light", "dark"]):
+        check_paint(Picture(bare(theme=theme)), theme)
+
+
+def check_paint(picture: Picture, theme: str) -> None:
     paper = rgb(THEME[theme]["backgroundColor"])
     fill = {name: rgb(THEME[theme][f"{color}Color"]) for name, color in BODY_COLORS.items()}
     fullness: dict[str, list[float]] = {}
@@ -341,6 +349,7 @@ def test_bars_and_swatches_keep_their_colours(picture):
             assert name in said
 
 
+@ANY_ENGINE
 def test_in_step_is_an_event_and_never_a_false_one(picture):
     """The stage lights up only where no hand could part by a hundredth of a turn in a million periods."""
     seen = {}
@@ -362,6 +371,7 @@ def test_in_step_is_an_event_and_never_a_false_one(picture):
     assert seen["in-step"] != seen["apart"]
 
 
+@ANY_ENGINE
 def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
     def verdict(periods: float) -> str:
         picture.at(periods)
@@ -412,6 +422,7 @@ def test_words_grow_with_the_screen(picture):
     assert max(projector.values()) <= 26
 
 
+@ANY_ENGINE
 def test_the_floor_is_as_wide_as_its_ruler_and_no_label_is_cut(picture):
     for R in (0.05, 0.1, 0.2):
         picture.show(Oscillator(radius=R), 0.08)
@@ -465,6 +476,7 @@ def overlap(a: list[float], b: list[float], inset: float) -> bool:
     return l1 < r2 and l2 < r1 and t1 < b2 and t2 < b1
 
 
+@ANY_ENGINE
 def test_the_layer_of_coordinates_shows_signs_and_sizes(picture, some):
     """X to the left, angles clockwise, x₀ and R to scale, as drawn."""
     picture.layers("coordinates")
@@ -510,6 +522,7 @@ def test_the_layer_of_coordinates_shows_signs_and_sizes(picture, some):
     assert "Mass m′: hoop, lower cylinder." in shared
 
 
+@ANY_ENGINE
 def test_the_buttons_need_no_symbol_font(picture):
     buttons = picture.find("""[...root.querySelectorAll(".transport button")].map((button) => {
       const icons = [...button.querySelectorAll("svg")].filter((icon) => icon.checkVisibility());
@@ -543,6 +556,7 @@ def test_a_slider_s_thumb_moves_what_it_names_and_as_far(picture):
         assert float(omega.split()[0]) == pytest.approx(picture.machine.natural_frequency, rel=1e-4), key
 
 
+@ANY_ENGINE
 def test_the_speed_menu_changes_the_speed(picture):
     """The phase that the page runs through, over the time of its own frames, at each speed."""
     picture.show(Oscillator(), 0.08)

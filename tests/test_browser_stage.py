@@ -7,6 +7,7 @@ import pytest
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from tests.browser import next_frame
+from tests.engines import ANY_ENGINE
 from tests.picture import Picture
 
 
@@ -19,6 +20,7 @@ def slab(picture) -> float:
     return picture.find("root.querySelector('.moving .body.slab .form').getBoundingClientRect().x")
 
 
+@ANY_ENGINE
 def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_so(picture):
     for m, m_prime, k in [(0.5, 10.0, 1.0), (0.5, 0.05, 200.0), (0.77, 1.3, 33.5)]:
         machine = Oscillator(m, m_prime, k)
@@ -33,6 +35,7 @@ def test_the_readouts_are_the_core_s_numbers_and_fast_motion_is_slowed_and_says_
         assert ("times its real speed" in picture.find("root.querySelector('.note').textContent")) == (k == 200)
 
 
+@ANY_ENGINE
 def test_nothing_jumps_when_a_parameter_changes(picture):
     """The machine moves at once, frame by frame across a preset never further than twice its greatest speed allows."""
     page = picture.page
@@ -161,6 +164,7 @@ WORDS = """[...root.querySelectorAll(":not(script, style)")].flatMap((node) => [
 """All words of the stage, those for the eye and those for a screen reader."""
 
 
+@ANY_ENGINE
 def test_what_is_hidden_is_neither_drawn_nor_said(bare):
     """What the page says around the stage is in test_scene_view."""
     for hide in (("clocks", "numbers"), ()):
@@ -181,6 +185,7 @@ def test_what_is_hidden_is_neither_drawn_nor_said(bare):
         assert (picture.find("root.querySelector('[data-step]')?.dataset.step ?? ''") == "") == bool(hide)
 
 
+@ANY_ENGINE
 def test_a_machine_whose_motion_is_hidden_stands_still(bare):
     picture = Picture(bare(), hide=("motion",))
     picture.page.evaluate("wish(false)")

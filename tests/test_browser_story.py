@@ -7,13 +7,19 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
+from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
+from ramanujan.browser import stage
 from ramanujan.browser.components import exact
-from ramanujan.pages.oscillator.story import STARTS, STILL_PERIODS, story
+from ramanujan.pages.oscillator.page import tell_story
+from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
+from tests.bare import Bare
 from tests.browser import STAGE, inside, next_frame, settle, thumb
+from tests.engines import ANY_ENGINE
+from tests.test_browser_controls import write
 
+GOAL = 1.5 * UNIT_MASS_RATIO
 STORY = "document.querySelector('.st-key-story [data-testid=stBidiComponentIsolated]').shadowRoot"
 NOW = f"""() => {{
   const text = (root, selector) => root.querySelector(selector).textContent;
@@ -22,10 +28,6 @@ NOW = f"""() => {{
     verdict: text({STAGE}, ".verdict"), parting: text({STAGE}, ".parting"), phase }};
 }}"""
 MARK = "document.querySelector('.st-key-m_prime').style.getPropertyValue('--mark')"
-
-
-def button(page, name: str):
-    return page.get_by_role("button", name=name, exact=True)
 
 
 def ratio_at(scenes, periods: float) -> float:
@@ -64,69 +66,77 @@ def test_the_hands_meet_again_where_both_machines_are_in_step(start):
     assert gained(scenes, ends - 1e-9) == pytest.approx(round(turns), abs=1e-3)
 
 
-@pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])
-def test_the_story_is_true_at_every_second_and_ends_in_step(visit, width, height):
-    page = visit("?m=1.5&hide=curve,steps", width=width, height=height, motion="no-preference")
-    assert page.evaluate(MARK) == "", "the answer is not printed on the slider"
-    scenes, sent, seen = story(STARTS[0]), len(page.frames_sent), set()
-    button(page, "Bring them into step").click()
-    for _ in range(40):
-        page.wait_for_timeout(600)
-        now = page.evaluate(NOW)
-        if now["said"].startswith("In step"):
-            break
-        ends = [*accumulate(scene.periods for scene in scenes)]
+TURN = """() => {
+  let now = performance.now(), waiting = [];
+  window.requestAnimationFrame = (draw) => waiting.push(draw);
+  window.cancelAnimationFrame = () => (waiting = []);
+  performance.now = () => now;
+  window.turn = (frames) => {
+    for (let i = 0; i < frames; i++) {
+      const due = waiting;
+      now += 50;
+      waiting = [];
+      for (const draw of due) draw(now);
+    }
+  };
+}"""
+"""A clock that the test turns by frames of a twentieth of a second: a story of half a minute is told at once."""
+FRAME = 0.05 / PACE
+"""Periods of the plain mass in a frame."""
+
+
+@pytest.fixture
+def told(bare) -> Bare:
+    """The stage, the slider of m′ with its box, and the story, for m = 1.5 kg."""
+    page = bare()
+    page.sliders(m=1.5, m_prime=1, k=10, compression=8, radius=10)
+    page.put(lambda: exact("m_prime", widgets.head(PARAMETERS["m_prime"]), lambda _text: None))
+    page.page.evaluate("bus.publish('exact/m_prime', { value: 1, text: '1.0', judged: 0 })")
+    page.stage(Oscillator(1.5, 1.0, 10.0))
+    page.put(tell_story)
+    return page
+
+
+@ANY_ENGINE
+def test_the_story_is_true_at_every_moment_and_ends_in_step(told):
+    evaluate = told.page.evaluate
+    assert evaluate(MARK) == "", "the answer is not printed on the slider"
+    evaluate(TURN)
+    evaluate("wish(false)")
+    scenes, seen = story(STARTS[0]), set()
+    ends = [*accumulate(scene.periods for scene in scenes)]
+    evaluate(f"{STORY}.querySelector('button').click()")
+    while (now := evaluate(f"() => (turn(8), ({NOW})())"))["periods"] < ends[-1]:
         seen.add(now["said"])
-        # On a slow machine a frame is long, and the sentence changes with the next one.
-        first, last = (min(int(np.searchsorted(ends, now["periods"] + by)), len(ends) - 1) for by in (-0.6, 0.6))
+        first, last = (min(int(np.searchsorted(ends, now["periods"] + by)), len(ends) - 1) for by in (-FRAME, FRAME))
         assert now["said"] in [scene.sentence for scene in scenes[first : last + 1]]
-        # A slow machine draws a frame late; the slider has its steps.
-        around = [ratio_at(scenes, max(0, min(now["periods"] + by, ends[-1] - 1e-9))) for by in (-0.4, 0.4)]
-        assert min(around) - 0.01 < now["ratio"] < max(around) + 0.01
-        ahead = gained(scenes, min(now["periods"], ends[-1] - 1e-9))
+        around = [ratio_at(scenes, min(now["periods"] + by * FRAME, ends[-1] - 1e-9)) for by in (-1, 0, 1)]
+        assert min(around) - 0.01 < now["ratio"] < max(around) + 0.01  # the slider has its steps
+        ahead = gained(scenes, now["periods"])
         if " turns " in now["verdict"] and "agree" not in now["verdict"]:
             assert figure(now["verdict"]) == pytest.approx(abs(ahead), abs=0.1)
             assert ("behind" in now["verdict"]) == (ahead < 0)
         apart = 1 / abs(float(np.sqrt(normalized_frequency_squared(now["ratio"]))) - 1)
         assert figure(now["parting"].replace("\u202f", "")) == pytest.approx(apart, rel=0.05, abs=0.5)
-    else:
-        pytest.fail("the story does not end")
-    assert len(seen) >= 6
-    settle(page)
+    assert seen == {scene.sentence for scene in scenes}
+    told.page.wait_for_function("sent.length > 0")
+    assert [each[-1] for each in told.sent] == [repr(GOAL)], "no message while it plays"
+    # What the server answers ends in step.
+    evaluate(f"bus.publish('exact/m_prime', {{ value: {GOAL!r}, text: '{GOAL!r}', judged: 1 }})")
+    told.put(lambda: stage.tell(stage.payload(Oscillator(1.5, GOAL, 10.0), 0.08), name="oscillator"))
+    now = evaluate(f"() => (turn(1), ({NOW})())")
     assert now["said"] == "In step: ε = (√1729 − 1)/36. So (36ε + 1)² = 1729."
-    assert page.locator(".st-key-m_prime_exact input").input_value() == repr(UNIT_MASS_RATIO * 1.5)
-    assert len(page.frames_sent) == sent + 1, "no message while it plays"
-    assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
-    assert float(page.evaluate(MARK)) == pytest.approx((UNIT_MASS_RATIO * 1.5 - 0.05) / (10 - 0.05))
+    assert float(evaluate(MARK)) == pytest.approx((GOAL - 0.05) / (10 - 0.05))
     # Whatever is touched takes over: the slider stays where it is, and says so.
-    button(page, "Again").click()
-    page.wait_for_function("ramanujan.last('drawn/oscillator').ratio < 4.5")
-    page.keyboard.press("Shift")
-    settle(page)
-    value = float(page.locator(".st-key-m_prime_exact input").input_value())
+    assert evaluate(f"{STORY}.querySelector('button').textContent") == "Again"
+    evaluate(f"{STORY}.querySelector('button').click()")
+    while evaluate(f"() => (turn(8), ({NOW})())")["ratio"] > 4.5:
+        pass
+    told.page.keyboard.press("Shift")
+    told.page.wait_for_function("sent.length === 2")
+    key, event, value = told.sent[-1]
+    assert (key, event) == ("m_prime", "slider")
     assert 2 < value / 1.5 < 4.6
-    assert f"m_prime={value:g}" in page.url
-    assert page.evaluate("ramanujan.last('machine/oscillator').parameters.m_prime") == pytest.approx(value)
-
-
-def test_who_wants_less_motion_sees_five_clocks(visit):
-    page = visit("?found=on&hide=curve,steps")
-    assert page.evaluate(MARK) != ""
-    button(page, "Bring them into step").click()
-    settle(page)
-    angles = page.evaluate(
-        f"[...{STORY}.querySelectorAll('.stills svg')].map((clock) => [...clock.querySelectorAll("
-        "'line')].map((hand) => Number(/[-.\\d]+/.exec(hand.getAttribute('transform') ?? '0')[0])))"
-    )
-    assert [plain for plain, _ in angles] == [0] * 5
-    labels = page.locator(".st-key-story li").all_inner_texts()
-    for label, (_, degrees) in zip(labels, angles, strict=True):
-        turns = STILL_PERIODS * (np.sqrt(normalized_frequency_squared(figure(label))) - 1)
-        assert degrees == pytest.approx(360 * turns, abs=0.1), label
-    assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
-
-
-GOAL = 1.5 * UNIT_MASS_RATIO
 
 
 def held(page) -> tuple[float, str]:
@@ -145,9 +155,25 @@ def check_found(page) -> None:
     assert inside(page, "root.querySelector('[data-step]').dataset.step") == "in-step"
 
 
+def check_stills(page) -> None:
+    """Check that who wants less motion sees five clocks instead of the story."""
+    page.get_by_role("button", name="Bring them into step", exact=True).click()
+    check_found(page)
+    angles = page.evaluate(
+        f"[...{STORY}.querySelectorAll('.stills svg')].map((clock) => [...clock.querySelectorAll("
+        "'line')].map((hand) => Number(/[-.\\d]+/.exec(hand.getAttribute('transform') ?? '0')[0])))"
+    )
+    assert [plain for plain, _ in angles] == [0] * 5
+    labels = page.locator(".st-key-story li").all_inner_texts()
+    for label, (_, degrees) in zip(labels, angles, strict=True):
+        turns = STILL_PERIODS * (np.sqrt(normalized_frequency_squared(figure(label))) - 1)
+        assert degrees == pytest.approx(360 * turns, abs=0.1), label
+
+
 def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
     """By mouse within six pixels, by a key within a step, and by a finger; the next step leaves it."""
-    page = visit("?m=1.5&hide=curve,steps", has_touch=True)
+    page = visit("?m=1.5&found=on&hide=curve,steps", has_touch=True)
+    assert page.evaluate(MARK) != "", "who has found it once has it marked"
     slider = page.locator(".st-key-m_prime input[type=range]")
     pixel = 9.95 / page.locator(".st-key-m_prime [role=group]").first.bounding_box()["width"]
     (x, y), sent = thumb(page, "m_prime"), len(page.frames_sent)
@@ -159,7 +185,6 @@ def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
         next_frame(page)
         assert (held(page)[1] == repr(GOAL)) == near, off
     assert len(page.frames_sent) == sent
-    assert page.evaluate(MARK) != ""
     page.mouse.up()
     check_found(page)
     slider.focus()
@@ -169,15 +194,15 @@ def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
         assert held(page)[1] == value
     page.keyboard.press("ArrowRight")
     check_found(page)
-    page.locator(".st-key-m_prime_exact input").fill("1")
-    page.locator(".st-key-m_prime_exact input").press("Enter")
-    settle(page)
+    write(page, "m_prime", "1")
     client = page.context.new_cdp_session(page)
     for kind, at in (("Start", x), *(("Move", x + (goal - 3 - x) * n / 8) for n in range(1, 9)), ("End", None)):
         points = [] if at is None else [{"x": at, "y": y}]
         client.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
         page.wait_for_timeout(30)
     check_found(page)
+    write(page, "m_prime", "1")
+    check_stills(page)
 
 
 def test_in_every_engine_a_key_snaps_to_what_the_page_looks_for(bare):
