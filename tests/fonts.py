@@ -8,19 +8,20 @@ The ranges are those that page.css promises. The files bear other names than the
 
 The icons are those whose names stand in the app's own modules or in Streamlit's scripts.
 
-The upright fonts set symbols in italics by themselves: small Greek letters always, and a Latin letter that stands alone
-(OpenType's contextual alternates). So Ω²m/k is a formula wherever it stands, in a text, on a button or in a figure, and
-the text itself stays plain for screen readers, searches and copies. Letters of words, units and initials stay upright.
+The fonts set symbols as KaTeX does, in KaTeX's letters: Greek letters and the prime always, and a Latin letter that
+stands alone (OpenType’s contextual alternates). So Ω²m/k is a formula wherever it stands, in a text, on a button or in
+a figure, and the text itself stays plain for screen readers, searches and copies. Letters of words, units and initials
+keep their own form.
 """
 
 import io
-import math
 import re
 from pathlib import Path
 
 import streamlit
 from fontTools import subset
 from fontTools.feaLib.builder import addOpenTypeFeaturesFromString
+from fontTools.pens.transformPen import TransformPen
 from fontTools.pens.ttGlyphPen import TTGlyphPen
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables.TupleVariation import TupleVariation
@@ -32,11 +33,17 @@ from tests.browser import ROOT
 PAGE = ROOT / "ramanujan/browser/components"
 ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
-    "headings": ("SourceSerifVariable-Roman", "SourceSerifVariable-Italic", {"wght": (600, 700), "opsz": 24}),
-    "text": ("SourceSansVF-Upright", "SourceSansVF-Italic", {"wght": (400, 700)}),
+    "headings": ("SourceSerifVariable-Roman", "Bold", {"wght": (600, 700), "opsz": 24}),
+    "text": ("SourceSansVF-Upright", "", {"wght": (400, 700)}),
     "symbols": ("SourceSansVF-Italic", "", {"wght": 400}),
 }
-"""File → its original's name, that of the italics it has for symbols, and the part of each axis that is kept."""
+"""File → its original's name, the weight of KaTeX's letters that it has for symbols, and the kept part of each axis."""
+SCALE, RAISED = 1.05, (0.7, 0.363)
+"""How large a formula in a text is, compared with its words (type.css); size and height of a prime in KaTeX [em]."""
+BESIDE = 140
+"""How much room what is raised has on its right, for each em that it is raised; in KaTeX 0.05 em."""
+SLOPE = 0.25
+"""By how much KaTeX's italics lean."""
 LATIN = "KMRTXbchkmpqtvx"
 """What is a symbol where it stands alone; a is a word."""
 SYMBOLS = """
@@ -58,16 +65,16 @@ feature calt {{
   }} alone;
 }} calt;
 """
+PRIME = 0x2032
 COPYRIGHT_AND_LICENCE = [0, 13, 14]
 FAMILY, STYLE, FULL, POSTSCRIPT = 1, 2, 4, 6
 """Numbers of a font's names."""
 
 
 def main() -> None:
-    for name, (original, slanted, axes) in FONTS.items():
+    for name, (original, bold, axes) in FONTS.items():
         font = cut(original, axes, promised(name))
-        if slanted:
-            set_symbols(font, cut(slanted, axes, {code for code in promised(name) if _is_symbol(code)}))
+        set_symbols(font, original_of(f"KaTeX_Math-{bold}Italic"), original_of(f"KaTeX_Main-{bold or 'Regular'}"))
         family = f"Ramanujan {name.title()}"
         names = {FAMILY: family, STYLE: "Regular", FULL: family, POSTSCRIPT: family.replace(" ", "")}
         for number, text in names.items():
@@ -82,8 +89,7 @@ def icons() -> TTFont:
     texts = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
     scripts = [path.read_text(encoding="utf-8") for path in (ORIGINALS.parent / "js").glob("*.js")]
     named = set(re.findall(r"(?:[`'\"]|:material/)([a-z0-9_]{2,40})[`'\":]", "\n".join(texts + scripts)))
-    [source] = ORIGINALS.glob("MaterialSymbols-Rounded.*.woff2")
-    font = TTFont(source)
+    font = original_of("MaterialSymbols-Rounded")
     drawn = ligatures(font)
     options = subset.Options(layout_closure=False, hinting=False, name_IDs=[*COPYRIGHT_AND_LICENCE, FAMILY])
     cutter = subset.Subsetter(options)
@@ -105,10 +111,15 @@ def ligatures(font: TTFont) -> dict[str, str]:
     }
 
 
+def original_of(name: str) -> TTFont:
+    """Return one of Streamlit's fonts."""
+    [source] = ORIGINALS.glob(f"{name}.*.woff2")
+    return TTFont(source)
+
+
 def cut(original: str, axes: dict[str, object], codes: set[int]) -> TTFont:
     """Return one of Streamlit's fonts with these characters alone."""
-    [source] = ORIGINALS.glob(f"{original}.*.woff2")
-    font = _saved(instancer.instantiateVariableFont(TTFont(source), axes))
+    font = _saved(instancer.instantiateVariableFont(original_of(original), axes))
     options = subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE, glyph_names=True)
     options.layout_features = ["kern", "mark"]
     cutter = subset.Subsetter(options)
@@ -117,24 +128,26 @@ def cut(original: str, axes: dict[str, object], codes: set[int]) -> TTFont:
     return font
 
 
-def _is_symbol(code: int) -> bool:
-    return chr(code) in LATIN + "a" or 0x3B1 <= code <= 0x3C9
+def set_symbols(font: TTFont, italic: TTFont, upright: TTFont) -> None:
+    """Give a font KaTeX's letters for its symbols, and dots over X and Φ in their middle.
 
-
-def set_symbols(font: TTFont, italic: TTFont) -> None:
-    """Give an upright font the letters of an italic one for its symbols, and dots over X and Φ in their middle."""
+    They are as heavy in bold text, as in KaTeX's own formulas.
+    """
     names = font.getBestCmap()
-    for code, name in italic.getBestCmap().items():
-        new = f"{names[code]}.italic"
-        font["glyf"][new], font["hmtx"][new] = italic["glyf"][name], italic["hmtx"][name]
-        font["gvar"].variations[new] = italic["gvar"].variations[name]
-        if chr(code) not in LATIN + "a":
-            for table in font["cmap"].tables:
-                table.cmap[code] = new
-    lean = math.tan(math.radians(-italic["post"].italicAngle))
-    dotted = [("Phi", "Phi", 0), ("X", "X.italic", lean)] if "Phi" in font["glyf"].glyphs else []
+    italics, uprights = (each.getBestCmap() for each in (italic, upright))
+    small, capital = range(0x3B1, 0x3CA), range(0x391, 0x3AA)
+    for code in {ord(letter) for letter in LATIN + "a"} & names.keys():
+        _put(font, f"{names[code]}.italic", italic, italics[code])
+    for greek, source, known in ((small, italic, italics), (capital, upright, uprights)):
+        for code in names.keys() & known.keys() & set(greek):
+            _put(font, names[code], source, known[code])
+    _put(font, names[PRIME], upright, uprights[PRIME], *RAISED)
+    dotted = [("Phi", "Phi", 0), ("X", "X.italic", SLOPE)] if 0x307 in names else []
     for base, letter, slope in dotted:
         _put_dot(font, f"{base}.dot", letter, names[0x307], slope)
+    for table in font["cmap"].tables:
+        # Firefox looks for the one character before it looks for two.
+        table.cmap |= {code: "X.dot" for code in (0x1E8A,) if code in table.cmap}
     letters = {code: name for code, name in names.items() if chr(code).isalpha() and code < 0x370}
     classes = {
         "letters": letters.values(),
@@ -147,19 +160,32 @@ def set_symbols(font: TTFont, italic: TTFont) -> None:
     dots = " ".join(f"sub {base} {names[0x307]} by {base}.dot;" for base, *_ in dotted)
     rules = SYMBOLS.format(
         dots=f"feature ccmp {{ {dots} }} ccmp;" if dots else "",
-        prime=names[0x2032],
+        prime=names[PRIME],
         thin_space=names.get(0x202F, "space"),
         **{key: " ".join(each) for key, each in classes.items()},
     )
-    del font["HVAR"]
-    add_HVAR(font)
+    if "HVAR" in font:
+        del font["HVAR"]
+        add_HVAR(font)
     addOpenTypeFeaturesFromString(font, rules, ["GSUB"])
+
+
+def _put(font: TTFont, name: str, source: TTFont, glyph: str, size: float = 1, up: float = 0) -> None:
+    """Give a font a letter of KaTeX's as its own, so large as a formula in a text, the same in every weight."""
+    pen = TTGlyphPen(None)
+    scale = SCALE * size
+    source.getGlyphSet()[glyph].draw(TransformPen(pen, (scale, 0, 0, scale, 0, SCALE * up * 1000)))
+    font["glyf"][name] = pen.glyph()
+    font["glyf"][name].recalcBounds(font["glyf"])
+    font["hmtx"][name] = round(scale * source["hmtx"][glyph][0] + SCALE * BESIDE * up), font["glyf"][name].xMin
+    if "gvar" in font:
+        font["gvar"].variations[name] = []
 
 
 def _put_dot(font: TTFont, name: str, letter: str, dot: str, slope: float) -> None:
     """Add a letter with the dot above it, over the middle of the letter at the height of the dot."""
     glyphs, (base, above) = font["glyf"], (font["glyf"][letter], font["glyf"][dot])
-    up = font["OS/2"].sCapHeight - font["OS/2"].sxHeight
+    up = base.yMax - font["OS/2"].sxHeight
     height = (above.yMin + above.yMax - base.yMin - base.yMax) / 2 + up
     across = (base.xMin + base.xMax - above.xMin - above.xMax) / 2 + slope * height
     pen = TTGlyphPen(glyphs.glyphs)

@@ -269,7 +269,7 @@ def check_arrows(arrows: dict, expected: dict, scale: dict, unit: str, size=leng
     assert re.fullmatch(rf".+\u202f{unit}(, .*)?", scale["text"])
     mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
     assert round(mantissa, 9) in (1, 2, 5)
-    per_unit = length(scale["box"]) / scale["value"]
+    per_unit = size(scale["box"]) / scale["value"]
     assert per_unit > 0
     assert arrows.keys() == expected.keys()
     for name, value in expected.items():
@@ -451,6 +451,7 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
       return {{
         letters: named(".moving text, .coordinates text, .scales text, .plain text"),
         heads: named(".arrows .line, .forces .line"),
+        forces: named(".forces .line"),
       }};
     }}"""
     for R, compression in some([(0.05, 0.04), (0.05, 0.12), (0.1, 0.08), (0.2, 0.12)]):
@@ -463,6 +464,11 @@ def test_no_letter_is_covered_by_an_arrow_or_another_letter(picture, some):
             for letter, box in seen["letters"]:
                 for _, head in seen["heads"]:
                     assert not overlap(box, head, 0.25), (R, compression, periods, letter)
+            for (_, first), (_, second) in combinations(seen["forces"], 2):
+                assert not overlap(first, second, 0), (R, compression, periods)
+    picture.layers("arrows", "forces", "weights", "coordinates")
+    letters = picture.page.evaluate(boxes)["letters"]
+    assert not [(a, b) for (a, first), (b, second) in combinations(letters, 2) if overlap(first, second, 0.35)]
 
 
 def overlap(a: list[float], b: list[float], inset: float) -> bool:

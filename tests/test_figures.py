@@ -52,7 +52,7 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
         Area([(name, "red", t, scale * y) for name, y in curves.items()], (0, 4), (-2, 2), 410, axis)
         for axis, scale in (("y", 0.1), ("y2", 1))
     )
-    notes = beside("white", upper, lower)
+    notes = beside(upper, lower)
     # Where curves are close to each other their names would touch: they are in the other panel.
     assert {note["text"] for note in notes if note["yref"] == "y2"} == set(curves)
     assert {note["text"] for note in notes if note["yref"] == "y"} < set(curves)
@@ -72,9 +72,9 @@ def test_names_touch_neither_curves_nor_each_other_on_a_phone_and_on_a_projector
                 ]
     # A curve without points, of a method that failed, has no name; nor has a band without room.
     found = [("failed", "#123", t, np.full(len(t), np.nan)), ("right", "#123", t, 0 * t + 0.5)]
-    assert [note["text"] for note in beside("white", Area(found, (0, 4), (0, 1), 410))] == ["right"]
+    assert [note["text"] for note in beside(Area(found, (0, 4), (0, 1), 410))] == ["right"]
     bands = {"thin": [0 * t, 0 * t + 0.01], "broad": [0 * t + 0.01, 0 * t + 1]}
-    assert [note["text"] for note in beside("white", Area([], (0, 4), (0, 1), 410, bands=bands))] == ["broad"]
+    assert [note["text"] for note in beside(Area([], (0, 4), (0, 1), 410, bands=bands))] == ["broad"]
 
 
 def letters_high(key: str) -> int:

@@ -44,15 +44,12 @@ class Area:
     bands: Mapping[str, Sequence[np.ndarray]] = field(default_factory=dict)
 
 
-def beside(paper: str, *areas: Area) -> list[dict[str, Any]]:
+def beside(*areas: Area) -> list[dict[str, Any]]:
     """Return annotations: a curve's name in each area where nothing touches it, else where it is touched least.
 
-    Parameters
-    ----------
-    paper : colour behind a name on its line or in its band; where a band has no room for its name, that is missing
-    areas : panels that share their names
+    The areas are panels that share their names. Where a band has no room for its name, that is missing.
     """
-    found = [each for area in areas for each in _placed(area, paper)]
+    found = [each for area in areas for each in _placed(area)]
     most = {words["text"]: -np.inf for _room, words in found}
     for room, words in found:
         most[words["text"]] = max(room, most[words["text"]])
@@ -76,10 +73,11 @@ class _Places(NamedTuple):
     room: np.ndarray
 
 
-def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
+def _placed(area: Area) -> list[tuple[float, dict[str, Any]]]:
     """Return of each name the room in its best place, negative where something touches it, and its annotation."""
     high = area.height / _SIZE
-    screens = np.array([(min(_PHONE, _LAPTOP * area.width), high), (area.width, _LOW * high)])
+    laptop = _LAPTOP * area.width
+    screens = np.array([(min(_PHONE, laptop), high), (laptop, high), (area.width, _LOW * high)])
     # A method that has failed everywhere has a curve without points.
     curves = [each for each in area.curves if np.isfinite(each[2] + each[3]).any()]
     paths = [_path(x, y, area) for _name, _color, x, y in curves]
@@ -107,12 +105,13 @@ def _placed(area: Area, paper: str) -> list[tuple[float, dict[str, Any]]]:
         on = np.where(room < 0, 4, 1) * _ON * (side[:, 1] == 0)
         best[i] = int(np.argmax(room + 1e-3 * at[:, 0] - on))
         rooms[i] = float(room[best[i]])
-    return [(rooms[i], _written(*found[i], best[i], area, paper)) for i in range(len(found))]
+    return [(rooms[i], _written(*found[i], best[i], area)) for i in range(len(found))]
 
 
 def _half(name: str) -> np.ndarray:
     """Return half the width and half the height of a name."""
-    return np.array([len(re.sub("<[^>]*>", "", name)) * _LETTER, _LINE]) / 2
+    lines = [re.sub("<[^>]*>", "", line) for line in name.split("<br>")]
+    return np.array([max(map(len, lines)) * _LETTER, len(lines) * _LINE]) / 2
 
 
 def _places(
@@ -154,9 +153,9 @@ def _path(x: np.ndarray, y: np.ndarray, area: Area, points: int = _POINTS) -> np
     return path[shown] if shown.any() else np.clip(path[-1:], 0, 1)
 
 
-def _written(name: str, font: dict[str, str], places: _Places, best: int, area: Area, paper: str) -> dict[str, Any]:
+def _written(name: str, font: dict[str, str], places: _Places, best: int, area: Area) -> dict[str, Any]:
     """Return the annotation of a name in one of its places."""
     (across, up), shares = places.side[best], zip(places.at[best], (area.x_range, area.y_range), strict=True)
     words = note(name, font.get("color"), *(low + share * (high - low) for share, (low, high) in shares), area.axis)
     anchors = {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
-    return words | anchors | ({"yshift": 2 * int(up)} if up else {"bgcolor": paper})
+    return words | anchors | {"yshift": 2 * int(up)}

@@ -23,8 +23,8 @@ _ABOVE = 28
 class Curve:
     """A curve against time: its name for who points at it, its values at equal steps, and how it is drawn.
 
-    Its `label` stands beside it in the colour `ink`. `stacked` curves are filled and lie on top of each other, hatched
-    if they are `hatched`; one label then stands for neighbours.
+    Its `label`, if it has one, stands beside it in the colour `ink`. `stacked` curves are filled and lie on top of each
+    other, hatched if they are `hatched`; one label then stands for neighbours.
     """
 
     name: str
@@ -78,7 +78,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
         title = _("{quantity} [{unit}]").format(quantity=panel.title, unit=panel.unit)
         axes[f"yaxis{axis[1:]}"] = _axis(title, panel.range, domain=domain, nticks=6, **_zero_line(colors))
     end_of_one = _upright(period, {"color": colors["ink"], "width": 1, "dash": "dot"}, layer="below")
-    notes = [_above(period, _("one period"), font={"size": 12}), *beside(colors["paper"], *areas)]
+    notes = [_above(period, _("one period"), font={"size": 12}), *beside(*areas)]
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
     along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
     # One small box for all panels, which must not hide the curves.
@@ -114,7 +114,7 @@ def phase_plane(
         yaxis=_axis(_("velocity [cm/s]"), roomy(velocities), **centred),
         hovermode="closest",
         meta={"cursor": "orbit", "period": period, "periods": periods},
-        annotations=beside(colors["paper"], Area(named, places, roomy(velocities), _HEIGHT, width=15)),
+        annotations=beside(Area(named, places, roomy(velocities), _HEIGHT, width=15)),
     )
 
 
@@ -197,7 +197,7 @@ def _area(panel: Panel, axis: str, end: float, height: float, width: float) -> A
     for curve in (curve for curve in panel.curves if curve.stacked):
         low, top = top, top + curve.values
         bands[curve.label] = [bands.get(curve.label, [low])[0], top]
-    named = [(curve.label, curve.ink, t, curve.values) for curve in panel.curves if not curve.stacked]
+    named = [(curve.label, curve.ink, t, curve.values) for curve in panel.curves if curve.label and not curve.stacked]
     return Area(named, (0, end), panel.range, height, axis, width, bands)
 
 

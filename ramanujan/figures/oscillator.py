@@ -86,7 +86,7 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     # Here the space to the right of the asymptote is empty, above the line “in step”.
     there = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
     light = _("light rollers: {value}").format(value=curve.light)
-    heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy.replace("ε", "<i>ε</i>"))
+    heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy)
     beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "align": "left"}
     in_lens, at_end = beside | {"xref": "x2", "yref": "y2"}, {"xanchor": "right", "xshift": -6}
     notes = [
@@ -143,6 +143,6 @@ def over_ratios(
 
 def pointed(mark: Mark, to: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:
     """Return the label of a mark with an arrow to it; `to` is how far it stands to the right and below [px]."""
-    words = {"text": mark.label, "xanchor": side, "align": "left", "bgcolor": colors["paper"]}
+    words = {"text": mark.label, "xanchor": side, "align": "left"}
     arrow = {"ax": to[0], "ay": to[1], "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
     return {"x": float(np.log10(mark.ratio)), "y": mark.value, **words, **arrow}

@@ -91,7 +91,7 @@ def error_growth(
         axes[f"yaxis{name_of_axis[1:]}"] = drawn_axis | place
     more = axes | {
         "xaxis": axis(_("periods"), x_range, type="log", dtick=1, anchor="y2"),
-        "annotations": beside(colors["paper"], *areas),
+        "annotations": beside(*areas),
         "shapes": shapes,
     }
     return figure(traces, colors, _HIGH + 64, margin=_MARGIN, **more)
@@ -147,7 +147,7 @@ def work_precision(
     named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
     y_axis = log_axis(titles[1], shown)
     x_axis = axis(titles[0], x_range, type="log", dtick=1)
-    notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 420))
+    notes = beside(Area(named, x_range, tuple(y_axis["range"]), 420))
     return figure(traces, colors, 480, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 
@@ -211,7 +211,7 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     ]
     x_range, y_axis = tuple(np.log10([periods[0], periods[-1]])), log_axis(_("phase error [rad]"), (1e-17, 200.0))
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
-    notes = beside(colors["paper"], Area(named, x_range, tuple(y_axis["range"]), 320))
+    notes = beside(Area(named, x_range, tuple(y_axis["range"]), 320))
     return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 

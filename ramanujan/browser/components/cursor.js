@@ -108,9 +108,11 @@ function mark(graph, share) {
     draw(graph, CURSOR, 0, along(xaxis, share * meta.period * meta.periods), 0.5).style.height = `${area(graph).height}px`;
     return;
   }
-  dom.curves(graph).forEach(({ x, y, visible }, i) => {
+  dom.curves(graph).forEach(({ x, y, visible, line }, i) => {
     const across = visible === true ? along(xaxis, between(x, share)) : NaN;
-    draw(graph, CURSOR, i, across, along(yaxis, between(y, share))).classList.add("dot");
+    const dot = draw(graph, CURSOR, i, across, along(yaxis, between(y, share)));
+    dot.classList.add("dot");
+    dot.style.color = line.color;
   });
 }
 

@@ -94,24 +94,24 @@ export const CONTACTS = {
   top_block: ["top", -1],
 };
 
-const ASIDE = 1.1; // cm, how far beside the surface a friction force is drawn, on the side of the body on which it acts
+const ASIDE = 1.5; // cm, how far beside its contact or the spring a force is drawn at most, so that opposite arrows keep apart
 
 /**
  * The forces on every body, name → [the body on which it acts, x, y, newtons to the right or upwards]: at a contact two that are
  * opposite and equal. `forces` lie along the floor, `weights` upright.
  */
 export function forcesOn(known, g, shift) {
-  const over = moved(known, shift), beside = 0.22 * g.R, forces = {}, upright = {};
+  const over = moved(known, shift), beside = 0.22 * g.R, aside = Math.min(beside, ASIDE), forces = {}, upright = {};
   const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
   for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
     const other = contact.split("_")[1], x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
     const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
-    forces[`${contact} ${roller}`] = [roller, x, y - side * ASIDE, friction];
-    forces[`${contact} ${other}`] = [other, x, y + side * ASIDE, -friction];
+    forces[`${contact} ${roller}`] = [roller, x, y - side * aside, friction];
+    forces[`${contact} ${other}`] = [other, x, y + side * aside, -friction];
     upright[`${contact} ${roller}`] = [roller, x, y, normal];
     upright[`${contact} ${other}`] = [other, x, y, -normal];
   }
-  const along = g.slab.bottom + g.thick - ASIDE;
+  const along = g.slab.bottom + g.thick / 2 + aside;
   forces["spring slab"] = ["slab", g.slab.right + over.slab, along, FORMULAS.spring_force.slab(known)];
   forces["spring block"] = ["block", g.riser + over.block, along, FORMULAS.spring_force.block(known)];
   // Beside the line of a roller's normal forces, which would hide its weight.

@@ -68,17 +68,18 @@ export function makeLayers(root) {
   function drawScales() {
     const x = place.view.left + 2, above = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
     const first = Math.min(above + 20 * row, place.view.top - 3.5), step = (first - above - 9 * row) / 2;
-    const rows = [
-      ["speed", velocityArrow, "m/s", seenFrom === "block" ? WORDS.relative : "{speed}"],
-      ["force", forceArrow, "N", "{force}"],
-      ["weight", forceArrow, "N", WORDS.vertical],
-    ];
-    for (const [i, [name, draw, unit, sentence]] of rows.entries()) {
-      const value = roundBelow(peak[name]), length = value * per[name], y = first - i * step;
-      set(find(`.${name} path`), { d: draw(x, y, length, headOf(place.R)) });
-      const label = find(`.${name} text`), text = withUnit(number(value, 1), unit);
-      set(label, { x: x + length + 1.5, y: -y });
-      label.textContent = fill(sentence, { speed: text, force: text });
+    const second = first - step, upright = x + 27, head = headOf(place.R);
+    const scales = {
+      speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
+      force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
+      weight: ["N", (length) => [forceArrow(upright, second - length / 2, length, head, true), upright, second]],
+    };
+    for (const [name, [unit, drawn]] of Object.entries(scales)) {
+      const value = roundBelow(peak[name]), [d, end, y] = drawn(value * per[name]), label = find(`.${name} text`);
+      set(find(`.${name} path`), { d });
+      set(label, { x: end + 1.5, y: -y });
+      const sentence = name === "speed" && seenFrom === "block" ? WORDS.relative : "{speed}";
+      label.textContent = fill(sentence, { speed: withUnit(number(value, 1), unit) });
     }
   }
 

@@ -30,8 +30,8 @@ CONTACTS = {
 }
 """Contact → the two bodies that touch there."""
 _CM = 100.0
-# Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it.
-_LINES = {"hoop": {"width": 5.0}, "cylinder": {"dash": "6px 6px"}}
+# Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it, and one name stands for both.
+_LINES = {"hoop": {"width": 5.0, "label": _("lower<br>rollers")}, "cylinder": {"dash": "6px 6px", "label": ""}}
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
 """Kind of energy → what a figure calls that of a body."""
 
@@ -97,7 +97,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
 def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw the momentum of each body, which oscillates, and the two conserved ones, which are flat."""
     curves = [
-        _of_body(body, values, colors, width=1.5, dash=_LINES.get(body, {}).get("dash", "solid"))
+        _of_body(body, values, colors, **{**_LINES.get(body, {}), "width": 1.5})
         for body, values in motion.body_momenta.items()
     ]
     conserved = {
@@ -135,7 +135,8 @@ def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) 
 
 
 def _of_body(body: str, values: np.ndarray, colors: Mapping[str, str], **look: Any) -> Curve:
-    return Curve(PARTS[body], values, colors[body], PARTS[body], colors[f"{body}_ink"], **look)
+    look = {"label": PARTS[body], "ink": colors[f"{body}_ink"], **look}
+    return Curve(PARTS[body], values, colors[body], **look)
 
 
 def _panel(title: str, unit: str, curves: list[Curve], short: str = "") -> Panel:

@@ -6,7 +6,6 @@ from math import isqrt
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.figures import NORMALIZED
 from ramanujan.figures.taxicab import level_crossing
 from ramanujan.number_theory import BODIES
 from ramanujan.numerals import filled, number
@@ -74,7 +73,7 @@ def the_curve() -> None:
     story, machine = _reached(), sidebar.oscillator()
     target: Fraction = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
-    level, ratio = f"{NORMALIZED} = {target}", number(story.ratio, 10)
+    level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
     figure = level_crossing(
         *cache.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
         level=float(target),
