@@ -10,11 +10,11 @@ import sympy as sp
 from ramanujan import UNIT_MASS_RATIO, derivation
 from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
-from ramanujan.derivation.model import Machine, Omega_squared, k, m, m_prime, machine
+from ramanujan.derivation.model import Machine, Omega_squared, equation, k, m, m_prime, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import row
-from ramanujan.derivation.steps import Routes, equation
+from ramanujan.derivation.steps import Routes
 from ramanujan.derivation.templates import template
 
 TWO_MASSES = Numbers(2.0, 3.0, 50.0)

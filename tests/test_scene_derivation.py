@@ -12,11 +12,10 @@ from ramanujan.answers import QUESTIONS
 from ramanujan.answers import question as question_of
 from ramanujan.derivation import ROUTES, Route, Step, energy
 from ramanujan.derivation.energies import PARTS, terms
-from ramanujan.derivation.model import Omega_squared, k, m, machine
+from ramanujan.derivation.model import Omega_squared, equation, k, m, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.remarks import remarks
-from ramanujan.derivation.steps import equation
 from ramanujan.pages.derivation import cache
 
 PAGE = "ramanujan/pages/derivation/page.py"

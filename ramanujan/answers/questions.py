@@ -29,6 +29,7 @@ from ramanujan.derivation.model import (
     R,
     X,
     epsilon,
+    equation,
     m,
     m_prime,
     machine,
@@ -37,7 +38,6 @@ from ramanujan.derivation.model import (
 )
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import equation
 from ramanujan.translation import _
 
 POLYNOMIAL, QUOTIENT, NUMBER, EQUATION = "polynomial", "quotient", "number", "equation"

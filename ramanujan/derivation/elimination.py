@@ -5,9 +5,8 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.model import COORDINATES, Machine, Phi, R, X, epsilon, gather, k, m, m_prime, phi, t
+from ramanujan.derivation.model import COORDINATES, Machine, Phi, R, X, epsilon, equation, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.printers import in_order
-from ramanujan.derivation.steps import equation
 from ramanujan.translation import _
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)

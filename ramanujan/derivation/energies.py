@@ -7,9 +7,9 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.model import Machine, gather, k, m, m_prime, machine, t
+from ramanujan.derivation.model import Machine, equation, gather, k, m, m_prime, machine, t
 from ramanujan.derivation.printers import in_order
-from ramanujan.derivation.steps import Step, equation, step
+from ramanujan.derivation.steps import Step, step
 from ramanujan.translation import _
 
 PARTS = {

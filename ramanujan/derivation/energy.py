@@ -13,8 +13,8 @@ import sympy as sp
 
 from ramanujan.derivation import model
 from ramanujan.derivation.energies import energies
-from ramanujan.derivation.model import M_e, M_x, Machine, Omega_squared, Phi, R, X, gather, m_prime, phi, t
-from ramanujan.derivation.steps import ROUTES, Route, Step, equation, step
+from ramanujan.derivation.model import M_e, M_x, Machine, Omega_squared, Phi, R, X, equation, gather, m_prime, phi, t
+from ramanujan.derivation.steps import ROUTES, Route, Step, step
 from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)

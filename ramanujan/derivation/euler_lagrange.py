@@ -13,6 +13,7 @@ from ramanujan.derivation.model import (
     MOMENTA,
     Machine,
     Omega_squared,
+    equation,
     gather,
     k,
     m,
@@ -21,7 +22,7 @@ from ramanujan.derivation.model import (
     t,
 )
 from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, equation, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, step
 from ramanujan.translation import _
 
 

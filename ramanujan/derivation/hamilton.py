@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation import model
-from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, gather, phi, t
+from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, equation, gather, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, equation, step
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, step
 from ramanujan.translation import _
 
 p_phi = MOMENTA[COORDINATES.index(phi)]

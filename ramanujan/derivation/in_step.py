@@ -1,22 +1,17 @@
 """From Ω² to 1729: the mass ratio at which the machine is in step with a plain mass on the same spring, Ω² = k/m."""
 
-from __future__ import annotations
-
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from ramanujan.derivation import model
 from ramanujan.derivation.elimination import Elimination, unit_condition
-from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, k, m, m_prime
+from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, equation, k, m, m_prime
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import Step, blackboard, equation, step
+from ramanujan.derivation.steps import Step, blackboard, step
 from ramanujan.number_theory import sums_of_two_cubes
 from ramanujan.translation import _
-
-if TYPE_CHECKING:
-    from ramanujan.derivation.numbers import Numbers
 
 
 def close_to_one_step(normalized: sp.Expr) -> Step:

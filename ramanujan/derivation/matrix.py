@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation.energies import energies
-from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, gather
-from ramanujan.derivation.steps import ROUTES, Route, equation, step
+from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, equation, gather
+from ramanujan.derivation.steps import ROUTES, Route, step
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)

@@ -168,5 +168,14 @@ def gather(expression: sp.Expr, unknowns: tuple[sp.Expr, ...] = ACCELERATIONS + 
     )  # fmt: skip
 
 
+def equation(left: sp.Expr | str, right: sp.Expr) -> sp.Eq:
+    """Return left = right unevaluated, so that a true statement is not collapsed to True; text becomes a symbol.
+
+    >>> equation("v", sp.Integer(2)).lhs
+    v
+    """
+    return sp.Eq(sp.Symbol(left) if isinstance(left, str) else left, right, evaluate=False)
+
+
 def _rolling_on(surface: sp.Expr, angle: sp.Expr) -> sp.Expr:
     return surface + R * angle

@@ -24,8 +24,20 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ramanujan.derivation.energies import PARTS
-from ramanujan.derivation.model import ACCELERATIONS, Body, Machine, Omega_squared, R, gather, k, machine, phi, t
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, equation, step
+from ramanujan.derivation.model import (
+    ACCELERATIONS,
+    Body,
+    Machine,
+    Omega_squared,
+    R,
+    equation,
+    gather,
+    k,
+    machine,
+    phi,
+    t,
+)
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, step
 from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1

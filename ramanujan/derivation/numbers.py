@@ -16,10 +16,9 @@ from typing import Any
 import sympy as sp
 
 from ramanujan.derivation import model
-from ramanujan.derivation.elimination import UnitCondition, unit_condition
-from ramanujan.derivation.model import k, m, m_prime
+from ramanujan.derivation.elimination import UnitCondition, eliminate, unit_condition
+from ramanujan.derivation.model import k, m, m_prime, machine
 from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
-from ramanujan.derivation.steps import ROUTES
 from ramanujan.translation import _
 
 _DIGITS_OF_A_FLOAT = 15
@@ -135,7 +134,7 @@ def with_decimal(value: sp.Expr, digits: int = 5) -> str:
 @cache
 def unit_frequency_condition() -> UnitCondition:
     """Return the condition for Ω² = k/m of the machine itself: its quadratic in ε, the root ε*, and 1729."""
-    return unit_condition(ROUTES["euler_lagrange"].natural_frequency_squared)
+    return unit_condition(eliminate(machine()).natural_frequency_squared)
 
 
 def _entered(value: float) -> sp.Rational:

@@ -12,9 +12,8 @@ import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.matrix import Modes, modes
-from ramanujan.derivation.model import COORDINATES, Machine, Omega_squared, X, k, m, machine, phi, t
+from ramanujan.derivation.model import COORDINATES, Machine, Omega_squared, X, equation, k, m, machine, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import equation
 from ramanujan.translation import _
 
 

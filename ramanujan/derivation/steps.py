@@ -3,22 +3,18 @@
 An equation is always a SymPy object. Prose may name a symbol, but it never states a result.
 """
 
-from __future__ import annotations
-
 from collections import UserDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
 from ramanujan.derivation.model import Machine, m, machine
+from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.translation import _
-
-if TYPE_CHECKING:
-    from ramanujan.derivation.numbers import Numbers
 
 
 @dataclass(frozen=True)
@@ -42,12 +38,12 @@ class Step:
     heading: str
     reason: str
     equations: tuple[sp.Eq, ...]
-    special: Callable[[Numbers], Step] | None = None
+    special: Callable[[Numbers], "Step"] | None = None
     labels: tuple[str, ...] = ()
     operations: tuple[str, ...] = ()
     marks: tuple[sp.Expr, ...] = ()
 
-    def about(self, numbers: Numbers | None) -> Step:
+    def about(self, numbers: Numbers | None) -> "Step":
         """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
         return self.special(numbers) if numbers and self.special else self
 
@@ -131,12 +127,3 @@ class Routes(UserDict[str, Route]):
 
 ROUTES = Routes()
 """The routes of the package; `ramanujan.derivation` imports the files that add theirs."""
-
-
-def equation(left: sp.Expr | str, right: sp.Expr) -> sp.Eq:
-    """Return left = right unevaluated, so that a true statement is not collapsed to True; text becomes a symbol.
-
-    >>> equation("v", sp.Integer(2)).lhs
-    v
-    """
-    return sp.Eq(sp.Symbol(left) if isinstance(left, str) else left, right, evaluate=False)

@@ -16,12 +16,11 @@ from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.energies import belongs_to, names, terms
 from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_notebook
 from ramanujan.derivation.matrix import Modes, modes
-from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, machine
+from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import InOrder, colored
 from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Dress, Row, aligned, row, rows
-from ramanujan.derivation.steps import equation
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way, route

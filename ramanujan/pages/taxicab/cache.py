@@ -14,10 +14,9 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import normalized_frequency_squared, number_theory
-from ramanujan.derivation.model import epsilon
+from ramanujan.derivation.model import epsilon, equation
 from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import equation
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BodyChoice
 from ramanujan.shell.cache import giving_way, route
