@@ -28,8 +28,8 @@ LATE, LEFT = 3, 5
 ASK_WHEN_TOLD = """(() => {
   const asks = new Map(), begin = setInterval, end = clearInterval;
   globalThis.setInterval = (ask, pause, ...more) => {
-    const id = begin(pause > 400 ? () => undefined : ask, pause, ...more);
-    if (pause > 400) asks.set(id, ask);
+    const id = begin(pause >= 300 ? () => undefined : ask, pause, ...more);
+    if (pause >= 300) asks.set(id, ask);
     return id;
   };
   globalThis.clearInterval = (id) => (asks.delete(id), end(id));
@@ -107,11 +107,11 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
             each.bring_to_front()
             wrong.extend((stop.id, state, each.viewport_size["width"], said) for said in each.evaluate(WRONG))
 
-    def followed() -> None:
-        """Wait until the walls' machines stand where that of the desk does."""
-        place = desk.evaluate(AT)
+    def followed(leader: Page) -> None:
+        """Wait until the machines of walls and desks stand where that of the desk does that was touched last."""
+        place = leader.evaluate(AT)
         assert not place["playing"]
-        for each in walls:
+        for each in (desk, *walls):
             while [each.evaluate(AT)[key] for key in ("time", "periods")] != [
                 pytest.approx(place[key], abs=1e-4) for key in ("time", "periods")
             ]:
@@ -175,17 +175,18 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
         assert wall.get_by_text("This is right").count() == 0
         whole("running")
         if number == 1:
-            # A wall that is opened later begins where the others are.
-            stage = desk.locator(".st-key-stage_two-clocks_0")
+            # Another desk and a wall that is opened later begin where the others are, and each desk follows the other.
             for _ in range(2):
-                stage.locator("[data-do=play]").click()
+                desk.locator(".st-key-stage_two-clocks_0 [data-do=play]").click()
                 desk.wait_for_timeout(400)
-            followed()
-            stage.locator(".scrub input").fill("0.7")
-            settle(desk)
-            walls.append(screen(query, *SIZES[2]))
-            followed()
-            walls.pop().close()
+            followed(desk)
+            walls += [screen(desk.url.partition("?")[2]), screen(query, *SIZES[2])]
+            for leader, place in ((desk, "0.7"), (walls[2], "0.2")):
+                leader.locator(".st-key-stage_two-clocks_0 .scrub input").fill(place)
+                settle(leader)
+                followed(leader)
+            for each in (walls.pop(), walls.pop()):
+                each.close()
         press(".st-key-class_desk :text('This is right')")
         wall.get_by_text("This is right").wait_for()
         assert picture.is_visible()
@@ -193,7 +194,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
         if number == 1:
             desk.locator(".st-key-moment button").click()
             settle(desk)
-            followed()
+            followed(desk)
             assert wall.evaluate(AT)["periods"] == pytest.approx(stop.periods)
         if number % 3 != 2:
             continue

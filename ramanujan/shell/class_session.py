@@ -25,6 +25,8 @@ from ramanujan.shell.browser_cookie import NAME
 from ramanujan.shell.class_keys import CLASS, LECTURER, WALL
 from ramanujan.shell.parameters import MACHINE
 
+FOLLOWED_EVERY = 0.3
+"""Seconds between two looks of a wall, or of another desk, at what the desk shows."""
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
 _WAITS = "class_waits"
 """Session state: the code of the class in which this session gets a seat in a moment."""
@@ -187,11 +189,13 @@ def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
     key = key_held()
     with suppress(ClassError):
         if key and shared().question(parts_of(key)[0]).stop == stop.id:
-            shared().set_seen(key, json.dumps({"stop": stop.id, **seen}))
+            text = json.dumps(told := {"stop": stop.id, **seen})
+            shared().set_seen(key, text)
+            st.session_state[_FOLLOWED] = text, {**told, "ago": 0.0, "own": True}
 
 
 def follow(code: str) -> None:
-    """Let the stage of this screen show what is seen at the desk; told once, since from then on it runs by itself."""
+    """Let the stage of this screen, also of another desk, show what is seen at the desk; then it runs by itself."""
     text, ago = shared().seen(code)
     if text is None:
         return

@@ -70,15 +70,18 @@ class Stage {
     this.picture.show(this.layers);
     this.resume(this.keeper.paused());
     this.calmed();
-    this.follow(bus.last(`seen/${this.clockName}`));
+    this.follow(bus.last(`seen/${this.clockName}`), true);
     this.draw(0); // at once: the machine is seen a frame earlier
   }
 
-  /** Show what is seen at the desk of a class: layers and view, and where the machine stands there or since when it runs. */
-  follow(seen) {
+  /**
+   * Show what is seen at the desk of a class: layers and view, and where the machine stands there or since when it runs. A stage
+   * that was told so by its own desk shows that already, unless it has just begun.
+   */
+  follow(seen, begins = false) {
     if (seen && !arrived.has(seen)) arrived.set(seen, performance.now());
     const at = 2 * [...this.clock.stages].indexOf(this), turns = seen?.turns.split(",").slice(at, at + 2).map(Number) ?? [];
-    if (!this.solution || turns.length < 2) return;
+    if (!this.solution || turns.length < 2 || (seen.own && !begins)) return;
     const { Omega, plain } = this.solution, { layers, from, speed, pace, ago } = seen;
     const passed = pace * (ago + (performance.now() - arrived.get(seen)) / 1000);
     Object.assign(this.clock, { speed, seenFrom: from });

@@ -118,7 +118,14 @@ def panel(stop: Stop, phase: Phase) -> None:
     """
     st.session_state.setdefault(_SEEN, None)
     class_session.tell_settings(key_held())
+    _follow_stage(parts_of(key_held())[0])
     _desk(stop, phase)
+
+
+@st.fragment(run_every=class_session.FOLLOWED_EVERY)
+def _follow_stage(code: str) -> None:
+    """Show what is seen at another desk of this class."""
+    class_session.follow(code)
 
 
 def closing() -> None:

@@ -16,9 +16,6 @@ from ramanujan.pages.lesson import class_results, stops
 from ramanujan.shell import address, class_session, display_mode
 from ramanujan.translation import _
 
-EVERY = 0.5
-"""Seconds between two looks at what is new."""
-
 NOTHING_TO_TURN = (
     "<style>html:root { font-size: min(2.6vh, 1.7vw) } "
     "#root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
@@ -78,7 +75,7 @@ def _show(code: str, stop: Stop, question: Question) -> None:
             class_results.comment(code, stop, question.vote)
 
 
-@st.fragment(run_every=EVERY)
+@st.fragment(run_every=class_session.FOLLOWED_EVERY)
 def _watch(code: str, drawn: Question) -> None:
     """Draw what changes all the time, and run the whole page where the class has gone on."""
     try:
