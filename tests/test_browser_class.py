@@ -28,8 +28,8 @@ LATE, LEFT = 3, 5
 ASK_WHEN_TOLD = """(() => {
   const asks = new Map(), begin = setInterval, end = clearInterval;
   globalThis.setInterval = (ask, pause, ...more) => {
-    const id = begin(pause >= 300 ? () => undefined : ask, pause, ...more);
-    if (pause >= 300) asks.set(id, ask);
+    const id = begin(pause > 400 ? () => undefined : ask, pause, ...more);
+    if (pause > 400) asks.set(id, ask);
     return id;
   };
   globalThis.clearInterval = (id) => (asks.delete(id), end(id));

@@ -16,6 +16,7 @@ from ramanujan import Oscillator
 from ramanujan.shell import navigation
 from tests.browser import inside, next_frame, press_preset, settle, thumb
 from tests.slow_network import network
+from tests.test_browser_class import ASK_WHEN_TOLD
 from tests.test_browser_controls import hold, normalized
 
 CHANGES = int(os.environ.get("RAMANUJAN_CHANGES", "1"))
@@ -45,8 +46,8 @@ def late(visit, server) -> Iterator[Callable]:
     with network(server) as way:
         pages = []
 
-        def open_page(link: str = "?hide=curve,steps", **options: object):
-            pages.append(visit(link, network=way.address, **options))
+        def open_page(link: str = "?hide=curve,steps", *scripts: str, **options: object):
+            pages.append(visit(link, *scripts, network=way.address, **options))
             return pages[-1]
 
         def by(seconds: float) -> None:
@@ -341,3 +342,26 @@ def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_t
     seen("Ramanujan’s oscillator")
     page.go_forward()
     seen("Many ways to one frequency")
+
+
+def test_a_wall_keeps_its_question_and_one_small_notice_while_the_server_is_away(late, visit):
+    desk = visit("lesson", ASK_WHEN_TOLD)
+    desk.locator(".st-key-class_door button").first.click()
+    desk.locator(".st-key-class_open button").click()
+    link = desk.get_by_role("link", name="Open the wall").get_attribute("href")
+    desk.locator(".st-key-class_ask button").click()
+    settle(desk)
+    wall = late(f"lesson?{link.partition('?')[2]}", ASK_WHEN_TOLD)
+    question, notice = wall.locator(".st-key-wall_asked h1"), wall.locator(".away")
+    question.wait_for()
+    assert not notice.is_visible()
+    late.way.down()
+    # Streamlit opens its box after some tries, where it is not seen.
+    wall.locator(".stDialog").wait_for(state="attached", timeout=60_000)
+    expect(notice).to_be_visible()
+    expect(wall.locator(".stDialog")).to_be_hidden()
+    box = notice.bounding_box()
+    assert box["width"] * box["height"] < 0.05 * 1280 * 720
+    late.way.up()
+    expect(notice).to_be_hidden(timeout=60_000)
+    assert question.is_visible()

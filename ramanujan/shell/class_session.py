@@ -25,7 +25,7 @@ from ramanujan.shell.browser_cookie import NAME
 from ramanujan.shell.class_keys import CLASS, LECTURER, WALL
 from ramanujan.shell.parameters import MACHINE
 
-FOLLOWED_EVERY = 0.3
+FOLLOWED_EVERY = 0.5
 """Seconds between two looks of a wall, or of another desk, at what the desk shows."""
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
 _WAITS = "class_waits"
