@@ -111,9 +111,10 @@ export function forcesOn(known, g, shift) {
     upright[`${contact} ${roller}`] = [roller, x, y, normal];
     upright[`${contact} ${other}`] = [other, x, y, -normal];
   }
-  const along = g.slab.bottom + g.thick / 2 + aside;
-  forces["spring slab"] = ["slab", g.slab.right + over.slab, along, FORMULAS.spring_force.slab(known)];
-  forces["spring block"] = ["block", g.riser + over.block, along, FORMULAS.spring_force.block(known)];
+  // Of a stretched spring they point at each other.
+  const axis = g.slab.bottom + g.thick / 2;
+  forces["spring slab"] = ["slab", g.slab.right + over.slab, axis + aside, FORMULAS.spring_force.slab(known)];
+  forces["spring block"] = ["block", g.riser + over.block, axis - aside, FORMULAS.spring_force.block(known)];
   // Beside the line of a roller's normal forces, which would hide its weight.
   for (const [name, [x, y]] of Object.entries(g.home)) {
     const aside = ROLLERS.includes(name) ? beside : 0;

@@ -68,7 +68,8 @@ export function makeLayers(root) {
   function drawScales() {
     const x = place.view.left + 2, above = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
     const first = Math.min(above + 20 * row, place.view.top - 3.5), step = (first - above - 9 * row) / 2;
-    const second = first - step, upright = x + 27, head = headOf(place.R);
+    const second = first - step, head = headOf(place.R);
+    const upright = x + 1.8 * Math.max(place.R, 8) + 0.09 * (place.view.right - place.view.left);
     const scales = {
       speed: ["m/s", (length) => [velocityArrow(x, first, length, head), x + length, first]],
       force: ["N", (length) => [forceArrow(x, second, length, head), x + length, second]],
