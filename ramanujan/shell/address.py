@@ -142,7 +142,7 @@ class Text(URLParameter):
 
 
 def opened(page: str, parameters: Sequence[URLParameter]) -> list[str]:
-    """Read the address if a page has just been opened or gone back to; return what is to be said of it.
+    """Read the address if a page has just been opened or gone back to; return the messages about it.
 
     Call it once a run, before any of their widgets is drawn.
 
@@ -169,7 +169,7 @@ def held(parameter: URLParameter) -> Any:
 
 
 def keep(*parameters: URLParameter) -> Any:
-    """Write into the address what is chosen, and return the last of it.
+    """Write the chosen values into the address, and return the last of them.
 
     A default is left out, and so is what a bound widget cannot use.
     """
@@ -212,7 +212,7 @@ def _read(parameter: URLParameter) -> tuple[Any, str | None]:
 
 
 def _take(parameter: URLParameter, back: bool) -> str | None:
-    """Put what the address says of a parameter into the session, or drop it and return a sentence."""
+    """Put a parameter of the address into the session, or drop it and return a sentence."""
     value, sentence = _read(parameter)
     # A bound slider takes by itself what it can use, and drops the rest.
     if parameter.bound:

@@ -1,4 +1,4 @@
-"""What is computed once and kept: the only caches of the app, each bounded, one file for each page.
+"""The only caches of the app: each is bounded, and each page has a file of its own.
 
 A page asks here for anything that costs more than a moment. Keys are plain numbers. What only one page needs is
 imported in that page's file, so that the first page does not pay for the others.

@@ -1,4 +1,4 @@
-"""What the address of every page says of a class, so that a reload anywhere loses nobody:
+"""The URL parameters of a class. Every page keeps them, so that a reload loses nobody:
 
     class       the code, in everybody's address; alone it is the link that students get
     lecturer    the lecturer's key, in the lecturer's own address

@@ -37,7 +37,7 @@ _HERE = "here"
 _SETTINGS = "class_settings"
 """Session state: the settings of the desk, as this screen last told or took them."""
 _FOLLOWED = "class_followed"
-"""Session state: what the desk has told of its stage, and what this screen’s stage was told of it."""
+"""Session state: the desk’s last message about its stage, and what this screen’s stage got of it."""
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
 """Session state: why the last thing that somebody did here was refused."""
@@ -85,7 +85,7 @@ def wall_held() -> str | None:
 
 
 def phase_of(stop: Stop) -> Phase | None:
-    """Return how far the class has come with a stop; None for whoever is no lecturer."""
+    """Return how far the class has come with a stop; None unless this is the lecturer’s session."""
     if (key := key_held()) is None:
         return None
     try:

@@ -1,10 +1,10 @@
-"""What the app says to a person about what was entered: on the page about its address, at a slider about its box."""
+"""Messages about a person’s input: on the page about its address, at a slider about its box."""
 
 import streamlit as st
 
 _ABOUT_ADDRESS = "messages_address"
 _NOTES = "messages_notes"
-"""Session state: key of a parameter → what is to be said at its box in the next run, and whether it is a warning."""
+"""Session state: key of a parameter → the message at its box in the next run, and whether it is a warning."""
 _SHOWN = "messages_shown"
 _RUN_AGAIN = "run_again"
 
@@ -33,7 +33,7 @@ def note(key: str, sentence: str, warning: bool = False) -> None:
 
 
 def show_note(key: str) -> None:
-    """Draw what is to be said at the box of a parameter."""
+    """Draw the message at the box of a parameter."""
     if found := st.session_state.get(_SHOWN, {}).get(key):
         sentence, warning = found
         (st.warning if warning else st.info)(sentence)
@@ -45,12 +45,12 @@ def are_shown() -> bool:
 
 
 def stay() -> None:
-    """Let what has been said to the person stay in the run that follows, which the page asks for itself."""
+    """Keep the messages in the run that follows, which the page asks for itself."""
     st.session_state[_RUN_AGAIN] = True
 
 
 def run_again() -> None:
-    """Run the page again by itself, to show what has come in; what has been said to the person stays."""
+    """Run the page again to show what has come in; the messages stay."""
     stay()
     st.rerun()
 

@@ -58,7 +58,7 @@ class Page:
         return self._says("lead", lambda: False)()
 
     def uses_sidebar(self) -> bool:
-        """Tell whether what the sidebar sets matters on the page as it is now; else the sidebar is folded."""
+        """Tell whether the page, as it is now, depends on the sidebar; else the sidebar is folded."""
         return self._says("uses_sidebar", lambda: True)()
 
     def withheld(self) -> Collection[str]:

@@ -37,7 +37,7 @@ if brotli:
     # A quarter smaller. With this quality it is as quick as gzip; one more takes thirty times as long, for a tenth.
     _PACKERS = {"br": lambda content: brotli.compress(content, quality=9), **_PACKERS}
 _KEPT: dict[tuple[Hashable, str], asyncio.Task[bytes]] = {}
-"""What is packed and its content coding → the packed content, perhaps still in the making."""
+"""Name of a file and content coding → the packed content, perhaps still in the making."""
 
 _STREAMLIT = Path(st.__file__).parent / "static"
 _TYPES = {"js": "text/javascript", "css": "text/css", "woff2": "font/woff2"}
@@ -143,7 +143,7 @@ async def _packed(
     if (name, coding) not in _KEPT:
         _KEPT[name, coding] = asyncio.create_task(run_in_threadpool(lambda: _PACKERS[coding](read())))
     try:
-        # Whoever leaves takes nothing away from the others.
+        # A client that leaves must not cancel the packing for the others.
         content = await asyncio.shield(_KEPT[name, coding])
     except Exception:
         _KEPT.pop((name, coding), None)
@@ -164,7 +164,7 @@ def _coding(accepted: str) -> str | None:
 
 @cache
 def _policy() -> str:
-    """Return what the page may load: what comes from its own server, and what its scripts make themselves.
+    """Return the content security policy: the page loads files of its own server, and what its scripts make.
 
     Streamlit imports the scripts of components from blobs and computes with WebAssembly; it and Plotly write rules of
     style into the page. Of the scripts in the page itself only those of Streamlit's start page may run.

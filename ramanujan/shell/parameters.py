@@ -1,4 +1,4 @@
-"""What a person sets with a slider: name, symbol, words, unit, range and step of each; how a typed number is read."""
+"""The parameters that sliders set: name, symbol, words, unit, range and step; how a typed number is read."""
 
 import math
 import re
@@ -55,13 +55,13 @@ class Parameter(URLParameter):
 
     @property
     def label(self) -> str:
-        """The name of the slider, for those who do not see what stands above it."""
+        """The name of the slider for screen readers."""
         unit = f" [{self.unit}]" if self.unit else ""
         return f"{self.meaning}, {self.symbol}{unit}"
 
     @property
     def value(self) -> float:
-        """The value, in this unit; before the slider is drawn, what the address says."""
+        """The value in this unit; before the slider is drawn, that of the address."""
         if self.name not in st.session_state and self.name in st.query_params and fits(self):
             return self.read(st.query_params[self.name])
         return st.session_state.get(self.name, self.default)

@@ -26,7 +26,7 @@ _UPDATES = "updates"
 
 @dataclass
 class _Updates:
-    """What the page may not have heard of.
+    """Values of which the page may not have heard.
 
     It is changed in place and first: each access to the session is a place where Streamlit may break off a run.
     """
@@ -45,7 +45,7 @@ def set_widgets(values: Mapping[str, Any]) -> None:
 
 
 def reassert() -> None:
-    """Set again what the page had not heard of when it wrote its last message.
+    """Set again the values of which the page had not heard when it wrote its last message.
 
     Call it before anything reads or draws the widgets: at the start of a run, and of each callback.
     """

@@ -1,4 +1,4 @@
-"""What the server does before any visitor comes, and for all of them alike: warm up, offer the page's files."""
+"""The server’s own work, before any visitor and for all alike: it warms up, and offers the page’s files."""
 
 import gc
 from collections.abc import AsyncIterator

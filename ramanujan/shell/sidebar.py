@@ -96,7 +96,7 @@ def presets(offered: Collection[str]) -> None:
 
 
 def symbols() -> None:
-    """Draw the list of symbols; it is sent to those who open it: else it would be a twentieth of every change."""
+    """Draw the list of symbols. Only an open list is sent: it would be a twentieth of every change."""
     with st.expander(_("Symbols"), key="symbols", on_change="rerun") as opened:
         if opened.open:
             entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
@@ -127,7 +127,7 @@ def followed() -> dict[str, object]:
 
 
 def _moved() -> None:
-    """Rerun what follows the machine alone, unless more has changed or a page that was broken off is still due.
+    """Rerun only the fragments that follow the machine, unless more has changed or a run was broken off.
 
     Only a browser keeps the rest of the page: for a test without one, the whole page runs.
     """
@@ -237,7 +237,7 @@ def holds(machine: Oscillator, metres: float) -> bool:
 
 def _on_sliders(machine: Oscillator, metres: float) -> dict[str, float]:
     """Return what each slider says of a machine, in its own unit."""
-    # Ten digits keep 8 cm from turning into 8.000000000000002 cm; what is in SI units keeps all of its digits.
+    # Ten digits keep 8 cm from turning into 8.000000000000002 cm. Values in SI units keep all of their digits.
     return {
         key: value if PARAMETERS[key].scale == 1 else round(value / PARAMETERS[key].scale, 10)
         for key, value in {**{name: getattr(machine, name) for name in MACHINE}, "compression": metres}.items()

@@ -1,4 +1,4 @@
-"""The stages of the pages: each hides what the link hides, and follows the sliders of the sidebar.
+"""The stages of the pages: each hides the parts that the link names, and follows the sliders of the sidebar.
 
 The page itself writes into the address what is seen of a stage (keeper.js): its layers, its speed, from where it is
 seen, and where it is paused, as the periods since release of machine and plain mass, for every machine on one clock.
@@ -17,7 +17,7 @@ LIMITS = PARAMETERS["compression"].limits
 
 
 def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
-    """Return the parameters of the URL that keep what is seen of the stages with this prefix."""
+    """Return the URL parameters that keep the view of the stages with this prefix."""
     refused = _("The value of {name} in the address was ignored: it must be periods, with commas between them.")
     turns = r"-?\d{1,6}(\.\d{1,6})?"
     return (
@@ -29,7 +29,7 @@ def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
 
 
 URL_PARAMETERS = url_parameters()
-"""What every page keeps in its address."""
+"""Every page keeps these in its address."""
 
 
 def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:

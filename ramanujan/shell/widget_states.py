@@ -1,4 +1,4 @@
-"""What comes from a page as a widget's state, checked before Streamlit reads it.
+"""Checks the widget states that a page sends, before Streamlit reads them.
 
 A browser sends what the widget on its page holds. Whoever writes to the server without one can send anything, and
 Streamlit would then read a text where a number belongs: every run of that session ends with an exception in the log.
@@ -63,7 +63,7 @@ class CheckedStates:
         await self.app(scope, checked, noted)
 
     def _note(self, delta: Any) -> None:
-        """Remember what the widget holds that a page is sent, if it is one."""
+        """Remember which field the widget of a message has, if the message draws one."""
         kind = delta.new_element.WhichOneof("type")
         if kind not in _HOLDS:
             return
@@ -91,7 +91,7 @@ class CheckedStates:
         return asked.SerializeToString()
 
     def _fits(self, state: WidgetState) -> bool:
-        """Tell whether a state may be that of its widget; what an unknown one holds is unknown."""
+        """Tell whether a state may be that of its widget; an unknown widget may have any."""
         field = state.WhichOneof("value")
         expected = "json_trigger_value" if state.id.endswith(_EVENTS) else self._fields.get(state.id, field)
         if field in ("json_value", "json_trigger_value"):

@@ -12,7 +12,7 @@ from ramanujan.shell.parameters import LONGEST, Parameter
 from ramanujan.translation import _
 
 Words = Mapping[Any, str]
-"""Option → what the person reads; a widget needs them where the options themselves do not bring them."""
+"""Option → its label; a widget needs them where the options bring no labels."""
 
 
 def segmented_control(key: Choice, label: str, words: Words | None = None, **more: Any) -> Any:
@@ -144,7 +144,7 @@ def page_slider(parameter: Parameter) -> float:
 
 
 def head(parameter: Parameter) -> dict[str, Any]:
-    """Return what stands at the head of a slider: its names, and what its box must know."""
+    """Return the head of a slider: its names, and the settings of its box."""
     return {
         "symbol": parameter.symbol,
         "unit": parameter.unit,

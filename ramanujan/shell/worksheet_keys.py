@@ -1,4 +1,4 @@
-"""Keys of worksheets and exercises: whoever makes one has its key, and its name, which others have, leads to no key.
+"""Keys of worksheets and exercises: the author has the key, the others have the name, and a name leads to no key.
 
 The name is a hash of the key, so that the two need not be kept anywhere: a link works on every server and for ever. A
 signature would need a secret of the server: with another one, after a move or on the laptop in the classroom, no link

@@ -120,7 +120,7 @@ def verdict(name: str, text: str) -> Verdict:
 
 @st.cache_data(show_spinner=False, max_entries=512)
 def as_read(text: str, is_equation: bool = False) -> str | None:
-    """Return the LaTeX of what the parser understands, or None where it does not understand."""
+    """Return a formula as LaTeX, as the parser has read it, or None if it cannot read it."""
     try:
         return typeset(text, is_equation=is_equation)
     except UnreadableError:

@@ -201,7 +201,7 @@ def draw(setting: Setting, number: int) -> None:
 
 @st.fragment
 def result(route: str, equations: str, asked: tuple[str, ...]) -> None:
-    """Draw the equations of a step; who wants to type one first sees them once it is right."""
+    """Draw the equations of a step. A reader who types one first sees them once it is right."""
     if asked and st.toggle(_("Type it yourself first"), key=f"first_{route}_{asked[0]}"):
         key = f"asked_{route}_{asked[0]}"
         name = asked[0] if len(asked) == 1 else st.selectbox(_("Which one?"), asked, format_func=title, key=key)

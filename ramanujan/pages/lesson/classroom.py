@@ -31,7 +31,7 @@ _LONGEST_CODE = 20
 NOTHING_TO_SET = """<style>@media (width < 1000px) {
   :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
 }</style>"""
-"""On a phone whose owner answers. A rule for all pages would need :has(), and phones half of their time for styles."""
+"""For the phone of a student. A rule for all pages would need :has(), which makes styles twice as slow."""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine a phone was last drawn with, and whether it runs."""
 _SEEN = "class_seen"
@@ -71,7 +71,7 @@ def _question(seat: Seat) -> Question | None:
 
 
 def door() -> None:
-    """Let a lecturer open a class, and a student join one; for whoever is in a class there is nothing to draw."""
+    """Let a lecturer open a class, and a student join one; draw nothing for those who are in a class."""
     if key_held() or seat_held():
         return
     with st.popover(_("Class"), icon=":material/groups:", key="class_door"):
@@ -85,7 +85,7 @@ def door() -> None:
             if st.form_submit_button(_("Join"), type="primary"):
                 attempt(class_session.take_seat, code)
                 st.rerun()
-        # Whoever typed a code looks here, and sees nothing of what stands below.
+        # A student who typed a code looks here and does not see what stands below.
         if code:
             _warn()
         _for_lecturers()
@@ -282,7 +282,7 @@ def _votes(key: str, name: str, **more: str) -> None:
 
 
 def _seats(key: str) -> None:
-    """Draw who sits in the class, and what helps against somebody who fills it with seats."""
+    """Draw who sits in the class, and the controls against somebody who fills it with seats."""
     classes = shared()
     seats = classes.seats(key)
     st.markdown(class_results.taken(seats))
@@ -330,7 +330,7 @@ def _waiting() -> None:
 
 @st.fragment(run_every=PHONE_EVERY)
 def _phone() -> None:
-    """Draw what a student is asked now, and look every few seconds whether it is still that."""
+    """Draw the student’s present question, and look every few seconds whether it is still that one."""
     if (seat := seat_held()) is None:
         st.rerun()
     try:
@@ -381,7 +381,7 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
     key = f"class_answer_{stop.id}_{question.vote.asking}_{question.vote.number}"
-    # What the database says counts, also after a reload and after an answer that came too late.
+    # The database decides, also after a reload and after an answer that came too late.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
     st.radio(

@@ -33,7 +33,7 @@ def show() -> None:
         exercise.show(items)
     else:
         lesson_parts()
-    # Also what the present part of the page does not draw.
+    # Also the parameters of parts that are not drawn now.
     address.keep(*URL_PARAMETERS)
 
 

@@ -1,4 +1,4 @@
-"""What the motion page keeps: its motion, and the figures of it, for the settings that were asked for."""
+"""The caches of the page Motion: the motion and its figures, for the settings that were asked for."""
 
 from collections.abc import Mapping
 from dataclasses import replace

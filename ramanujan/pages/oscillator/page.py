@@ -47,7 +47,7 @@ def show() -> None:
             composition()
     tell_machine()
     if first_run.alone():
-        # Room for what comes: with a scroll bar that comes later the machine would jump.
+        # Room for the rest of the page: a scroll bar that comes later would move the machine.
         st.container(height=5000, border=False)
         return
     if not display_mode.hides("curve"):
@@ -255,7 +255,7 @@ def in_display(formula: str) -> str:
 
 
 def on_slides(steps: list[cache.SummaryStep]) -> None:
-    """Draw the steps on slides of the projector, the first two on one; what has no room below stands beside."""
+    """Draw the steps on slides of the projector, the first two on one; numbers stand beside where there is no room."""
     starts = (0, 2, 3, 4, 5)
     for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
         with slide(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):

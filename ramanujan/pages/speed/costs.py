@@ -61,7 +61,7 @@ def _ask() -> None:
 
 
 def measure(periods: int) -> None:
-    """Take what is missing of the diagram, part by part, with a progress bar.
+    """Measure the missing parts of the diagram one by one, with a progress bar.
 
     Streamlit breaks the script off at the next report of progress if the person presses Stop, moves a slider or leaves.
     What has been found until then stays.

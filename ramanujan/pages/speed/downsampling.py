@@ -1,4 +1,4 @@
-"""What the experiments of page 5 found, downsampled to what a screen can show: fewer numbers for stage and figures."""
+"""The results of the experiments of page 5, downsampled to the pixels of a screen, for stage and figures."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -50,7 +50,7 @@ class Run:
 
 
 def played(run: Run) -> dict[str, Any]:
-    """Return what the stage plays of a run; beyond the room it hangs at the edge."""
+    """Return the part of a run that the stage plays; beyond its room the slab stays at the edge."""
     q = np.clip(np.nan_to_num(run.q, nan=ROOM), -ROOM, ROOM)
     spent = evaluations_of(run.method, run.steps * np.arange(run.periods + 1)).clip(0)
     log = [[number(cost, 6), number(off)] for cost, off in zip(spent.tolist(), run.turns.tolist(), strict=True)]

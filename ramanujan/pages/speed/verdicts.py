@@ -1,4 +1,4 @@
-"""What the experiments of page 5 found, in sentences and tables: every number in them is looked up in the results."""
+"""The results of the experiments of page 5 in sentences and tables; every number is looked up in the results."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -193,7 +193,7 @@ _RETURNS = {
 
 
 def _word(sweep: Sweep, stretch: Stretch) -> str:
-    """Return what a form returns in a stretch; −0 is told from 0, and of wrong values the usual one is named."""
+    """Return the value of a form in a stretch: −0 differs from 0, and of wrong values the median is named."""
     inside = sweep.value[(sweep.x >= stretch.first) & (sweep.x <= stretch.last)]
     if stretch.verdict == ZERO and np.signbit(inside).all():
         return "−0"
@@ -220,7 +220,7 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
 
 
 def zero_modes(sweeps: Sequence[EigenSweep]) -> str:
-    """Say which solvers find both zero modes exactly, and how often the others return what is no frequency."""
+    """Say which solvers find both zero modes exactly, and how often the others return no frequency."""
     said = [
         _("**{solver}** returns a negative or complex eigenvalue for a zero mode in {count} of {all} machines.").format(
             solver=SOLVERS[s.solver].title, count=int(s.without_frequency.sum()), all=s.error_ulp.size

@@ -65,7 +65,7 @@ def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[
 
 
 def written(question: Question, with_key: bool) -> tuple[str, ...]:
-    """Return what is written of a question, as pieces of Markdown."""
+    """Return a question as pieces of Markdown."""
     options = "\n".join(f"- {option}" for option in question.options)
     if not with_key:
         return question.text, options, question.blanks
@@ -96,7 +96,7 @@ def choose() -> tuple[str, str, int]:
 
 
 def name_of_worksheet() -> None:
-    """Draw the box with the worksheet’s name; who has it on paper types it there."""
+    """Draw the box with the worksheet’s name, into which a reader types the name on their paper."""
 
     def take() -> None:
         if name := worksheet_keys.read_name(st.session_state["worksheet_name"]):
