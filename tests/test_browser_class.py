@@ -1,7 +1,11 @@
-"""A class in browsers: a desk on a phone, two walls, five voters, the short lesson, and the file of the votes."""
+"""A class in browsers: a desk on a phone, two walls, five voters, the short lesson, and the file of the votes.
+
+Every fourth stop of the whole lesson is looked at on the wall, or all of them where RAMANUJAN_DEEP is set.
+"""
 
 import csv
 import io
+import os
 import random
 from collections import Counter
 from pathlib import Path
@@ -12,7 +16,8 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 
 from ramanujan import lesson
-from tests.browser import settle
+from ramanujan.lesson.classes import Phase, shared
+from tests.browser import next_frame, settle
 
 WRONG = (Path(__file__).parent / "wall.js").read_text(encoding="utf-8")
 SIZES = ((1024, 768), (1920, 1080), (1280, 720), (3840, 2160))
@@ -227,3 +232,31 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
     assert [present[stop.id] for stop in STOPS[: LEFT - 1]] == [4] * (LATE - 1) + [5] * (LEFT - LATE)
     assert present[STOPS[-1].id] == 4
     assert [row["asked_at"] for row in rows] == sorted(row["asked_at"] for row in rows)
+
+
+def test_no_view_of_a_wall_is_cut_at_any_size(screen):
+    """After a second vote a wall has the most to show."""
+    opened, found = shared().open_class(), []
+    wall = screen(f"class={opened.code}&wall=on&view=projector")
+
+    def look(state: str, heading: str) -> None:
+        hear(wall)
+        expect(wall.locator("h1")).to_have_text([heading])
+        settle(wall)
+        for width, height in SIZES:
+            wall.set_viewport_size({"width": width, "height": height})
+            next_frame(wall)
+            found.extend((heading, state, width, said) for said in wall.evaluate(WRONG))
+
+    for stop in lesson.STOPS[:: 1 if os.environ.get("RAMANUJAN_DEEP") else 4]:
+        shared().ask(opened.key, stop.id, list(stop.options))
+        for number, option in enumerate(stop.options):
+            shared().vote(shared().join(opened.code, f"voter-{number}"), stop.id, option)
+        shared().ask_again(opened.key)
+        look("asked again", stop.heading)
+        for phase in (Phase.REVEALED, Phase.RUNNING, Phase.SOLVED):
+            shared().show(opened.key, phase)
+            look(phase.name, stop.heading)
+    shared().finish(opened.key)
+    look("end", "What the class has learned")
+    assert found == []
