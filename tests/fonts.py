@@ -6,7 +6,7 @@ They keep Latin, Greek, signs and two weights.
 
 The ranges are those that page.css promises. The files bear other names than their originals, as the licence asks.
 
-The icons are those whose names stand in the app's own modules or in Streamlit's scripts.
+The icons are those whose names stand in the app's own modules, or as `:material/name:` in Streamlit's scripts.
 
 The fonts set symbols as KaTeX does, in KaTeX's letters: Greek letters and the prime always, and a Latin letter that
 stands alone (OpenType’s contextual alternates). So Ω²m/k is a formula wherever it stands, in a text, on a button or in
@@ -86,9 +86,10 @@ def main() -> None:
 
 def icons() -> TTFont:
     """Return Streamlit's font of icons with those alone that the app or Streamlit may draw; a name is a ligature."""
-    texts = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
+    own = [path.read_text(encoding="utf-8") for path in (ROOT / "ramanujan").rglob("*.py")]
     scripts = [path.read_text(encoding="utf-8") for path in (ORIGINALS.parent / "js").glob("*.js")]
-    named = set(re.findall(r"(?:[`'\"]|:material/)([a-z0-9_]{2,40})[`'\":]", "\n".join(texts + scripts)))
+    named = set(re.findall(r":material/([a-z0-9_]+):", "\n".join(own + scripts)))
+    named.update(re.findall(r"['\"]([a-z0-9_]+)['\"]", "\n".join(own)))
     font = original_of("MaterialSymbols-Rounded")
     drawn = ligatures(font)
     options = subset.Options(layout_closure=False, hinting=False, name_IDs=[*COPYRIGHT_AND_LICENCE, FAMILY])
