@@ -4,13 +4,15 @@
     python -m tests.benchmarks.classroom --processes 2
     python -m tests.benchmarks.classroom --measuring 1 --sessions 50
     python -m tests.benchmarks.classroom --looking 1 --sessions 50 --seconds 15
+    python -m tests.benchmarks.classroom --voting 60 --browsers 8
 
 Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
 random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
 something on a busy machine; the load comes from this machine as well. With --processes, the app runs behind the proxy
 of the recipe. With --measuring, so many more sessions have the speed page measure meanwhile, again and again, and it is
 printed how long each measurement took. With --looking, so many more sessions open all pages one after another, of which
-the server has worked out nothing yet.
+the server has worked out nothing yet. With --voting, so many phones vote once each, and it is printed how long the wall
+takes to count each vote; the wall and more phones are pages in browsers.
 """
 
 import argparse
@@ -20,16 +22,22 @@ import random
 import resource
 import statistics
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from time import perf_counter
 
+from playwright.async_api import async_playwright
+
+from ramanujan.lesson import STOPS
+from ramanujan.lesson.classes import shared
+from ramanujan.pages.lesson.classroom import PHONE_EVERY
 from ramanujan.shell.navigation import PAGES as EVERY_PAGE
 from tests.benchmarks.app import BARE
 from tests.benchmarks.visitor import VisitError, Visitor
-from tests.browser import ROOT, running
+from tests.browser import CHROMIUM, FLAGS, ROOT, running
 from tests.deployed import deployed
 
 PAGES = {page.name: page.address for page in EVERY_PAGE.values()}
@@ -67,9 +75,15 @@ def main() -> None:
     parser.add_argument("--processes", type=int, default=0, help="run 1 or 2 processes behind HAProxy, by the recipe")
     parser.add_argument("--measuring", type=int, default=0, help="so many more sessions have the server measure")
     parser.add_argument("--looking", type=int, default=0, help="so many more sessions open every page once")
+    parser.add_argument("--voting", type=int, default=0, help="so many vote, as in a class")
+    parser.add_argument("--browsers", type=int, default=8, help="pages in browsers while others vote (default: 8)")
     given = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
+    if given.voting:
+        with running(ROOT / "app.py") as address:
+            asyncio.run(_vote(address, given))
+        return
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, {given.sessions} sessions, {given.seconds:g} s\n")
     with tempfile.TemporaryDirectory() as folder:
         bare = Path(folder) / "bare.py"
@@ -176,6 +190,58 @@ async def _measure(address: str, end: float, seen: Lesson) -> None:
     except (VisitError, OSError) as problem:
         seen.errors[f"measuring: {problem}"] += 1
     await visitor.close()
+
+
+COUNTED = """() => {
+  window.counted = [];
+  const look = () => {
+    const said = document.querySelector(".st-key-class_wall_foot")?.textContent.match(/^\\d+/);
+    if (said && window.counted.length <= said[0]) window.counted[said[0]] ??= Date.now() / 1000;
+  };
+  new MutationObserver(look).observe(document.body, { childList: true, subtree: true, characterData: true });
+}"""
+"""Notes when the wall has first shown each number of votes."""
+
+
+async def _vote(address: str, given: argparse.Namespace) -> None:
+    """Let a class vote once, and print how long the wall takes to count a vote."""
+    opened, stop, chance = shared().open_class(), STOPS[0], random.Random(given.seed)
+    async with async_playwright() as playwright:
+        browser = await playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        pages = [await (await browser.new_context(bypass_csp=True)).new_page() for _ in range(given.browsers)]
+        await pages[0].goto(f"{address}/lesson?class={opened.code}&wall=on&view=projector")
+        for page in pages[1:]:
+            await page.goto(f"{address}/lesson?class={opened.code}")
+            await page.locator(".st-key-class_phone").wait_for(timeout=60_000)
+        print("One network gets 60 seats a minute.", flush=True)
+        await asyncio.sleep(61)
+        shared().ask(opened.key, stop.id, list(stop.options))
+        await pages[0].locator(".st-key-wall_asked").wait_for(timeout=60_000)
+        await pages[0].evaluate(COUNTED)
+        gate, seen = asyncio.Semaphore(AT_ONCE), Lesson()
+        phones = [Visitor(address, f"lesson?class={opened.code}") for _ in range(given.voting)]
+        phones = [phone for phone in await asyncio.gather(*(_open(each, gate, seen) for each in phones)) if phone]
+        voted = []
+
+        async def answer(phone: Visitor) -> None:
+            start, due = perf_counter(), chance.uniform(1, given.seconds)
+            while perf_counter() - start < given.seconds + 5:
+                if due and perf_counter() - start > due:
+                    due = None
+                    voted.append(time.time())
+                    await phone.choose(chance.randrange(len(stop.options)))
+                seen.waits.append(await phone.look())
+                await asyncio.sleep(chance.uniform(0, 2 * PHONE_EVERY))
+
+        await asyncio.gather(*map(answer, phones))
+        counted = await pages[0].evaluate("counted")
+        await browser.close()
+    shared().close(opened.key)
+    # A number that was passed over was counted with the next one.
+    after = [min(at for at in counted[number:] if at) - vote for number, vote in enumerate(sorted(voted), start=1)]
+    p50, p95, _ = quantiles(after)
+    print(f"{len(after)} votes on the wall after p50 {p50:.2f} s, p95 {p95:.2f} s, longest {max(after):.2f} s")
+    print(f"a phone’s look took p95 {1000 * quantiles(seen.waits)[1]:.0f} ms; {dict(seen.errors) or 'no errors'}")
 
 
 HEAD = (

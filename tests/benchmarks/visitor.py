@@ -16,6 +16,7 @@ from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.Element_pb2 import Element
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from streamlit.proto.NumberInput_pb2 import NumberInput
+from streamlit.proto.Radio_pb2 import Radio
 from streamlit.proto.Slider_pb2 import Slider
 from streamlit.proto.WidgetStates_pb2 import WidgetState
 
@@ -49,6 +50,8 @@ class Visitor:
     widgets: dict[str, WidgetState] = field(default_factory=dict)
     sliders: dict[str, Slider] = field(default_factory=dict)
     buttons: set[str] = field(default_factory=set)
+    radios: dict[str, Radio] = field(default_factory=dict)
+    fragment: str = ""
     cache: dict[str, int] = field(default_factory=dict)
 
     async def open(self) -> float:
@@ -109,9 +112,23 @@ class Visitor:
         await self._finished(patience)
         return perf_counter() - start
 
-    async def _ask(self, *pressed: WidgetState) -> None:
+    async def choose(self, number: int) -> float:
+        """Choose this option of the radio that came last; return the seconds to the answer."""
+        identifier, radio = list(self.radios.items())[-1]
+        self.widgets[identifier] = WidgetState(id=identifier, string_value=radio.options[number])
+        return await self.look()
+
+    async def look(self) -> float:
+        """Run the fragment of the page that runs every few seconds; return the seconds to the answer."""
+        start = perf_counter()
+        await self._ask(fragment=self.fragment)
+        await self._finished()
+        return perf_counter() - start
+
+    async def _ask(self, *pressed: WidgetState, fragment: str = "") -> None:
         question = BackMsg()
         state = question.rerun_script
+        state.fragment_id = fragment
         state.query_string = urlencode(self.query)
         state.page_script_hash = self.script_hash
         state.page_name = "" if self.script_hash else self.path
@@ -150,6 +167,8 @@ class Visitor:
             self.cache[message.hash] = self.runs
         if kind == "delta" and message.delta.WhichOneof("type") == "new_element":
             self._take_element(message.delta.new_element)
+        elif kind == "auto_rerun":
+            self.fragment = message.auto_rerun.fragment_id
         elif kind == "navigation":
             self.script_hash = message.navigation.page_script_hash
         elif kind == "new_session":
@@ -175,6 +194,8 @@ class Visitor:
         widget = getattr(element, kind)
         if kind == "slider" and widget.type != Slider.SELECT_SLIDER:
             self.sliders[widget.id] = widget
+        if kind == "radio":
+            self.radios[widget.id] = widget
         if kind == "button":
             self.buttons.add(widget.id)
         if kind in _STATES and (widget.id not in self.widgets or getattr(widget, "set_value", False)):
