@@ -93,7 +93,9 @@ def test_the_page_says_in_words_whether_the_machine_is_in_step(app):
     said = app.run().get_by_key("your_machine").markdown[0].value
     squared = 8 * 37 * (7 * 2.3 + 6 * 5) / (32 * 2.3**2 + 49 * 2.3 * 5 + 18 * 5**2)
     omega, normalized = math.sqrt(squared), squared * 2.3 / 37
-    assert f"Ω²m/k = {normalized:.7f}, Ω = {omega:.4f}\u202frad/s, period {2 * math.pi / omega:.3f}\u202fs" in said
+    # No line breaks within a formula.
+    assert f"Ω²m/k\u00a0=\u00a0{normalized:.7f}, Ω\u00a0=\u00a0{omega:.4f}\u202frad/s, period" in said
+    assert f"period {2 * math.pi / omega:.3f}\u202fs" in said
     assert f"loses one full turn in {1 / (1 - math.sqrt(normalized)):.2f} periods" in said
     app.pills(key="preset").set_value("unit").run()
     assert "in step with the plain mass" in app.get_by_key("your_machine").markdown[0].value

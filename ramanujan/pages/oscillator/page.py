@@ -157,9 +157,10 @@ def the_curve() -> None:
     st.header(_("When is it in step with the plain mass?"), anchor=False)
     st.markdown(
         _(
-            "The plain mass m on the spring k has the angular frequency √(k/m), the machine has Ω. They are in "
-            "step where Ω²m/k = 1. This depends only on the mass ratio ε = m′/m."
-        )
+            "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
+            "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
+            "$\\varepsilon=m'/m$."
+        ).format()
     )
     # What changes with the machine is said by the ring: so the figure is sent to a page only once.
     sees = _(
@@ -178,7 +179,10 @@ def the_curve() -> None:
 def present() -> None:
     """Say in numbers where the present machine lies on the curve, and how it compares with the plain mass."""
     machine = sidebar.oscillator()
-    sentence = _("**Your machine**: ε = {ratio}, Ω²m/k = {normalized:7}, Ω = {omega:5 rad/s}, period {period:4 s}.")
+    sentence = _(
+        "**Your machine**: ε\u00a0=\u00a0{ratio}, Ω²m/k\u00a0=\u00a0{normalized:7}, Ω\u00a0=\u00a0{omega:5 rad/s}, "
+        "period {period:4 s}."
+    )
     numbers = filled(
         sentence,
         ratio=number(machine.mass_ratio, 5, strip=True),
