@@ -213,6 +213,10 @@ def test_the_explanations_quote_the_right_numbers():
     with mpmath.workdps(30):
         huge = mpmath.mpf(8) * 6 * mpmath.mpf(10) ** 200 / (18 * mpmath.mpf(10) ** 400)
     assert mpmath.nstr(huge * mpmath.mpf(10) ** 200, 3) in said("huge-ratio")
+    # Its machine is drawn with heavy rollers, says its masses, and does not move.
+    [run] = lesson.stop("huge-ratio").runs
+    assert "10²⁰⁰ kg" in run.label
+    assert run.machine.period > 1e40
 
 
 def test_the_samples_of_a_wrong_motion_are_those_of_its_run():

@@ -23,6 +23,7 @@ HUGE = 1e200
 _RATIO = power_of_ten(round(math.log10(HUGE)))
 # The formulas of the picture square masses, too. It is the same with the root of the mass: nothing moves.
 _DRAWN = Oscillator(m=1.0, m_prime=math.sqrt(HUGE), k=1.0)
+_LABEL = _("Nobody lives to see it move: m = 1 kg, m′ = {ratio} kg.").format(ratio=_RATIO)
 _LARGEST = float(np.finfo(float).max)
 
 _SHOWN = 50
@@ -168,15 +169,7 @@ STOPS = (
             "“An error” is common, and some languages give one: Python’s power raises an OverflowError, NumPy warns. "
             "JavaScript, C and Fortran return zero. Let the class name other programs in which this could happen."
         ),
-        runs=(
-            Run(
-                _DRAWN,
-                label=_(
-                    "Nobody lives long enough to see this machine move: "
-                    "m\u00a0=\u00a01\u00a0kg, m′\u00a0=\u00a0{ratio}\u00a0kg."
-                ).format(ratio=_RATIO),
-            ),
-        ),
+        runs=(Run(_DRAWN, label=_LABEL),),
         exhibit=f"```js\n{program()}\n```",
         page="speed",
         link_label=_("See where each formula fails on the page Speed and accuracy"),

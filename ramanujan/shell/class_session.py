@@ -160,11 +160,9 @@ def tell_settings(key: str) -> None:
     machine = sidebar.oscillator()
     held = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
     if (text := urlencode(held)) != st.session_state.get(_SETTINGS):
-        try:
+        with suppress(ClassError):
             shared().set_machine(key, text)
-        except ClassError:
-            return
-        st.session_state[_SETTINGS] = text
+            st.session_state[_SETTINGS] = text
 
 
 def take_settings(settings: str | None) -> None:

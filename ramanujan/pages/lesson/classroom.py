@@ -116,7 +116,6 @@ def panel(stop: Stop, phase: Phase) -> None:
 
     Draw the options, or how the class has voted, and what can be done next.
     """
-    st.session_state.setdefault(_SEEN, None)
     class_session.tell_settings(key_held())
     _follow_stage(parts_of(key_held())[0])
     _desk(stop, phase)
@@ -131,7 +130,6 @@ def _follow_stage(code: str) -> None:
 def closing() -> None:
     """Draw the lecturer's desk after the last stop."""
     st.title(class_results.LEARNED, anchor=False)
-    st.session_state.setdefault(_SEEN, None)
     _desk(None, Phase.ASKED)
 
 
@@ -148,6 +146,7 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
     """Draw the desk beside a page that shows so much of the stop, or the end; where that has changed, run the page."""
     if (key := key_held()) is None:
         st.rerun()
+    st.session_state.setdefault(_SEEN, None)
     code, place = parts_of(key)[0], stop.id if stop else END
     with st.container(key="class_desk"):
         _warn()
