@@ -42,6 +42,9 @@ else:
     sidebar.begin(said)
     if not page.lead():
         sidebar.draw(page.withheld(), page.aside())
-    runner.run()
-    if not (alone or display_mode.is_projector()):
-        display_mode.bar()
+    try:
+        runner.run()
+    finally:
+        # A page that has said all that it has to say stops.
+        if not (alone or display_mode.is_projector()):
+            display_mode.bar()

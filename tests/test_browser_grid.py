@@ -1,4 +1,4 @@
-"""Every page at every width: no word lies on another one, and nothing jumps while a page is loaded."""
+"""Every page at every width: no word lies on another one, nothing jumps, and little is offered."""
 
 import pytest
 from playwright.sync_api import TimeoutError
@@ -10,11 +10,37 @@ WIDTHS = (
     *(320, 360, 390, 430, 480, 540, 600, 640, 700, 768, 820, 900),
     *(999, 1000, 1024, 1100, 1180, 1280, 1366, 1440, 1600, 1920, 2560, 3840),
 )
+SHIFTS = """window.shifts = [];
+new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map((entry) => entry.value)))
+  .observe({ type: "layout-shift", buffered: true });"""
+"""Notes how far what is seen has moved, as the browser measures it."""
+MOST_SHIFT = 0.02
+OFFERED = """() => {
+  const inside = (node) => (node.shadowRoot ? all(node.shadowRoot) : []);
+  const all = (root) => [...root.querySelectorAll("*")].flatMap((node) => [node, ...inside(node)]);
+  const seen = (node) => {
+    const { top, bottom, width } = node.getBoundingClientRect();
+    return width > 1 && top < innerHeight - 4 && bottom > 4 && node.checkVisibility({ visibilityProperty: true });
+  };
+  const links = "a[href]:not([aria-current], [aria-label='Link to heading'])";
+  const controls = `${links}, button, input, select, summary, [role=slider]`;
+  const framed = (node) => node.id !== "box" || getComputedStyle(node).borderTopColor !== "rgba(0, 0, 0, 0)";
+  const offered = all(document.body).filter((node) => node.matches(controls) && !node.disabled);
+  return offered.filter((node) => seen(node) && framed(node)).length;
+}"""
+"""Counts what can be operated and is in view; a slider's box counts while it has its frame."""
+MOST_OFFERED = {"oscillator": 22, "derivation": 26, "motion": 22, "taxicab": 12, "speed": 22}
+
+
+def shift(page) -> float:
+    return sum(page.evaluate("window.shifts"))
 
 
 @pytest.mark.parametrize("name", ADDRESSES)
-def test_at_no_width_a_word_lies_on_another_one(visit, name):
-    page, found = visit(ADDRESSES[name]), {}
+def test_a_page_is_calm_from_its_first_frame_and_no_word_lies_on_another_one_at_any_width(visit, name):
+    page, found = visit(ADDRESSES[name], SHIFTS), {}
+    assert shift(page) < MOST_SHIFT
+    assert page.evaluate(OFFERED) <= MOST_OFFERED.get(name, 30)
     for width in WIDTHS:
         page.set_viewport_size({"width": width, "height": 900})
         try:
@@ -24,3 +50,12 @@ def test_at_no_width_a_word_lies_on_another_one(visit, name):
             found[width] = page.evaluate(OVERLAPS)
     settle(page)
     assert found == {}
+
+
+@pytest.mark.parametrize("size", [(820, 1180), (390, 844)])
+def test_on_a_tablet_and_on_a_phone_nothing_jumps_while_a_page_is_loaded(visit, size):
+    page, moved = None, {}
+    for name, address in ADDRESSES.items():
+        page = visit(address, SHIFTS, width=size[0], height=size[1], tab=page)
+        moved[name] = shift(page)
+    assert max(moved.values()) < MOST_SHIFT, moved

@@ -14,7 +14,7 @@ UNTOUCHED = """(text) => /[a-z]{4}/.test(text) && !/[áéíóúýćńśźÁÉÍ�
 """Whether a text has words, none of which gettext has seen: those would carry accents."""
 STREAMLITS_OWN = (
     "Skip to main content",
-    "1 more",
+    *(f"{n} more" for n in (1, 2, 3)),
     *(f"aria-label: {label}" for label in ("Sidebar", "Collapse sidebar", "App pages", "Link to heading")),
     *(
         f"aria-label: {label}"

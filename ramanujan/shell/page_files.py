@@ -185,7 +185,11 @@ def _with_own() -> bytes:
     """
     place = f"./{modules.place()}"
     names = sorted(modules.contents())
-    fonts = (f'<link rel="preload" as="font" crossorigin href="{place}/{name}">' for name in names if "fonts/" in name)
+    # Formulas are measured with KaTeX's letters: where these come late, lines change their length.
+    letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
+    kept = (f"./static/media/{each.name}" for each in _STREAMLIT.glob("static/media/*") if letters.match(each.name))
+    needed = (*(f"{place}/{name}" for name in names if "fonts/" in name), *kept)
+    fonts = (f'<link rel="preload" as="font" crossorigin href="{name}">' for name in needed)
     scripts = (f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST)
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
     sheets = (name for name in names if name.endswith(".css"))

@@ -56,7 +56,7 @@ def in_step() -> None:
     with figure:
         other_targets.the_curve()
     with words if is_projector() else figure:
-        with st.skeleton(height=260):
+        with st.skeleton(height=243):
             equations = cache.unit_equations()
         for line in equations:
             st.latex(line)
