@@ -125,12 +125,11 @@ def equations(display: str, newline: str = "") -> list[str]:
     inside = MARGIN.sub("", display).removeprefix(r"\begin{aligned}").removesuffix(r"\end{aligned}")
     found: list[str] = []
     for line in inside.split(newline) if newline else re.split(r"\\\\\[[\d.]+em\]", inside):
-        for part in re.split(r"&\\hspace\{1.2em\}", line):
-            text = part.strip()
-            if text.startswith(r"&\quad"):
-                found[-1] += " " + text.removeprefix(r"&\quad").strip()
-            else:
-                found.append(text.removeprefix("&").replace("&=", "="))
+        text = line.strip()
+        if text.startswith(r"&\quad"):
+            found[-1] += " " + text.removeprefix(r"&\quad").strip()
+        else:
+            found.append(text.removeprefix("&").replace("&=", "="))
     return [each.strip() for each in found]
 
 

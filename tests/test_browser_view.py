@@ -123,7 +123,7 @@ SEEN = """(() => {
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""
 SLIDES = {
-    "?m=3.7&m_prime=0.41&k=33.3&radius=20": 7,
+    "?m=3.7&m_prime=0.41&k=33.3&radius=20": 12,
     "derivation?route=newton&step=4": 4,
     "motion?spin=3&mu=0.01": 6,
     "1729?left=sphere&top=shell": 8,

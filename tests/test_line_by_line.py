@@ -23,6 +23,7 @@ from ramanujan.derivation.model import (
     phi,
     t,
 )
+from ramanujan.derivation.printers import latex
 from tests.reference import difference, is_zero, spoiled
 
 X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
@@ -137,6 +138,24 @@ def lines(masses: str, key: str = "", place: int = 0) -> Lines:
     """Return what gives the equations of a step as they are displayed; that of a place is spoiled."""
     route = ROUTES["euler_lagrange"] if masses == "any" else ROUTES.with_equal_masses("euler_lagrange")
     return lambda step: [spoiled(e) if (step, n) == (key, place) else e for n, e in enumerate(route[step].equations)]
+
+
+FACTORS = {
+    ("motion", 1): ("rates", 1, r"\text{cancel $%s$}"),
+    ("motion", 2): ("rates", 2, r"\text{cancel $%s$}"),
+    ("elimination", 1): ("motion", 0, r"\times %s"),
+    ("unit", 2): ("unit", 1, r"\times \left(%s\right)"),
+    ("root", 1): ("root", 0, r"\times %s"),
+}
+"""Step and place of a line → the line before it, and how its operation names their quotient."""
+
+
+@pytest.mark.parametrize(("key", "place"), FACTORS)
+def test_a_factor_that_is_named_is_the_one_between_two_lines(key, place):
+    (before, at, named), route = FACTORS[key, place], ROUTES["euler_lagrange"]
+    one, other = difference(route[before].equations[at]), difference(route[key].equations[place])
+    quotient = one / other if "cancel" in named else other / one
+    assert route[key].operations[place] == named % latex(sp.factor(quotient))
 
 
 @pytest.mark.parametrize(("masses", "key"), STEPS)

@@ -186,7 +186,12 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
     insert, collect = r"\text{insert $\ddot{X}$}", r"\text{collect $\ddot{\varphi}$}"
     for operation in (r"\times \frac{3}{2}", insert, r"\text{cancel $8$}", collect, r"\times 72", r"+\,1"):
         assert rf"\vert\ {operation}" in shown, operation
-    assert shown.count(r"\underline{") == 5
+    assert shown.count(r"\underline{") == 6
+    for way in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):
+        for step in way.steps:
+            for said in (step, step.about(Numbers(1, 1, 10))):
+                assert len(said.operations) == len(said.equations), (way.title, step.key)
+                assert any(said.operations), (way.title, step.key)
 
 
 def test_whoever_types_a_result_first_sees_it_when_it_is_right(page):

@@ -7,9 +7,9 @@ from functools import cache
 
 import sympy as sp
 
-from ramanujan.derivation.model import Machine, equation, gather, k, m, m_prime, machine, t
-from ramanujan.derivation.printers import in_order
-from ramanujan.derivation.steps import Step, step
+from ramanujan.derivation.model import Body, Machine, R, equation, gather, k, m, m_prime, machine, t
+from ramanujan.derivation.printers import in_order, latex
+from ramanujan.derivation.steps import Step, blackboard, insert, step
 from ramanujan.translation import _
 
 PARTS = {
@@ -23,13 +23,22 @@ PARTS = {
 """The five bodies and the spring: id → label."""
 
 _KINETIC, _POTENTIAL, _LAGRANGIAN = sp.symbols("T U L")
+_TRAVEL, _SPIN, _STORED = r"\tfrac12mv^2", r"\tfrac12I\omega^2", r"\tfrac12kx^2"
+COLLECTED = blackboard(_("collect"))
+
+
+def rolled(body: Body, order: str = "") -> str:
+    """Return what gives a body's velocity, or its acceleration by the order ^2: rolling, or the block's coordinate."""
+    if body.displacement.has(R):
+        return blackboard(_("rolling without slipping"))
+    return rf"\tfrac{{d{order}}}{{dt{order}}}\left({latex(body.displacement)}\right)"
 
 
 def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
     """Return the steps from the rolling bodies to the Lagrangian as a sum over them."""
     rolling = [body for body in bodies.bodies if body.angle != 0]
     half = sp.Rational(1, 2)
-    energies = {}
+    energies, block, slab = {}, *sp.symbols("x_block x_slab")
     for body in bodies.bodies:
         energies[body.name] = half * body.mass * sp.Symbol(f"v_{body.name}") ** 2
         if body in rolling:
@@ -46,6 +55,7 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
                 "tops of the lower rollers and moves with them."
             ),
             *(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
+            operations=tuple(rolled(body) for body in bodies.bodies),
         ),
         step(
             "inertia",
@@ -57,6 +67,7 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
             ),
             *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
             equation("x", bodies.deformation),
+            operations=(*(r"\textstyle\int r^2\,dm" for _body in rolling), rf"{latex(slab)}-{latex(block)}"),
         ),
         step(
             "energies",
@@ -68,6 +79,11 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
             *(equation(f"T_{name}", energy) for name, energy in energies.items()),
             equation("U", half * k * sp.Symbol("x") ** 2),
             equation("U", bodies.potential_energy),
+            operations=(
+                *(f"{_TRAVEL}+{_SPIN}" if body in rolling else _TRAVEL for body in bodies.bodies),
+                _STORED,
+                insert(equation("x", bodies.deformation)),
+            ),
         ),
         step(
             "sum",
@@ -78,16 +94,21 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
                 "this order."
             ),
             equation("L", in_order(*bodies.kinetic_parts, -bodies.potential_energy)),
+            operations=(insert("v", "I", "x"),),
         ),
     )
 
 
-def energies(bodies: Machine) -> tuple[sp.Eq, ...]:
-    """Return T as a sum over the bodies and with like terms collected, and U."""
-    return (
+def energies_step(bodies: Machine, reason: str) -> Step:
+    """Return the step to T as a sum over the bodies and with like terms collected, and to U."""
+    return step(
+        "energies",
+        _("Add up the energies"),
+        reason,
         equation("T", in_order(*bodies.kinetic_parts)),
         equation("T", gather(bodies.kinetic_energy)),
         equation("U", bodies.potential_energy),
+        operations=(rf"\textstyle\sum\left({_TRAVEL}+{_SPIN}\right)", COLLECTED, _STORED),
     )
 
 

@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from ramanujan.derivation import model
-from ramanujan.derivation.energies import energies
+from ramanujan.derivation.energies import energies_step
 from ramanujan.derivation.model import M_e, M_x, Machine, Omega_squared, Phi, R, X, equation, gather, m_prime, phi, t
-from ramanujan.derivation.steps import ROUTES, Route, Step, step
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, insert, solve_for, step
 from ramanujan.translation import _
 
 xi, eta = sp.symbols("xi eta", real=True)
@@ -70,14 +71,12 @@ def build(bodies: Machine) -> Route:
     curvature = sp.ImmutableMatrix(sp.hessian(result.inertia, (xi, eta)))
     path, speed = R * phi, R * phi.diff(t)
     steps = (
-        step(
-            "energies",
-            _("Add up the energies"),
+        energies_step(
+            bodies,
             _(
                 "All five bodies contribute to the kinetic energy $T$. Only the spring stores potential energy $U$, "
                 "because no body moves up or down. Its compression is $2R\\varphi$."
             ),
-            *energies(bodies),
         ),
         step(
             "quotient",
@@ -91,6 +90,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation(2 * sp.Symbol("U") / path**2, stiffness),
             equation(2 * sp.Symbol("T") / speed**2, result.inertia),
+            operations=tuple(rf"\div \left(\tfrac12{latex(each**2)}\right)" for each in (path, speed)),
         ),
         step(
             "least",
@@ -104,6 +104,11 @@ def build(bodies: Machine) -> Route:
             *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
             *(equation(share, result.shares[share]) for share in (xi, eta)),
             equation(sp.Determinant(curvature), sp.factor(curvature.det())),
+            operations=(
+                *(rf"\partial/\partial {latex(share)}" for share in (xi, eta)),
+                *(solve_for(share) for share in (xi, eta)),
+                blackboard(_("second derivatives")),
+            ),
         ),
         step(
             "frequency",
@@ -115,6 +120,7 @@ def build(bodies: Machine) -> Route:
             equation(M_e, result.least),
             equation(Omega_squared, stiffness / M_e),
             equation(Omega_squared, frequency),
+            operations=(insert(xi, eta), rf"\div {latex(M_e)}", insert(M_e)),
         ),
         _spring_mass_step(bodies, result, stiffness),
         step(
@@ -126,6 +132,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation(model.M_clamped - M_e, sp.factor(result.clamped - result.least)),
             equation(model.Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
+            operations=(rf"\xi=\eta=0,\ -{latex(M_e)}", rf"\div {latex(model.M_clamped)}"),
         ),
     )
     return Route("energy", _("Energy"), steps, frequency, CELLS)
@@ -143,6 +150,7 @@ def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr)
         reason,
         equation(M_x, spin + sp.factor(spring_mass - spin)),
         equation(Omega_squared, stiffness / lever / M_x),
+        operations=(rf"\div {latex(lever)}", insert(equation(M_e, lever * M_x))),
     )
     if not spin.has(m_prime):
         return merged

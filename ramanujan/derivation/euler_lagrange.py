@@ -6,7 +6,7 @@ The paper derives Ω² twice, first for equal masses. Here one computation does 
 import sympy as sp
 
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
-from ramanujan.derivation.energies import bodies_steps
+from ramanujan.derivation.energies import COLLECTED, bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.model import (
     COORDINATES,
@@ -22,7 +22,7 @@ from ramanujan.derivation.model import (
     t,
 )
 from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
 
@@ -39,7 +39,6 @@ def build(bodies: Machine) -> Route:
 def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the steps from ℒ to Ω²."""
     zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
-    insert, collect = _("insert {what}"), _("collect {what}")
     above, below = sp.fraction(result.merged[0].lhs)
     before_and_after = zip(result.motion[phi].as_ordered_terms(), result.inserted.args, strict=True)
     oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
@@ -50,6 +49,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             _("Collect like terms"),
             _("Multiply out the squares, and collect the terms with the same product of velocities or coordinates."),
             equation("L", result.lagrangian),
+            operations=(COLLECTED,),
         ),
         step(
             "momenta",
@@ -82,6 +82,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             operations=tuple(
                 "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
             ),
+            marks=tuple(-sp.cancel(force / result.common[q]) for q, force in result.forces.items() if force != 0),
         ),
         step(
             "elimination",
@@ -95,11 +96,11 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             equation(X_ddot, result.X_from_phi),
             equation(Phi_ddot, result.Phi_from_phi),
             operations=(
-                "",
+                rf"+\,{latex(result.merged[0].rhs)}",
                 rf"\times {latex(result.times)}",
-                blackboard(insert, X_ddot),
-                blackboard(_("solve for {what}"), X_ddot),
-                blackboard(insert, X_ddot),
+                insert(X_ddot),
+                solve_for(X_ddot),
+                insert(X_ddot),
             ),
             marks=result.replaced,
         ),
@@ -110,7 +111,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             equation(result.inserted, zero),
             equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
-            operations=(blackboard(insert, X_ddot), blackboard(collect, phi_ddot), blackboard(_("one fraction"))),
+            operations=(insert(X_ddot), blackboard(_("collect {what}"), phi_ddot), blackboard(_("one fraction"))),
             marks=tuple(after for before, after in before_and_after if before.has(X_ddot)),
         ),
         step(
@@ -124,6 +125,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             ).format(),
             oscillator,
             equation(Omega_squared, result.natural_frequency_squared),
+            operations=(insert(r"\varphi=\cos\Omega t"), compare(phi)),
         ),
     )
 

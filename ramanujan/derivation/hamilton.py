@@ -12,7 +12,7 @@ import sympy as sp
 from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, equation, gather, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, step
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
 p_phi = MOMENTA[COORDINATES.index(phi)]
@@ -88,6 +88,7 @@ def build(bodies: Machine) -> Route:
     frequency = sp.factor(-acceleration / phi)
     stiffness = bodies.potential_energy.diff(phi, 2) / R**2
     lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
+    X_dot, phi_dot, Phi_dot = VELOCITIES
     one_degree = (p_phi + reduced.shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
     steps = (
         step(
@@ -98,6 +99,7 @@ def build(bodies: Machine) -> Route:
                 "are already built in."
             ),
             equation("L", bodies.lagrangian),
+            operations=(r"T-U",),
         ),
         step(
             "momenta",
@@ -115,10 +117,7 @@ def build(bodies: Machine) -> Route:
                 "only $\\dot\\varphi$ is left."
             ),
             *_inversion(transform.momenta),
-            operations=(
-                *(blackboard(operation, VELOCITIES[2]) for operation in (_("solve for {what}"), _("insert {what}"))),
-                *(blackboard(operation, VELOCITIES[0]) for operation in (_("solve for {what}"), _("insert {what}"))),
-            ),
+            operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
         ),
         step(
             "velocities",
@@ -128,6 +127,7 @@ def build(bodies: Machine) -> Route:
                 "works, because $T$ is positive for every motion."
             ),
             *(equation(velocity, value) for velocity, value in transform.velocities.items()),
+            operations=(insert(phi_dot), solve_for(phi_dot), insert(X_dot)),
         ),
         step(
             "hamiltonian",
@@ -139,6 +139,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation("H", sp.Add(*(p * v for p, v in zip(MOMENTA, VELOCITIES, strict=True))) / 2 + sp.Symbol("U")),
             equation("H", transform.hamiltonian),
+            operations=(r"\textstyle\sum p_q\dot q-\mathcal{L}", insert(*VELOCITIES, "U")),
         ),
         step(
             "motion",
@@ -150,7 +151,11 @@ def build(bodies: Machine) -> Route:
                 "$p_\\Phi$ is the angular momentum of the top cylinder about its line of contact with the block."
             ),
             *(equation(rate, value) for rate, value in rates.items()),
-            equation(phi.diff(t), transform.velocities[phi.diff(t)]),
+            equation(phi_dot, transform.velocities[phi_dot]),
+            operations=(
+                *(rf"-\partial\mathcal{{H}}/\partial {latex(q)}" for q in COORDINATES),
+                rf"\partial\mathcal{{H}}/\partial {latex(p_phi)}",
+            ),
         ),
         step(
             "reduction",
@@ -163,6 +168,11 @@ def build(bodies: Machine) -> Route:
             equation("H", one_degree),
             equation(M_e, reduced.effective_mass),
             equation(H_0, reduced.constant),
+            operations=(
+                blackboard(_("complete the square")),
+                compare(p_phi**2),
+                blackboard(_("compare what is constant")),
+            ),
         ),
         step(
             "frequency",
@@ -176,6 +186,7 @@ def build(bodies: Machine) -> Route:
             equation(model.Omega_squared, stiffness / M_e),
             equation(M_x, sp.factor(reduced.effective_mass / lever)),
             equation(model.Omega_squared, frequency),
+            operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(lever)}", insert(M_e)),
         ),
     )
     return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)

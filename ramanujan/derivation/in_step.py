@@ -9,7 +9,7 @@ from ramanujan.derivation.elimination import Elimination, unit_condition
 from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, equation, k, m, m_prime
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import in_order, latex
-from ramanujan.derivation.steps import Step, blackboard, step
+from ramanujan.derivation.steps import Step, blackboard, insert, solve_for, step
 from ramanujan.number_theory import sums_of_two_cubes
 from ramanujan.translation import _
 
@@ -24,6 +24,7 @@ def close_to_one_step(normalized: sp.Expr) -> Step:
             "close to it. Which mass ratio makes the two exactly equal?"
         ),
         equation(Omega_squared * m / k, normalized),
+        operations=(rf"\times {latex(m / k)}",),
     )
     special = replace(compared, equations=(equation(model.normalized_frequency_squared, normalized),))
     return replace(compared, special=lambda _numbers: special)
@@ -47,6 +48,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(model.normalized_frequency_squared, numerator / in_order(*terms)),
         equation(model.normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
     )
+    defined = blackboard(_("define {what}"), epsilon)
     only_ratio = step(
         "ratio",
         _("Use the mass ratio"),
@@ -57,7 +59,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(epsilon, ratio),
         equation(Omega_squared * m / k, numerator / in_order(*terms)),
         equation(Omega_squared * m / k, unit.normalized_frequency_squared),
-        operations=("", rf"\div {latex(m)}", blackboard(_("one fraction"))),
+        operations=(defined, rf"\div {latex(m)}", blackboard(_("one fraction"))),
     )
     exactly_one = step(
         "unit",
@@ -97,12 +99,12 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(square.lhs, other),
         equation(epsilon, unit.root),
         operations=(
-            "",
+            blackboard(_("the quadratic")),
             rf"\times {latex(4 * a)}",
             rf"+\,{latex(b**2)}",
-            "",
-            "",
-            blackboard(_("solve for {what}"), epsilon),
+            blackboard(_("add the cubes")),
+            blackboard(_("two other cubes")),
+            solve_for(epsilon),
         ),
     )
 
@@ -126,7 +128,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
                 "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
                 "too small, and your machine oscillates faster than a plain mass."
             )
-        return replace(exactly_one, reason=reason, equations=leaves, operations=(), marks=())
+        return replace(exactly_one, reason=reason, equations=leaves, operations=(insert(epsilon),) * 2, marks=())
 
     distance = replace(
         root,
@@ -135,7 +137,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
             "$\\varepsilon$ and this root."
         ),
         equations=(normalized[0], normalized[2], equation(epsilon - epsilon_star, ratio - unit.root)),
-        operations=(),
+        operations=(defined, insert(epsilon), rf"-\,{latex(epsilon_star)}"),
     )
     return (
         replace(only_ratio, special=lambda _numbers: replace(only_ratio, equations=normalized)),

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.energies import energies
+from ramanujan.derivation.energies import energies_step
 from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, equation, gather
-from ramanujan.derivation.steps import ROUTES, Route, step
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, insert, solve_for, step
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)
@@ -77,14 +77,12 @@ def build(bodies: Machine) -> Route:
     eigenvalues = sp.Tuple(*(root for root, count in result.eigenvalues.items() for _i in range(count)))
     stiffness = result.stiffness_matrix[_PHI, _PHI]
     steps = (
-        step(
-            "energies",
-            _("Add up the energies"),
+        energies_step(
+            bodies,
             _(
                 "The kinetic energy $T$ is a quadratic form in the velocities. The potential energy $U$ is a quadratic "
                 "form in the coordinates. The compression of the spring is $2R\\varphi$."
             ),
-            *energies(bodies),
         ),
         step(
             "matrices",
@@ -95,6 +93,10 @@ def build(bodies: Machine) -> Route:
             ),
             equation(_M, result.mass_matrix),
             equation(_K, result.stiffness_matrix),
+            operations=(
+                r"\partial^2T/\partial\dot q_i\,\partial\dot q_j",
+                r"\partial^2U/\partial q_i\,\partial q_j",
+            ),
         ),
         step(
             "motion",
@@ -107,6 +109,7 @@ def build(bodies: Machine) -> Route:
                 sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
                 sp.MatMul(-result.stiffness_matrix, q, evaluate=False),
             ),
+            operations=(insert(_M, _K),),
         ),
         step(
             "determinant",
@@ -117,6 +120,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation(sp.Determinant(result.stiffness_matrix - omega**2 * result.mass_matrix), sp.S.Zero),
             equation(result.determinant, sp.S.Zero),
+            operations=(insert(r"q=v\cos\omega t"), blackboard(_("factor it"))),
         ),
         step(
             "spectrum",
@@ -127,6 +131,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
             equation(Omega_squared, oscillating),
+            operations=(solve_for(omega**2), blackboard(_("the third root"))),
         ),
         step(
             "zero_modes",
@@ -141,6 +146,7 @@ def build(bodies: Machine) -> Route:
                 equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
                 for mode in result.zero_modes
             ),
+            operations=tuple(r"Kv" for _mode in result.zero_modes),
         ),
         step(
             "shortcut",
@@ -155,6 +161,7 @@ def build(bodies: Machine) -> Route:
             equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
             equation(_M.I, result.inverse_mass_matrix),
             equation(Omega_squared, result.natural_frequency_squared),
+            operations=(blackboard(_("rank one")), blackboard(_("invert {what}"), _M), insert(_K, _M.I)),
         ),
         step(
             "mode_shape",
@@ -164,6 +171,7 @@ def build(bodies: Machine) -> Route:
                 "cylinder oscillate in proportion to it."
             ),
             equation("v", result.mode_shape),
+            operations=(r"M^{-1}e_\varphi\div(M^{-1})_{\varphi\varphi}",),
         ),
     )
     return Route("matrix", _("Matrix"), steps, oscillating, CELLS)

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ramanujan.derivation.energies import PARTS
+from ramanujan.derivation.energies import PARTS, rolled
 from ramanujan.derivation.model import (
     ACCELERATIONS,
     Body,
@@ -37,7 +37,8 @@ from ramanujan.derivation.model import (
     phi,
     t,
 )
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, step
+from ramanujan.derivation.printers import latex
+from ramanujan.derivation.steps import ROUTES, Route, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1
@@ -207,6 +208,7 @@ def build(bodies: Machine) -> Route:
     left_over = [e for e in cut.forces if e not in of_rollers]
     solved = sp.solve((*of_rollers, *cut.torques), [contact.force for contact in CONTACTS])
     friction = {contact.force: sp.expand(solved[contact.force]) for contact in CONTACTS}
+    in_three = {*centres, *friction}
     three = [tuple(gather(e.subs(friction).subs(of_coordinates)) for e in relation.args) for relation in left_over]
     block, slab, top = (left - right for left, right in three)
     X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
@@ -218,13 +220,16 @@ def build(bodies: Machine) -> Route:
             "rolling",
             _("Write down the rolling conditions"),
             _(
-                "No contact slips: where two bodies touch, their velocities are equal at every moment, and so are "
-                "their accelerations along the surface. A roller whose centre has the acceleration $a$ has "
-                "$a+R\\alpha$ at its top and $a-R\\alpha$ at its bottom. Its angular acceleration $\\alpha$ is the "
-                "second derivative of its angle."
+                "No contact slips: where two bodies touch, their velocities along the surface are equal, and so are "
+                "their accelerations. A roller whose centre has the acceleration $a$ has $a+R\\alpha$ at its top and "
+                "$a-R\\alpha$ at its bottom."
             ),
             *cut.rolling,
             *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers),
+            operations=(
+                *(blackboard(_("rolling without slipping")) for _contact in cut.rolling),
+                *(rf"\tfrac{{d^2}}{{dt^2}}{latex(body.angle)}" for body in cut.rollers),
+            ),
         ),
         step(
             "forces",
@@ -236,6 +241,7 @@ def build(bodies: Machine) -> Route:
                 "compresses the spring, which pushes the two apart."
             ),
             *cut.forces,
+            operations=tuple(r"ma=\textstyle\sum F" for _body in cut.forces),
         ),
         step(
             "torques",
@@ -246,6 +252,7 @@ def build(bodies: Machine) -> Route:
                 "so they have no torque."
             ),
             *cut.torques,
+            operations=tuple(r"I\alpha=\textstyle\sum\pm RF" for _body in cut.torques),
         ),
         step(
             "accelerations",
@@ -255,6 +262,7 @@ def build(bodies: Machine) -> Route:
                 "bodies follow from those of the three coordinates."
             ),
             *(equation(symbol, value) for symbol, value in centres.items()),
+            operations=tuple(rolled(body, "^2") for body in bodies.bodies),
         ),
         step(
             "friction",
@@ -265,6 +273,12 @@ def build(bodies: Machine) -> Route:
                 "torque determines."
             ),
             *(equation(force, value) for force, value in friction.items()),
+            operations=tuple(
+                rf"\div \left({latex(contact.side * R)}\right)"
+                if contact.roller == "top"
+                else blackboard(_("half the sum") if contact.side == TOP else _("half the difference"))
+                for contact in CONTACTS
+            ),
         ),
         step(
             "three",
@@ -272,6 +286,9 @@ def build(bodies: Machine) -> Route:
             _("Newton’s second law for block, slab and top cylinder has not been used yet."),
             *(equation(left, right) for left, right in three),
             labels=tuple(rf"\text{{{PARTS[name]}}}" for name in ("block", "slab", "top")),
+            operations=tuple(
+                insert(*sorted({str(f)[0] for f in each.atoms(sp.Function) & in_three})) for each in left_over
+            ),
         ),
         step(
             "solution",
@@ -285,10 +302,10 @@ def build(bodies: Machine) -> Route:
             equation(X_ddot, sp.factor(X_from_phi)),
             equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
             operations=(
-                blackboard(_("solve for {what}"), Phi_ddot),
+                solve_for(Phi_ddot),
                 blackboard(_("add both")),
-                blackboard(_("insert {what}"), Phi_ddot),
-                blackboard(_("insert {what}"), X_ddot),
+                insert(Phi_ddot),
+                insert(X_ddot),
             ),
         ),
         step(
@@ -299,6 +316,7 @@ def build(bodies: Machine) -> Route:
                 "five are largest at the turning points of $\\varphi$."
             ),
             *(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
+            operations=tuple(insert(X_ddot, Phi_ddot) for _contact in CONTACTS),
         ),
         step(
             "frequency",
@@ -310,7 +328,7 @@ def build(bodies: Machine) -> Route:
             equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
             equation(phi_ddot, cut.solution[roller]),
             equation(Omega_squared, frequency),
-            operations=(blackboard(_("insert {what}"), X_ddot), blackboard(_("solve for {what}"), phi_ddot), ""),
+            operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
         ),
     )
     return Route("newton", _("Newton"), steps, frequency, CELLS)

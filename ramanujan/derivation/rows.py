@@ -6,6 +6,7 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 import re
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import sympy as sp
 
@@ -97,9 +98,10 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row | N
     """
     said = step.about(numbers)
     none = [""] * len(said.equations)
-    beside = zip(said.equations, said.labels or none, said.operations or none, strict=True)
+    # An operation that leads to several lines stands at the first of them.
+    once = ("" if above == each else each for above, each in pairwise(("", *(said.operations or none))))
     found = {}
-    for equation, label, operation in beside:
+    for equation, label, operation in zip(said.equations, said.labels or none, once, strict=True):
         dress = _underlined(equation, said.marks)
         made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
         if made:
@@ -176,7 +178,11 @@ def aligned(blocks: Iterable[Iterable[Row]], width: int, gap: str = ".5em") -> s
     made = [list(block) for block in blocks]
     to_zero = any(each.right == "0" for block in made for each in block)
     beside = widest(each for block in made for each in block)
-    shown = (rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside) for each in block) for block in made if block)
+    # Behind broken lines a column of operations would be far away.
+    behind = "" if any(len(each.lines(width, beside)) > 1 for block in made for each in block) else " &&"
+    shown = (
+        rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, behind) for each in block) for block in made if block
+    )
     return r"\begin{aligned}" + r" \\[1.6em] ".join(shown) + r"\end{aligned}"
 
 
@@ -185,10 +191,10 @@ def widest(shown: Iterable[Row]) -> int:
     return max((extent(each.left) for each in shown), default=0)
 
 
-def _marked(shown: Row, to_zero: bool, width: int, beside: int) -> str:
+def _marked(shown: Row, to_zero: bool, width: int, beside: int, behind: str) -> str:
     if to_zero:
         return f"&{shown.latex}{shown.margin}"
-    margin = f" &&{shown.margin}" if shown.margin else ""
     first, *others = shown.lines(width, beside)
+    margin = f"{behind}{shown.margin}" if shown.margin else ""
     lines = rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
     return f"{lines}{margin}"

@@ -57,13 +57,29 @@ def step(key: str, heading: str, reason: str, *equations: sp.Eq, **more: Any) ->
     return Step(key, heading, reason, equations, **more)
 
 
-def blackboard(operation: str, what: sp.Basic = sp.S.One) -> str:
-    """Return an operation as LaTeX for the margin; `what` fills the slot of that name.
+def blackboard(operation: str, *what: sp.Basic | str) -> str:
+    """Return an operation as LaTeX for the margin; `what`, or LaTeX that says it, fills the slot of that name.
 
-    >>> print(blackboard("insert {what}", sp.Symbol("x")))
-    \\text{insert $x$}
+    >>> print(blackboard("insert {what}", sp.Symbol("x"), "y"))
+    \\text{insert $x$, $y$}
     """
-    return rf"\text{{{operation.format(what=f'${latex(what)}$')}}}"
+    said = ", ".join(f"${each if isinstance(each, str) else latex(each)}$" for each in what)
+    return rf"\text{{{operation.format(what=said)}}}"
+
+
+def insert(*what: sp.Basic | str) -> str:
+    """Return the operation that inserts what is known."""
+    return blackboard(_("insert {what}"), *what)
+
+
+def solve_for(what: sp.Basic) -> str:
+    """Return the operation that solves for an unknown."""
+    return blackboard(_("solve for {what}"), what)
+
+
+def compare(what: sp.Basic) -> str:
+    """Return the operation that reads a value off two forms of one equation."""
+    return blackboard(_("compare the factors of {what}"), what)
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from itertools import zip_longest
 
 import streamlit as st
 import sympy as sp
@@ -29,7 +28,7 @@ LINE_WIDTH = 34
 """Characters of a formula that fit beside the machine; longer sums are broken."""
 
 _MANY = 6
-"""Rows of equations that stand closer together, or in two columns."""
+"""Lines of equations that stand closer together."""
 
 _CUBE = sp.Integer(3)
 """The power of a side in a volume."""
@@ -174,10 +173,5 @@ def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, 
 
 def _aligned(shown: list[Row]) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    lines = [each.lines(LINE_WIDTH) for each in shown]
-    if len(shown) < _MANY or any(len(each) > 1 for each in lines) or any(each.right == "0" for each in shown):
-        return aligned([shown], LINE_WIDTH, ".5em" if sum(map(len, lines)) < _MANY else ".15em") if shown else ""
-    half, written = (len(shown) + 1) // 2, [f"{each.left} &= {each.right}" for each in shown]
-    pairs = zip_longest(written[:half], written[half:], fillvalue="")
-    block = r" \\[.5em] ".join(r" &\hspace{1.2em} ".join(filter(None, pair)) for pair in pairs)
-    return rf"\begin{{aligned}}{block}\end{{aligned}}"
+    lines = sum(len(each.lines(LINE_WIDTH)) for each in shown)
+    return aligned([shown], LINE_WIDTH, ".5em" if lines < _MANY else ".15em") if shown else ""

@@ -1,7 +1,7 @@
 """What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import streamlit as st
@@ -76,6 +76,16 @@ def figure(light_or_dark: str) -> Drawn:
 
 
 @dataclass(frozen=True)
+class Way:
+    """How results are found: a step of the route, its equations between them, or "", and all of its equations."""
+
+    heading: str
+    reason: str
+    between: str
+    equations: str
+
+
+@dataclass(frozen=True)
 class SummaryStep:
     """A line of the derivation in short; all formulas are LaTeX.
 
@@ -83,24 +93,22 @@ class SummaryStep:
     ----------
     heading : what is done
     results : the equations that are seen while the line is folded
-    ways : how they are found: reasons, each with the equations between, or ""
-    in_full : the results and, before the last of them, the equations of the last reason
-    numbers : the same with the present numbers; "" where there are none
+    ways : the steps of the route that lead to them
+    numbers : the equations of the last one, and the other results, with the present numbers
     """
 
     heading: str
     results: tuple[str, ...]
-    ways: tuple[tuple[str, str], ...]
-    in_full: str
-    numbers: str
+    ways: tuple[Way, ...]
+    numbers: tuple[Row, ...]
 
 
-_LINE_WIDTH = 60
-"""Characters of a formula that fit beside the sidebar in a window of 1280 points."""
+_LINE_WIDTH, _BESIDE = 60, 40
+"""Characters of a formula that fit into a window of 1280 points, and beside the machine on a projector."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
 SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"velocities": _ALL},
-    {"lagrangian": _ALL},
+    {"energies": _NONE, "lagrangian": _ALL},
     {"rates": _ALL},
     {"elimination": slice(-2, None)},
     {"insertion": _FIRST, "frequency": _LAST},
@@ -131,12 +139,20 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
     return SummaryStep(
         steps[last][0].heading,
         tuple(row.latex for row in results),
-        tuple((step.reason, _display(row for row in found if row not in results)) for step, found in steps.values()),
-        _display(symbols),
-        _display(row for row in numbers if row not in symbols),
+        tuple(
+            Way(
+                step.heading,
+                step.reason,
+                display(row for row in found if row not in results),
+                display(found, _BESIDE),
+            )
+            for step, found in steps.values()
+        ),
+        tuple(replace(row, operation="") for row in numbers if row not in symbols),
     )
 
 
-def _display(shown: Iterable[Row]) -> str:
+def display(shown: Iterable[Row], width: int = _LINE_WIDTH) -> str:
+    """Return rows as LaTeX, in lines of about so many characters; "" for none."""
     found = list(shown)
-    return aligned([found], _LINE_WIDTH) if found else ""
+    return aligned([found], width) if found else ""

@@ -8,6 +8,7 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.derivation.numbers import Numbers
+from ramanujan.lesson.picture import machine_svg
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
@@ -242,15 +243,15 @@ def six_steps() -> None:
 
 def one_step(step: cache.SummaryStep, numbers: Numbers | None) -> None:
     """Say how a step of the derivation finds its results, and what they are for the present machine."""
-    st.markdown("\n\n".join(part for reason, between in step.ways for part in (reason, in_display(between))))
-    with_numbers(step, "###", f"{numbers_stated(numbers)}\n\n" if numbers else "")
+    st.markdown("\n\n".join(part for way in step.ways for part in (way.reason, in_display(way.between))))
+    with_numbers(cache.display(step.numbers), f"{numbers_stated(numbers)}\n\n" if numbers else "")
 
 
-def with_numbers(step: cache.SummaryStep, level: str, stated: str = "") -> None:
-    """Draw the equations of a step with the present numbers, if there are any, below a heading of this level."""
-    if step.numbers:
+def with_numbers(formula: str, stated: str = "") -> None:
+    """Draw equations with the present numbers, if there are any."""
+    if formula:
         heading = _("Your machine")
-        st.markdown(f"{level} {heading}\n{stated}{in_display(step.numbers)}")
+        st.markdown(f"### {heading}\n{stated}{in_display(formula)}")
 
 
 def in_display(formula: str) -> str:
@@ -259,15 +260,21 @@ def in_display(formula: str) -> str:
 
 
 def on_slides(steps: list[cache.SummaryStep]) -> None:
-    """Draw the steps on slides of the projector, the first two on one; numbers stand beside where there is no room."""
-    starts = (0, 2, 3, 4, 5)
-    for first, end in zip(starts, (*starts[1:], len(steps)), strict=True):
-        with slide(f"step_{first + 1}", f"{first + 1}. {steps[first].heading}"):
-            for n, step in enumerate(steps[first:end], start=first + 1):
-                with st.container(horizontal=True, vertical_alignment="top", key=f"spread_{n}"):
-                    st.markdown(f"### {n}. {step.heading}\n{step.ways[-1][0]}")
-                    st.latex(step.in_full)
-                    with_numbers(step, "####")
+    """Draw the steps on slides of the projector, one for each way to a result, beside the machine with its symbols."""
+    machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.on_paper())
+    for n, step in enumerate(steps, start=1):
+        for place, way in enumerate(step.ways):
+            title = f"{n}{'abc'[place] if step.ways[1:] else ''}. {way.heading}"
+            with slide(f"step_{n}{f'_{place + 1}' if place else ''}", title):
+                words, picture = st.columns([4, 3], gap="medium")
+                words.markdown(f"### {title}\n{way.reason}")
+                words.latex(way.equations)
+                with picture:
+                    drawings.draw(
+                        machine, alt=_("The machine with its coordinates."), style="width:100%;background:#fff"
+                    )
+                    if way == step.ways[-1]:
+                        with_numbers(cache.display(step.numbers, 24))
 
 
 if __name__ == "__main__":
