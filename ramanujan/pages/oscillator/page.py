@@ -8,7 +8,6 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.lesson.picture import machine_svg
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
@@ -261,6 +260,8 @@ def in_display(formula: str) -> str:
 
 def on_slides(steps: list[cache.SummaryStep]) -> None:
     """Draw the steps on slides of the projector, one for each way to a result, beside the machine with its symbols."""
+    from ramanujan.lesson.picture import machine_svg  # which a visitor's first page does not wait for
+
     machine = machine_svg(sidebar.oscillator(), sidebar.compression(), theme.on_paper())
     for n, step in enumerate(steps, start=1):
         for place, way in enumerate(step.ways):
