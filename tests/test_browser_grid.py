@@ -29,7 +29,7 @@ OFFERED = """() => {
   return offered.filter((node) => seen(node) && framed(node)).length;
 }"""
 """Counts what can be operated and is in view; a slider's box counts while it has its frame."""
-MOST_OFFERED = {"oscillator": 22, "derivation": 26, "motion": 22, "taxicab": 12, "speed": 22}
+MOST_OFFERED = {"oscillator": 23, "derivation": 28, "motion": 24, "taxicab": 14, "speed": 24}
 
 
 def shift(page) -> float:
