@@ -180,7 +180,7 @@ def until(page: Page, condition: str, given: object = None, seconds: float = 60)
     end = time.monotonic() + seconds
     while not page.evaluate(condition, given):
         assert time.monotonic() < end, f"never true: {condition}"
-        page.wait_for_timeout(50)
+        page.wait_for_timeout(100)
 
 
 def next_frame(page: Page) -> None:

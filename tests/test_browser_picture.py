@@ -391,8 +391,8 @@ def test_the_verdict_says_who_is_ahead_from_the_release_on_only(picture):
         assert "behind" not in before
 
 
-def test_nothing_below_the_stage_moves_whatever_the_machine(bare):
-    for options, width in product(({}, {"dials": False}), (1280, 390)):
+def test_nothing_below_the_stage_moves_whatever_the_machine(bare, some):
+    for options, width in some(product(({}, {"dials": False}), (1280, 390))):
         picture = Picture(bare(width=width, height=844), **options)
         seen = set()
         for machine, compression in machines(1)[1:4]:
@@ -537,13 +537,13 @@ def test_the_buttons_need_no_symbol_font(picture):
     assert buttons == [["", 1]] * 4
 
 
-def test_a_slider_s_thumb_moves_what_it_names_and_as_far(picture):
+def test_a_slider_s_thumb_moves_what_it_names_and_as_far(picture, some):
     """Each slider in turn, two steps on, without an answer of a server."""
     page = picture.page
     values = {"m": 2.0, "m_prime": 0.7, "k": 30.0, "radius": 8.0, "compression": 6.0}
     picture.bare.sliders(**values)
     picture.show(Oscillator(2.0, 0.7, 30.0, 0.08), 0.06)
-    for key, before in list(values.items()):
+    for key, before in some(values.items()):
         thumb = f"document.querySelector('.st-key-{key} input')"
         page.evaluate(f"{thumb}.focus()")
         page.keyboard.press("ArrowRight")
