@@ -105,6 +105,9 @@ def test_a_worksheet_fills_its_pages_and_tears_no_question(visit):
     for query in ("level=1", "level=2", "level=3", f"seed={name_of(2)}&paper=key&key={key_of(2)}"):
         page = visit(f"worksheet?{query}", theme="dark", tab=page)
         page.wait_for_selector(".st-key-worksheet_picture img")
+        page.emulate_media(media="print")
+        assert page.locator(".st-key-worksheet").evaluate("(node) => getComputedStyle(node).borderWidth") == "0px"
+        page.emulate_media(media="null")
         for paper, (_width, points) in PAPERS.items() if query == "level=1" else [("A4", PAPERS["A4"])]:
             pdf = printed(page, paper)
             assert float(pdf.pages[0].mediabox.width) == pytest.approx(points, abs=1)
