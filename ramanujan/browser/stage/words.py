@@ -99,7 +99,7 @@ TEXTS = {
     "left_roller": _("Left roller, mass m′"),
     "right_roller": _("Right roller, mass m′"),
     "top_roller": _("Top roller, mass m"),
-    "slab": _("Slab, mass m. Drag it and let go."),
+    "slab": _("Slab, mass m"),
     "stiffness": "k",
     "centre": _("Centre of mass of the whole machine"),
     "centre_caption": _("centre of mass"),
