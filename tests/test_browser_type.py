@@ -4,8 +4,11 @@ import io
 from base64 import b64encode
 
 import numpy as np
+import pytest
+from fontTools.ttLib import TTFont
 from PIL import Image
 
+from tests import fonts
 from tests.browser import ROOT
 
 SYMBOLS = (
@@ -60,3 +63,13 @@ def test_a_letter_that_stands_alone_is_set_as_a_symbol(chromium):
     changed = np.any(pictures[0] != pictures[1], axis=(1, 2))
     assert tuple(text for text, differs in zip(texts, changed, strict=True) if differs) == SYMBOLS
     assert dotted == letter
+
+
+@pytest.mark.parametrize("name", fonts.FONTS)
+def test_symbols_are_letters_of_katex_as_large_as_a_formula(name):
+    cut, bold = TTFont(FONT.with_name(f"{name}.woff2")), fonts.FONTS[name][1]
+    katex = fonts.original_of(f"KaTeX_Math-{bold}Italic")
+    for letter in "mkR":
+        wide = katex["hmtx"][katex.getBestCmap()[ord(letter)]][0]
+        assert cut["hmtx"][f"{cut.getBestCmap()[ord(letter)]}.italic"][0] == round(fonts.SCALE * wide)
+    assert f"> .katex {{ font-size: {fonts.SCALE}em;" in (fonts.PAGE / "type.css").read_text(encoding="utf-8")
