@@ -139,7 +139,8 @@ def draw(stop: Stop, number: int) -> None:
             if sliders_wanted():
                 components.publish("sliders_published", {"sliders": st.session_state[_SLIDERS]})
     with picture:
-        show(stop, running)
+        # What the stage of a desk tells reruns nothing else.
+        st.fragment(show)(stop, running)
 
 
 def show(stop: Stop, running: bool, fixed: bool = False) -> None:
