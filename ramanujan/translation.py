@@ -7,7 +7,7 @@
 
 Every sentence is one template with named slots; xgettext or Babel collects them into a catalogue. English is the only
 language so far. Started with the environment variable RAMANUJAN_LANGUAGE=pseudo, the app speaks a pseudo-language: the
-same sentences with accents, 40 % longer, between ⟦ and ⟧. Words without them were never handed to gettext,
+same sentences with accents, 40 % longer, between ⟪ and ⟫. Words without them were never handed to gettext,
 and a box that is too narrow for it is too narrow for German.
 """
 
@@ -33,7 +33,7 @@ class PseudoLanguage(gettext.NullTranslations):
         words = "".join(part if index % 2 else part.translate(_ACCENTS) for index, part in enumerate(parts))
         letters = sum(map(len, parts[::2]))
         padding = "·" * round(_LONGER * letters)
-        return f"⟦{words} {padding}⟧" if len(padding) > 1 else f"⟦{words}⟧"
+        return f"⟪{words} {padding}⟫" if len(padding) > 1 else f"⟪{words}⟫"
 
     def ngettext(self, singular: str, plural: str, n: int) -> str:
         return self.gettext(singular if n == 1 else plural)

@@ -35,17 +35,12 @@ from ramanujan.lesson import STOPS
 from ramanujan.lesson.classes import shared
 from ramanujan.pages.lesson.classroom import PHONE_EVERY
 from ramanujan.shell.navigation import PAGES as EVERY_PAGE
+from tests.benchmarks.app import BARE
 from tests.benchmarks.visitor import VisitError, Visitor
 from tests.browser import CHROMIUM, FLAGS, ROOT, running
 from tests.deployed import deployed
 
 PAGES = {page.name: page.address for page in EVERY_PAGE.values()}
-BARE = """
-import streamlit as st
-
-values = [st.slider(name, 0.5, 5.0, 1.0, 0.01, key=name) for name in ("m", "m_prime", "k")]
-st.text(f"picture {values}")
-"""
 EVERY = 2.0
 """Seconds between two changes of one session, on average."""
 

@@ -1,0 +1,215 @@
+"""What the first page costs, beside a bare page with three sliders, in one run on one machine.
+
+    python -m tests.benchmarks.app [--changes 30]
+
+Both are started the same way, one after the other, so that the ratios mean something on a busy machine. A change is one
+key stroke on a slider: the browser's own time stamps of the websocket give the server's part, a watcher in the page the
+time until the picture has changed.
+"""
+
+import argparse
+import os
+import statistics
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tests.browser import CHROMIUM, FLAGS, ROOT, STAGE, WATCH_LAG, listen, running, settle
+
+BARE = """
+import streamlit as st
+values = [st.slider(name, 0.5, 5.0, 1.0, 0.01, key=name) for name in ("m", "m_prime", "k")]
+st.text(f"picture {values}")
+"""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A page under measurement: its script, what shows that it has drawn, and what changes when a slider does.
+
+    `picture` follows a slider as soon as it can, `words` when the server has answered.
+    """
+
+    name: str
+    script: Path
+    drawn: str
+    picture: str
+    words: str
+
+
+@dataclass(frozen=True)
+class Costs:
+    """Seconds, bytes and frames of one page."""
+
+    first_picture: float
+    bytes_per_change: float
+    server: list[float]
+    release_to_picture: list[float]
+    release_to_words: list[float]
+    frames_per_second: float | None = None
+    frames_slowed_down: float | None = None
+    frames_behind_thumb: list[int] | None = None
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--changes", type=int, default=30, help="slider changes to measure (default: 30)")
+    changes = parser.parse_args().changes
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        bare_script = Path(folder) / "bare.py"
+        bare_script.write_text(BARE)
+        text = "[data-testid=stText]"
+        answer = f"document.querySelector('{text}').textContent"
+        bare = Subject("bare page", bare_script, text, answer, answer)
+        app = Subject(
+            "first page",
+            ROOT / "app.py",
+            ".st-key-curve .scatterlayer",
+            "document.querySelector('.present-machine')?.style.left",
+            "[...document.querySelectorAll('annotation')].map((formula) => formula.textContent).join()",
+        )
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, Chromium {browser.version}, {changes} changes\n")
+        costs = {subject.name: measure(browser, subject, changes) for subject in (bare, app)}
+        browser.close()
+    report(costs["bare page"], costs["first page"])
+
+
+def measure(browser: Browser, subject: Subject, changes: int) -> Costs:
+    """Return what the page costs."""
+    with running(subject.script) as address:
+        visit(browser, address, subject)[0].context.close()  # the first visitor pays for the warm-up
+        page, first_picture = visit(browser, address, subject)
+        before = sum(page.frames_received)
+        times = [change(page, subject, "ArrowRight" if i % 2 else "ArrowLeft") for i in range(changes)]
+        size = (sum(page.frames_received) - before) / changes
+        server, picture, words = zip(*times, strict=True)
+        stage = page.locator(".st-key-stage").count() > 0
+        extra = (frames_per_second(page), slowed_down(page), frames_behind(page)) if stage else ()
+        page.context.close()
+    return Costs(first_picture, size, server, picture, words, *extra)
+
+
+def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float]:
+    """Return a new visitor's page and the seconds to its first picture."""
+    page = browser.new_context(viewport={"width": 1280, "height": 1400}, bypass_csp=True).new_page()
+    listen(page)
+    start = perf_counter()
+    page.goto(address)
+    page.wait_for_selector(subject.drawn)
+    seconds = perf_counter() - start
+    settle(page)
+    return page, seconds
+
+
+def change(page: Page, subject: Subject, key: str) -> tuple[float, float, float]:
+    """Press a key on a slider; return the seconds of the server's answer, to the picture and to the words."""
+    stamps: dict[str, float] = {}
+    client = page.context.new_cdp_session(page)
+    client.send("Network.enable")
+    client.on("Network.webSocketFrameSent", lambda event: stamps.setdefault("sent", event["timestamp"]))
+    client.on("Network.webSocketFrameReceived", lambda event: stamps.update(received=event["timestamp"]))
+    page.locator(".st-key-m_prime input[type=range]").focus()
+    page.evaluate(
+        f"""() => {{
+          const looks = [() => {subject.picture}, () => {subject.words}];
+          const before = looks.map((look) => look());
+          let start;
+          window.waited = [null, null];
+          const watch = () => {{
+            looks.forEach((look, i) => {{
+              if (window.waited[i] === null && look() !== before[i]) window.waited[i] = performance.now() - start;
+            }});
+            if (window.waited.includes(null)) requestAnimationFrame(watch);
+          }};
+          const begin = () => {{
+            start = performance.now();
+            requestAnimationFrame(watch);
+          }};
+          addEventListener("keyup", begin, {{ once: true }});
+        }}"""
+    )
+    page.keyboard.press(key)
+    page.wait_for_function("!window.waited.includes(null)")
+    settle(page)
+    client.detach()
+    picture, words = page.evaluate("window.waited")
+    return stamps["received"] - stamps["sent"], picture / 1000, words / 1000
+
+
+def frames_per_second(page: Page, seconds: float = 4) -> float:
+    """Return how many frames of the stage differ from the one before, each second."""
+    return page.evaluate(
+        f"""() => new Promise((done) => {{
+          const slab = {STAGE}.querySelector(".body.slab");
+          const start = performance.now();
+          let place = null, moved = 0;
+          const watch = (now) => {{
+            const at = slab.getAttribute("transform");
+            if (at !== place) moved += 1;
+            place = at;
+            if (now - start < {seconds * 1000}) requestAnimationFrame(watch);
+            else done(moved / ((now - start) / 1000));
+          }};
+          requestAnimationFrame(watch);
+        }})"""
+    )
+
+
+def slowed_down(page: Page, times: int = 4) -> float:
+    """Return the stage's frames a second in a browser that computes so many times more slowly."""
+    client = page.context.new_cdp_session(page)
+    client.send("Emulation.setCPUThrottlingRate", {"rate": times})
+    frames = frames_per_second(page)
+    client.send("Emulation.setCPUThrottlingRate", {"rate": 1})
+    client.detach()
+    return frames
+
+
+def frames_behind(page: Page) -> list[int]:
+    """Return, for each move of a slider's thumb, how many frames later the stage's readout follows."""
+    handle = page.locator(".st-key-m_prime [style*=left]").first.bounding_box()
+    x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.evaluate(WATCH_LAG)
+    for i in range(1, 41):
+        page.mouse.move(x + 3 * i, y)
+        page.wait_for_timeout(30)
+    page.mouse.up()
+    return page.evaluate("window.lags")
+
+
+def report(bare: Costs, app: Costs) -> None:
+    """Print both pages side by side, with the goal where there is one."""
+
+    def row(what: str, left: Any, right: Any, goal: str = "") -> None:
+        print(f"{what:<34}{left:>14}{right:>14}   {goal}")
+
+    def ms(seconds: float) -> str:
+        return f"{1000 * seconds:.1f} ms"
+
+    def p95(times: list[float]) -> float:
+        return statistics.quantiles(times, n=20)[-1]
+
+    row("", "bare page", "first page", "goal")
+    row("time to first picture", ms(bare.first_picture), ms(app.first_picture))
+    row("bytes per change", f"{bare.bytes_per_change:.0f}", f"{app.bytes_per_change:.0f}", "≤ 20000")
+    row("server and network, p50", ms(statistics.median(bare.server)), ms(statistics.median(app.server)), "≤ 15 ms")
+    row("server and network, p95", ms(p95(bare.server)), ms(p95(app.server)))
+    bare_p50, app_p50 = (statistics.median(costs.release_to_picture) for costs in (bare, app))
+    row("release → picture, p50", ms(bare_p50), ms(app_p50), f"≤ 1.5 × bare (here {app_p50 / bare_p50:.2f})")
+    row("release → picture, p95", ms(p95(bare.release_to_picture)), ms(p95(app.release_to_picture)))
+    bare_p50, app_p50 = (statistics.median(costs.release_to_words) for costs in (bare, app))
+    row("release → numbers in words, p50", ms(bare_p50), ms(app_p50), f"(here {app_p50 / bare_p50:.2f} × bare)")
+    row("stage, frames a second", "", f"{app.frames_per_second:.1f}", "60")
+    row("… at a quarter of the speed", "", f"{app.frames_slowed_down:.1f}", "≥ 55")
+    row("stage, frames behind the thumb", "", f"{max(app.frames_behind_thumb)} at most", "≤ 2")
+
+
+if __name__ == "__main__":
+    main()
