@@ -218,7 +218,7 @@ export const dom = {
 
   /** How far the page must scroll until its stage stands at the top, below the bar of pages; 0 where it has no stage. */
   stageAway() {
-    const stage = document.querySelector(".st-key-stage");
+    const stage = document.querySelector("[class*=st-key-stage]");
     return stage ? stage.getBoundingClientRect().top - 56 : 0;
   },
 
