@@ -275,7 +275,7 @@ def test_the_sidebar_fits_the_screen_and_is_open_only_where_it_matters(visit):
     page = visit("motion", figures=False)
     controls = page.locator(".st-key-controls")
     expect(controls).to_be_in_viewport(ratio=1)
-    assert controls.bounding_box()["y"] < 25
+    assert controls.bounding_box()["y"] < 45
     page.get_by_role("link", name="Worksheet", exact=True).first.click()
     settle(page)
     expect(controls).not_to_be_in_viewport()

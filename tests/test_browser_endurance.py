@@ -18,8 +18,8 @@ from tests.test_browser_access import switch
 
 MINUTES = float(os.environ.get("RAMANUJAN_MINUTES", "0.3"))
 ROUNDS = int(os.environ.get("RAMANUJAN_ROUNDS", "1"))
-PLACES = range(5) if ROUNDS > 1 else (0, 2)
-"""Which pages: all of those with a stage, or two whose figures have marks that follow it."""
+PLACES = range(5) if ROUNDS > 1 else (0, 2, 3)
+"""Which pages: all of those with a stage, or two whose figures have marks that follow it and one without."""
 KEYS = ("ArrowRight", "ArrowLeft")
 LINKS = "document.querySelectorAll('[data-testid=stTopNavLink]')"
 HASTE = """

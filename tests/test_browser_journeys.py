@@ -44,14 +44,14 @@ class Visitor:
     def find(self, selector: str, name: str = "") -> dict | None:
         return self.page.evaluate(FIND, [selector, name])
 
-    def until(self, selector: str, name: str = "", timeout: float = 25_000) -> dict:
+    def until(self, selector: str, name: str = "", timeout: float = 60_000) -> dict:
         """Wait until an element can be seen."""
         self.page.wait_for_function(FIND, arg=[selector, name], timeout=timeout)
         return self.find(selector, name)
 
     def wait(self, condition: str) -> None:
         """Wait until a JavaScript expression holds."""
-        self.page.wait_for_function(f"Boolean({condition})", timeout=25_000)
+        self.page.wait_for_function(f"Boolean({condition})", timeout=60_000)
 
     def click(self, selector: str, name: str = "") -> None:
         """Click on an element that has come to rest."""

@@ -112,6 +112,7 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
     heard("Paused.")
     page.get_by_role("button", name="Step forward").click()
     heard("periods after release, t =")
+    page.locator(".st-key-aside summary").first.click()
     page.get_by_text("Light rollers", exact=True).click()
     heard("one full turn in")
     page.locator(".st-key-mu input[type=range]").focus()

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 from ramanujan.accuracy.runs import error_history
 from tests.browser import settle
 
-CUT = """[...document.querySelectorAll(".stMain .stColumn")].flatMap((column) =>
+CUT = """[...document.querySelectorAll(".stMain .stColumn")].filter((each) => each.clientWidth).flatMap((column) =>
     [...column.querySelectorAll("button, label, [data-testid=stPageLink] a, [role=combobox]")]
         .filter((node) => node.getBoundingClientRect().right > column.getBoundingClientRect().right + 1)
         .map((node) => node.textContent))"""
