@@ -4,7 +4,10 @@ import streamlit as st
 
 if __name__ != "__main__":
     # The server loads this file once, under its own name, and runs it for each visitor as the main script.
-    from ramanujan.shell import server
+    try:
+        from ramanujan.shell import server
+    except LookupError as unknown_language:
+        raise SystemExit(unknown_language) from None
 
     app = st.App(__file__, middleware=server.MIDDLEWARE, lifespan=server.warmed_up)
 else:

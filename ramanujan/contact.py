@@ -70,6 +70,7 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     phi = coordinates("q", q)[1]
     per_angle = -oscillator.exact_frequency_squared * m * R
     per_angles = {name: share * per_angle for name, share in _shares(oscillator).items()} | {"spring": -2 * k * R}
+    # TRANSLATORS: in an error such as: force hoop_slab is too large for float64.
     label = _("force {name}")
     with np.errstate(over="ignore"):
         forces = {name: scaled(*coefficient.as_integer_ratio(), phi) for name, coefficient in per_angles.items()}
@@ -188,6 +189,7 @@ def required_friction(
     demands = _demands(oscillator, compression, spacing)
     amplitude = abs(Fraction(real("compression", compression))) / 2
     pull = oscillator.exact_frequency_squared * amplitude / Fraction(positive("g", g))
+    # TRANSLATORS: in an error such as: friction at hoop_slab is too large for float64.
     label = _("friction at {name}")
     return {
         name: nearest(label.format(name=name), *(demand * pull).as_integer_ratio()) for name, demand in demands.items()

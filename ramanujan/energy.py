@@ -66,6 +66,7 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
         "top_rotation": (solid, m, rim["top"]),
         "spring": (0.5, oscillator.k, deformation),
     }
+    # TRANSLATORS: in an error such as: energy block_translation is too large for float64.
     label = _("energy {name}")
     return {
         name: product(label.format(name=name), factor, constant, x, x) for name, (factor, constant, x) in terms.items()
@@ -126,5 +127,6 @@ def body_momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[
     """
     velocity = ground_velocities(oscillator, q_dot)
     rollers = dict.fromkeys(("hoop", "cylinder"), oscillator.m_prime)
+    # TRANSLATORS: in an error; {body} is an English name from the program: block, hoop, cylinder, slab, top.
     label = _("momentum of the {body}")
     return {body: product(label.format(body=body), rollers.get(body, oscillator.m), v) for body, v in velocity.items()}

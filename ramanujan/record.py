@@ -190,6 +190,7 @@ def table(motion: Record, friction_coefficient: float) -> str:
     oscillator, initial = motion.oscillator, motion.initial
     needed = required_friction(oscillator, motion.compression, spacing=motion.spacing)
     largest = largest_compression(oscillator, friction_coefficient, spacing=motion.spacing)
+    # TRANSLATORS: in a file; {contact} is a name from the program such as hoop_slab.
     friction = _("friction coefficient needed by {contact}")
     parameters = (
         ("m", oscillator.m, "kg"),

@@ -1,26 +1,32 @@
 """The language of the app: standard gettext calls around whole sentences.
 
-    from ramanujan.translation import _, ngettext
+    from ramanujan.translation import _, ngettext, pgettext
 
     _("The old value, {value}, was kept.").format(value=...)
     ngettext("{n} period", "{n} periods", n).format(n=n)
+    pgettext("of the lesson", "Stop")
 
-Every sentence is one template with named slots; xgettext or Babel collects them into a catalogue. English is the only
-language so far. Started with the environment variable RAMANUJAN_LANGUAGE=pseudo, the app speaks a pseudo-language: the
-same sentences with accents, 40 % longer, between ⟪ and ⟫. Words without them were never handed to gettext,
-and a box that is too narrow for it is too narrow for German.
+A server speaks one language, that of the environment variable RAMANUJAN_LANGUAGE. Its words are in a catalogue of GNU
+gettext below `locale/`, which `python -m tests.catalogue` keeps up to date; a message without a translation is shown in
+English. The pseudo-language shows what no catalogue could reach: the same sentences with accents, 40 % longer, between
+⟪ and ⟫. Words without them were never handed to gettext, and a box that is too narrow for it is too narrow for German.
 """
 
 import gettext
 import os
 import re
+from pathlib import Path
+
+LOCALE = Path(__file__).parent / "locale"
+"""Where the catalogues are, a folder for each language."""
 
 _ACCENTS = str.maketrans("aeiouyAEIOUYcnsz", "áéíóúýÁÉÍÓÚÝćńśź")
 # What is no word and must survive: formulas, slots, code, HTML, the address of a Markdown link, colours, icons.
-_KEPT = re.compile(
+KEPT = re.compile(
     r"(\$\$.*?\$\$|\$.*?\$|\{[^{}]*\}|`[^`]*`|</?[a-z][^>]*>|&\w+;|\]\([^)]*\)|:[a-z-]+\[|:material/\w+:)", re.DOTALL
 )
 _LONGER = 0.4
+_PSEUDO_SETTINGS = {"decimal mark": ",", "LaTeX package babel": "english"}
 
 
 class PseudoLanguage(gettext.NullTranslations):
@@ -29,7 +35,7 @@ class PseudoLanguage(gettext.NullTranslations):
     def gettext(self, message: str) -> str:
         if not message.strip():
             return message
-        parts = _KEPT.split(message)
+        parts = KEPT.split(message)
         words = "".join(part if index % 2 else part.translate(_ACCENTS) for index, part in enumerate(parts))
         letters = sum(map(len, parts[::2]))
         padding = "·" * round(_LONGER * letters)
@@ -38,12 +44,34 @@ class PseudoLanguage(gettext.NullTranslations):
     def ngettext(self, singular: str, plural: str, n: int) -> str:
         return self.gettext(singular if n == 1 else plural)
 
-
-def language(name: str | None) -> gettext.NullTranslations:
-    """The translations of a language by its name; English for None and for every name that is not known."""
-    return PseudoLanguage() if name == "pseudo" else gettext.NullTranslations()
+    def pgettext(self, context: str, message: str) -> str:
+        return _PSEUDO_SETTINGS.get(context) or self.gettext(message)
 
 
-_SPOKEN = language(os.environ.get("RAMANUJAN_LANGUAGE"))
-_ = _SPOKEN.gettext
-ngettext = _SPOKEN.ngettext
+def known() -> list[str]:
+    """Return the names of the languages that the app speaks."""
+    return ["en", *sorted(path.name for path in LOCALE.iterdir() if path.is_dir()), "pseudo"]
+
+
+def language(name: str) -> gettext.NullTranslations:
+    """Return the translations into a language.
+
+    Parameters
+    ----------
+    name : one of `known`
+
+    >>> language("tlh")
+    Traceback (most recent call last):
+    LookupError: RAMANUJAN_LANGUAGE must be one of de, en, hu, pseudo. It is tlh.
+    """
+    if name not in known():
+        choice = ", ".join(sorted(known()))
+        raise LookupError(f"RAMANUJAN_LANGUAGE must be one of {choice}. It is {name}.")
+    if name == "pseudo":
+        return PseudoLanguage()
+    return gettext.translation("ramanujan", LOCALE, [name], fallback=name == "en")
+
+
+LANGUAGE = os.environ.get("RAMANUJAN_LANGUAGE") or "en"
+_spoken = language(LANGUAGE)
+_, ngettext, pgettext = _spoken.gettext, _spoken.ngettext, _spoken.pgettext

@@ -79,3 +79,12 @@ def test_a_port_that_is_taken_is_named_before_the_app_is_imported():
     assert done.returncode == 1
     assert "streamlit.web" in done.stderr
     assert "sympy" not in done.stderr
+
+
+def test_a_language_that_is_not_known_stops_the_start_with_a_sentence():
+    command = (sys.executable, "-m", "streamlit", "run", "app.py", "--server.port", "0", "--server.headless", "true")
+    tlh = os.environ | {"RAMANUJAN_LANGUAGE": "tlh"}
+    done = subprocess.run(command, cwd=ROOT, env=tlh, capture_output=True, text=True, timeout=60, check=False)
+    assert done.stderr.endswith("RAMANUJAN_LANGUAGE must be one of de, en, hu, pseudo. It is tlh.\n")
+    assert "Traceback" not in done.stderr
+    assert done.returncode == 1

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-from babel.messages.catalog import Catalog, Message
+import pytest
+from babel.messages.catalog import Message
 from babel.messages.extract import extract_from_dir
 
 from ramanujan.browser import modules
 from ramanujan.browser.stage import words
-from tests.browser import ROOT
-
-PACKAGE = ROOT / "ramanujan"
+from ramanujan.translation import KEPT, LOCALE
+from tests.catalogue import KEYWORDS, NAME, PACKAGE, compiled, strings, template, texts, translated
 
 SHORTEST_LIMIT = 30
 """Words of the longest sentence."""
@@ -23,24 +23,8 @@ SHORTEST_LIMIT = 30
 _FORMULA = re.compile(r"\$[^$]*\$|`[^`]*`")
 
 
-@cache
-def catalogue() -> Catalog:
-    """The English template catalogue, as a translator gets it."""
-    made = Catalog(project="Ramanujan’s oscillator")
-    for file, line, message, comments, context in extract_from_dir(PACKAGE, [("**.py", "python")], keywords=KEYWORDS):
-        made.add(message, None, [(file, line)], auto_comments=comments, context=context)
-    return made
-
-
-KEYWORDS = {"_": None, "ngettext": (1, 2)}
-
-
 def messages() -> list[Message]:
-    return [message for message in catalogue() if message.id]
-
-
-def texts(message: Message) -> tuple[str, ...]:
-    return message.id if isinstance(message.id, tuple) else (message.id,)
+    return [message for message in template() if message.id]
 
 
 def every_text() -> list[str]:
@@ -73,7 +57,7 @@ def test_the_template_holds_every_message_and_each_is_a_literal():
         found = list(calls(tree, *KEYWORDS))
         assert len(found) == held[str(path.relative_to(PACKAGE))], path
         for call in found:
-            literals = call.args[:1] if call.func.id == "_" else call.args[:2]
+            literals = call.args[: 1 if call.func.id == "_" else 2]
             assert all(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in literals), path
     assert sum(held.values()) > 300
 
@@ -93,6 +77,36 @@ def test_slots_have_names():
         for name in fields(text):
             # A slot may show what belongs to a value, as in {machine.period} and {terms[0]}.
             assert re.fullmatch(r"[^\W\d]\w*(\.[^\W\d]\w*|\[\d\])*", name), text
+
+
+# Translations
+
+
+@pytest.mark.parametrize("language", sorted(path.name for path in LOCALE.iterdir()))
+def test_a_translation_keeps_what_is_no_word_and_is_compiled(language):
+    catalogue = translated(language)
+    assert (LOCALE / language / f"{NAME}.mo").read_bytes() == compiled(catalogue), "run python -m tests.catalogue"
+    for message in catalogue:
+        originals = texts(message)
+        for text in filter(None, strings(message) if message.id else ()):
+            assert any(kept(text) == kept(original) for original in originals), (text, kept(text), kept(originals[0]))
+            assert text == text.strip(), text
+            assert not re.search("  |--", text), text
+
+
+def kept(text: str) -> Counter:
+    """What a translation must have in common with the English text, in any order."""
+    formulas = re.sub(r"\\text\{+[^{}]*\}+", "", text.replace("{,}", "."))
+    return Counter([*KEPT.findall(formulas), *re.findall(r"\*+|\n|^#+ |^- ", text, re.MULTILINE)])
+
+
+def test_a_lost_slot_formula_or_mark_is_found():
+    english = "**{n:3 s}** is $x = 0.5\\,\\text{turns}$, `k` <b>m</b> [here](page) &nbsp; :material/check:"
+    assert kept(english) == kept(
+        "$x = 0{,}5\\,\\text{fordulat}$ &nbsp; **{n:3 s}**: :material/check: <b>m</b>, `k` [itt](page)"
+    )
+    for lost in ("{n:3 s}", "**", "0.5", "`k`", "</b>", "(page)", "&nbsp;", ":material/check:"):
+        assert kept(english) != kept(english.replace(lost, "x", 1)), lost
 
 
 # Whole sentences

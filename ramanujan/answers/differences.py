@@ -70,6 +70,7 @@ def _of_quotients(it: Question, typed: sp.Expr, exact: FracElement, right: FracE
         return Difference(multiple, is_slip=not terms.names_in(ratio))
     needed = [name for name in ("m", "m'", "k", "R") if SYMBOLS[name] in leaves(it.right)]
     if missing := [name for name in needed if not depends_on(typed, SYMBOLS[name])]:
+        # TRANSLATORS: {quantity} is what is asked for, such as the kinetic energy of the block; {names} are symbols.
         sentence = _("Your answer does not depend on {names}, but {quantity} does.")
         said = sentence.format(names=terms.listed(missing), quantity=it.quantity)
         return Difference([said, *_for_special_masses(it, typed)[:1]], is_slip=True)

@@ -199,6 +199,7 @@ def _wrong_unit(it: Question, typed: sp.Expr) -> str | None:
     if found == right or it.kind == EQUATION:
         return None
     if not found:
+        # TRANSLATORS: {quantity} is what is asked for, such as the kinetic energy of the block.
         sentence = _("Your answer is a plain number, but {quantity} has the unit {expected}.")
     elif not right:
         sentence = _("Your answer has the unit {yours}, but {quantity} is a plain number.")

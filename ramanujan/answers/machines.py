@@ -17,6 +17,7 @@ from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, ep
 from ramanujan.translation import _
 
 CALLED = {
+    # TRANSLATORS: the names of the bodies in sentences; they stand in the slots {body}, {name} and {roller}.
     "block": _("the block"),
     "hoop": _("the hoop"),
     "cylinder": _("the lower cylinder"),
@@ -98,6 +99,7 @@ def _other_angle(body: Body) -> dict[str, Any]:
 MISTAKES = (
     Mistake(
         "no_rotation",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you leave out the rotation of {body}. What is the energy of a rotation?"),
         (*_ROLLERS.split(), _LOWER, _ROLLERS),
         lambda _body: {"shape_factor": sp.S.Zero},
@@ -105,6 +107,7 @@ MISTAKES = (
     Mistake(
         "rolls_on_ground",
         _(
+            # TRANSLATORS: {body} is the hoop, the lower rollers … as translated for this.
             "You get this result if you divide the velocity of {body} relative to the ground by R to find the angular "
             "velocity. On which surface does a roller roll?"
         ),
@@ -113,36 +116,42 @@ MISTAKES = (
     ),
     Mistake(
         "other_mass",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
         (*CALLED, _LOWER),
         lambda body: {"mass": m if body.mass == m_prime else m_prime},
     ),
     Mistake(
         "sign_of_X",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you add X′ to the velocity of {body}. In which direction does the block move?"),
         (*_RIDERS.split(), _LOWER),
         lambda body: {"displacement": body.displacement.subs(X, -X)},
     ),
     Mistake(
         "relative_to_block",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you take the velocity of {body} relative to the block. How does the block move?"),
         (*_RIDERS.split(), _LOWER, _RIDERS),
         lambda body: {"displacement": body.displacement.subs(X, 0)},
     ),
     Mistake(
         "slab_as_centres",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if {body} moves only as far as the centres of its rollers. How far do their tops move?"),
         ("slab",),
         lambda _body: {"displacement": right()["hoop"].displacement},
     ),
     Mistake(
         "roller_as_slab",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you let {body} move as far as the slab. How far does the centre of a roller move?"),
         (*_LOWER.split(), _LOWER),
         lambda _body: {"displacement": right()["slab"].displacement},
     ),
     Mistake(
         "other_angle",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you use the angle {angle} for {body}. Which bodies turn by this angle?"),
         tuple(_RIDERS.split()),
         _other_angle,
@@ -150,6 +159,7 @@ MISTAKES = (
     *(
         Mistake(
             f"inertia_{shape}",
+            # TRANSLATORS: {body} is the hoop, the top cylinder …; {shape} is a hoop, a solid cylinder …
             _("You get this result if {body} has the moment of inertia of {shape}. What is the right one?"),
             tuple(_ROLLERS.split()),
             lambda _body, shape=shape: {"shape_factor": shape},
@@ -158,6 +168,7 @@ MISTAKES = (
     ),
     Mistake(
         "left_out",
+        # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
         tuple(CALLED),
         lambda _body: {"mass": sp.S.Zero},

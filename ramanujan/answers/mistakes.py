@@ -53,6 +53,7 @@ def energy(name: str) -> Slips:
     if body.shape_factor != 1:
         yield hint, travel - spin
         yield hint, spin - travel
+    # TRANSLATORS: {body} is the hoop, the lower cylinder or the top cylinder.
     alone = _("This is only the energy of rotation of {body}. How fast does its centre move?")
     yield alone.format(body=machines.CALLED[name]), spin
 

@@ -218,13 +218,18 @@ def _body_question(name: str) -> Question:
     body, called = machine()[name], CALLED[name]
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
     hints = {
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         "X′²": _("What is the kinetic energy of {body} while only the block moves, with {rate} = 0?"),
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         f"X′{rate}": _("What is the mixed term when you square the velocity of {body}?"),
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         f"{rate}²": _("What is the kinetic energy of {body} while the block is at rest, with X′ = 0?"),
     }
     leads_on = (
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         _("How fast does {body} move relative to the ground, and how fast does it rotate?")
         if body.angle != 0
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         else _("How fast does {body} move relative to the ground?")
     )
     speed = _("What is v in terms of X′ and {rate}?") if rate else _("What is v in terms of X′?")
@@ -234,8 +239,10 @@ def _body_question(name: str) -> Question:
         letters[TEXTBOOK["omega"]] = body.angle.diff(t), _("What is ω?")
     return Question(
         f"kinetic_energy_{name}",
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         _("the kinetic energy of {body}").format(body=called),
         lambda: body.kinetic_energy,
+        # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=called),
         lambda _right: mistakes.energy(name),
         lambda bodies: bodies[name].kinetic_energy,

@@ -21,6 +21,7 @@ from ramanujan.translation import _, ngettext
 
 NAMES = tuple(SYMBOLS)
 _SHOWN = {"eps": "ε", "Phi": "Φ", "phi": "φ", "''": "″", "'": "′"}
+# TRANSLATORS: they stand for {times} in a sentence such as: Your answer is {times} the right one.
 _WORDS = {"2": _("twice"), "3": _("three times"), "4": _("four times"), "1/2": _("half of")}
 _MOST_SENTENCES = 3
 
@@ -155,6 +156,7 @@ def shown_factor(factor: FracElement) -> str | None:
 
 def how_many_times(factor: str) -> str:
     """Return a factor in words, such as "twice" or "3/2 times", to be followed by "the right one"."""
+    # TRANSLATORS: stands for {times} in a sentence such as: Your answer is {times} the right one.
     return _WORDS.get(factor) or _("{factor} times").format(factor=factor)
 
 
@@ -307,9 +309,11 @@ def as_fraction(given: FracElement, right: FracElement) -> tuple[str, Difference
     With the right denominator D the given numerator is given·D; with the right numerator N the denominator is N/given.
     """
     above, below = FIELD(right.numer), FIELD(right.denom)
+    # TRANSLATORS: {term} is a product of symbols; the whole stands for {term} in: Your coefficient of {term} is wrong.
     numerator = term_by_term(given * below, above, NAMES, _("{term} in the numerator"))
     if numerator and not names_in(FIELD(given.denom) / below):
         return _("Written as one fraction, your answer has the right denominator."), numerator
+    # TRANSLATORS: as before, of a term below the fraction line.
     denominator = term_by_term(above / given, below, NAMES, _("{term} in the denominator"))
     if denominator and not names_in(FIELD(given.numer) / above):
         return _("Written as one fraction, your answer has the right numerator."), denominator

@@ -13,10 +13,10 @@ from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
 from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.rows import Row, rows, widest
 from ramanujan.derivation.steps import Route, Step
-from ramanujan.translation import _
+from ramanujan.translation import _, pgettext
 
 TITLE = _("Ramanujan’s oscillator: {route}")
-_SYMBOLS, _MACHINE = _("Symbols"), _("The machine")
+_SYMBOLS, _MACHINE = pgettext("list of them", "Symbols"), _("The machine")
 _WITH_NUMBERS, _CHECKED = _("With numbers"), _("Check the result another way")
 _BODIES = _("The machine has five bodies, three of which roll, and one spring.")
 _CHECK = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omega^2$.")

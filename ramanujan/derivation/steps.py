@@ -69,16 +69,19 @@ def blackboard(operation: str, *what: sp.Basic | str) -> str:
 
 def insert(*what: sp.Basic | str) -> str:
     """Return the operation that inserts what is known."""
+    # TRANSLATORS: an operation, written beside an equation; {what} is a formula.
     return blackboard(_("insert {what}"), *what)
 
 
 def solve_for(what: sp.Basic) -> str:
     """Return the operation that solves for an unknown."""
+    # TRANSLATORS: an operation, written beside an equation; {what} is a symbol.
     return blackboard(_("solve for {what}"), what)
 
 
 def compare(what: sp.Basic) -> str:
     """Return the operation that reads a value off two forms of one equation."""
+    # TRANSLATORS: an operation, written beside an equation; {what} is a symbol.
     return blackboard(_("compare the factors of {what}"), what)
 
 

@@ -85,6 +85,7 @@ def machine_grid(
         **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
     }
     # A heatmap cannot be clicked, so the numbers are on marks, which can.
+    # TRANSLATORS: {lower} is a pair such as hoop + cylinder, {top} is a body such as cylinder.
     hover = _("{lower} below, {top} on top<br>discriminant {number}")
     inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
     unseen = {"marker": {"opacity": 0}}

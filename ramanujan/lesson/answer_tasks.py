@@ -35,6 +35,7 @@ def half_energy(setting: Setting) -> Verdict:
         _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too much."),
         _("At that moment the spring holds {share:3 %} of the energy. That is {off} of the total too little."),
     )
+    # TRANSLATORS: the spring holds none of the energy.
     return near(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
 
 

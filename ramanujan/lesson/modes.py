@@ -24,6 +24,7 @@ def zero_modes(machine: Oscillator) -> int:
 
 def _called(contact: str) -> str:
     roller, other = contact.split("_")
+    # TRANSLATORS: both are bodies: the hoop, the lower cylinder, the slab …
     return _("{roller} on {other}").format(roller=CALLED[roller], other=CALLED[other])
 
 

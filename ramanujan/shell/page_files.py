@@ -26,6 +26,7 @@ from starlette.routing import Mount, Route, Router
 from starlette.staticfiles import StaticFiles
 
 from ramanujan.browser import modules
+from ramanujan.translation import LANGUAGE
 
 try:
     import brotli
@@ -197,4 +198,5 @@ def _with_own() -> bytes:
     rules = (f'<link rel="stylesheet" href="{place}/{name}"{media.get(name, "")}>' for name in sheets)
     end = f"{''.join(rules)}{''.join(scripts)}</body>"
     page = _FONT.sub("".join(fonts).encode(), (_STREAMLIT / "index.html").read_bytes(), count=1)
+    page = page.replace(b'<html lang="en"', f'<html lang="{LANGUAGE}"'.encode(), 1)
     return page.replace(b"</body>", end.encode(), 1)

@@ -17,7 +17,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
-from ramanujan.translation import _
+from ramanujan.translation import _, pgettext
 
 PRESETS = {
     "equal": _("Equal masses"),
@@ -97,7 +97,7 @@ def presets(offered: Collection[str]) -> None:
 
 def symbols() -> None:
     """Draw the list of symbols. Only an open list is sent: it would be a twentieth of every change."""
-    with st.expander(_("Symbols"), key="symbols", on_change="rerun") as opened:
+    with st.expander(pgettext("list of them", "Symbols"), key="symbols", on_change="rerun") as opened:
         if opened.open:
             entries = cache.symbols("euler_lagrange", x_0=_("compression of the spring at release [m]"))
             st.markdown("\n".join(f"- {entry}" for entry in entries))

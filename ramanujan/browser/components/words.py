@@ -1,6 +1,6 @@
 """The texts for the slots of the components' HTML; what the components say besides comes with their data."""
 
-from ramanujan.translation import _
+from ramanujan.translation import _, pgettext
 
 TEXTS = {
     "cubes": {"apart": _("Pull the layers apart"), "turn": _("Turn the stacks")},
@@ -10,6 +10,11 @@ TEXTS = {
     "drawer": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},
     "stopwatch": {"stopwatch": _("Stopwatch")},
-    "turn": {"steps": _("Stops of the lesson"), "step": _("Stop"), "back": _("Back"), "next": _("Next")},
+    "turn": {
+        "steps": _("Stops of the lesson"),
+        "step": pgettext("of the lesson", "Stop"),
+        "back": _("Back"),
+        "next": _("Next"),
+    },
 }
 """Component → slot of its HTML → text."""

@@ -75,6 +75,7 @@ SLIPS = {
 """Contact → what is said when it slips."""
 
 BODIES = {
+    # TRANSLATORS: bodies without an article, also inside of a sentence.
     "block": _("block"),
     "slab": _("slab"),
     "spring": _("spring"),
@@ -82,6 +83,7 @@ BODIES = {
     "shell": _("spherical shell"),
     "cylinder": _("cylinder"),
     "sphere": _("sphere"),
+    # TRANSLATORS: {body} is hoop, spherical shell, cylinder or sphere.
     "left": _("left {body}"),
     "right": _("right {body}"),
     "lower": _("lower {body}"),

@@ -24,6 +24,7 @@ from ramanujan.translation import _
 LONGEST_ROUTE = 99
 ROUTE = address.Choice("route", tuple(ROUTES), "euler_lagrange")
 VIEW = address.Choice("show", {"lecture": _("One step"), "reading": _("All steps")}, "lecture")
+# TRANSLATORS: a choice: equations are shown in symbols or with numbers.
 VALUES = address.Choice("values", {"symbols": _("Symbols"), "numbers": _("Numbers")}, "symbols")
 MASSES = address.Choice("masses", {"any": _("Any masses"), "equal": _("Equal masses, m′ = m")}, "any")
 STEP = address.Count("step", LONGEST_ROUTE)

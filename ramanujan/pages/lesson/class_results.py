@@ -74,6 +74,7 @@ def _label(label: str, right: bool, own: bool) -> str:
 def _share(people: int, total: int) -> str:
     """Return how many of all who voted these people are."""
     share = quantity(round(100 * people / total) if total else 0, "%")
+    # TRANSLATORS: how many chose this answer: 12 of 30, 40 %.
     return _("{people} of {total}, {share}").format(people=people, total=total, share=share)
 
 

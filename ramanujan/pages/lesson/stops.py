@@ -286,7 +286,9 @@ def _caption(stop: Stop, running: bool) -> str:
         return _("The sliders do not change what is shown here.")
     machine = stop.shown if running else stop.machine
     if not sidebar.holds(machine, stop.compression):
+        # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
         return _("You have changed the machine. The question is about {machine}.").format(machine=_written(machine))
+    # TRANSLATORS: {machine} is a list such as: m = 1 kg, m′ = 2 kg, k = 10 N/m.
     said = _("This machine has {machine}.") if running else _("The machine: {machine}.")
     return said.format(machine=_written(machine))
 

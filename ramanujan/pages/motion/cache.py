@@ -24,6 +24,7 @@ POINTS = points_for_half_pixel(2 * PERIODS)
 """An energy goes up and down twice in a period; and any figure can be opened to fill the screen."""
 
 CONTACTS = {
+    # TRANSLATORS: two bodies that touch: hoop and slab.
     f"{body}_{other}": _("{body} and {other}").format(body=PARTS[body], other=PARTS[other])
     for other, bodies in (("slab", ("hoop", "cylinder")), ("block", ("hoop", "cylinder", "top")))
     for body in bodies
@@ -130,6 +131,7 @@ VIEWS = {
 def _contact_curve(contact: str, values: np.ndarray, colors: Mapping[str, str]) -> Curve:
     body, _between, other = contact.partition("_")
     dash = "solid" if other == "slab" or body == "top" else "7px 5px"
+    # TRANSLATORS: the same in short: hoop–slab.
     label = _("{body}–{other}").format(body=PARTS[body], other=PARTS[other])
     return replace(_of_body(body, values, colors, dash=dash), name=CONTACTS[contact], label=label)
 

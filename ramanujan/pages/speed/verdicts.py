@@ -68,6 +68,7 @@ def errors_of(run: Run) -> str:
     turns = abs(run.phase_at_end) / math.tau
     off = (_("{turns} full turns") if turns > 1 else _("{turns} of a full turn")).format(turns=number(turns))
     phase = (
+        # TRANSLATORS: {off} is 3 full turns, or 0.2 of a full turn.
         _("At the end the computed machine is **{off} ahead** ({phase} rad).")
         if run.phase_at_end > 0
         else _("At the end the computed machine is **{off} behind** ({phase} rad).")
@@ -183,6 +184,7 @@ def strip(sweep: Sweep) -> list[Part]:
 
 
 _RETURNS = {
+    # TRANSLATORS: what a formula returns; a list of them follows the name of the formula and a colon.
     RIGHT: _("right to {error} ulp"),
     ZERO: "0",
     OVERFLOW: _("∞ or NaN"),

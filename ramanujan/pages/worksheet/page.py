@@ -15,9 +15,11 @@ from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.translation import _, ngettext
 
+# TRANSLATORS: a worksheet, and the right answers to it.
 PAPER = address.Choice("paper", {"questions": _("Questions"), "key": _("Key")}, "questions")
 SEED = worksheet_keys.name_parameter("seed", default="BCDFHJKLMN")
 KEY = worksheet_keys.key_parameter("key")
+# TRANSLATORS: kinds of worksheets, the first with most of the derivation printed.
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
