@@ -96,7 +96,7 @@ def _guided(step: Step, level: int) -> Question:
     blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
     wide = [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
     given, asked = {1: (whole[:-1], blanks[-1:]), 2: ([], wide), 3: ([], [])}[level]
-    said = () if level == 3 else (step.reason, _WHERE.get(step.key, ""))
+    said = ("" if level == 3 else step.reason, _WHERE.get(step.key, ""))
     return Question(
         " ".join(filter(None, (f"**{step.heading}.**", *said))),
         in_a_row(whole),
