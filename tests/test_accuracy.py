@@ -1,10 +1,6 @@
-"""The experiments: their errors against theory and exact arithmetic, the command line."""
+"""The experiments: their errors against theory and exact arithmetic."""
 
-import csv
-import io
 import math
-import subprocess
-import sys
 from fractions import Fraction
 from functools import cache
 from itertools import islice
@@ -15,8 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.__main__ import main
-from ramanujan.accuracy.choices import arithmetics, caching, closed_form, curve_sampling
+from ramanujan.accuracy.choices import arithmetics, caching, curve_sampling
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
 from ramanujan.accuracy.measurement import measure
@@ -24,7 +19,6 @@ from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history
 from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
 from ramanujan.integrators import METHODS, trajectory
-from tests.browser import ROOT
 
 pytestmark = pytest.mark.xdist_group("accuracy")
 
@@ -164,24 +158,6 @@ def test_cheapest_is_sorted_and_within_the_tolerance(curves):
     assert all(0 < curve.step.low <= curve.step.median <= curve.step.high for curve in timed_curves)
 
 
-@pytest.mark.parametrize(
-    ("call", "name"),
-    [
-        (lambda: work_precision("rk4", steps_per_period=[2]), "steps_per_period"),
-        (lambda: work_precision("rk4", periods=10**6, steps_per_period=[10**6]), "steps_per_period"),
-        (lambda: work_precision("rk4", after=work_precision("yoshida4", periods=1)), "after"),
-        (lambda: work_precision("rk4", periods=1, after=work_precision("rk4", periods=1)), "after"),
-        (lambda: work_precision("rk4", of="speed"), "of"),
-        (lambda: cheapest([], 0), "tolerance"),
-        (lambda: closed_form(MACHINE, [0]), "periods"),
-        (lambda: arithmetics(-1.0), "mass_ratio"),
-    ],
-)
-def test_bad_arguments_are_named_at_once(call, name):
-    with pytest.raises(ValueError, match=rf"^{name} must"):
-        call()
-
-
 @cache
 def all_sweeps():
     return {(s.form, s.dtype, s.along): s for s in extremes()}
@@ -295,32 +271,3 @@ def test_comparisons_and_timings_are_ordered():
     timing = measure(lambda: calls.append(1))
     assert len(calls) > 3
     assert 0 < timing.low <= timing.median <= timing.high
-
-
-def test_the_program_prints_every_table():
-    command = [sys.executable, "-m", "ramanujan.accuracy"]
-    out = subprocess.run(command, capture_output=True, encoding="utf-8", check=True, cwd=ROOT).stdout
-    for words in (
-        "over 10 periods",
-        "fewest evaluations",
-        "Fastest run",
-        "Points of a curve",
-        "Closed form",
-        "Forms of Ω²",
-        "Phase error",
-        "eigh_cholesky",
-        "mpmath",
-        "100 states singly",
-        *METHODS,
-    ):
-        assert words in out
-
-
-def test_csv_carries_every_digit(capsys):
-    assert main(["work-precision", "--csv"]) == 0
-    header, *rows = csv.reader(io.StringIO(capsys.readouterr().out))
-    assert header[:4] == ["table", "method", "dtype", "steps_per_period"]
-    found = next(row for row in rows if row[1] == "velocity_verlet" and row[2] == "float64")
-    steps = int(found[3])
-    expected = work_precision("velocity_verlet", periods=10, steps_per_period=[steps])
-    assert float(found[header.index("error")]) == expected.error[0]

@@ -7,8 +7,7 @@
     general_solvers  eigenvalue solvers that know only the machine's matrices
     phase            the phase after 1 … 1e15 periods
     measurement      timing, and the reference arithmetic
-    __main__         the results as tables: python -m ramanujan.accuracy --help
 
 Every experiment is a plain function, which measures or computes every number when it is called. Results are frozen
-dataclasses.
+dataclasses. An experiment trusts its arguments: they come from the choices of a page.
 """

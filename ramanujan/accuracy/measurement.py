@@ -11,7 +11,6 @@ import mpmath
 import numpy as np
 
 from ramanujan.frequency import frequency_squared
-from ramanujan.validation import function, one_of, positive
 
 _REPEATS, _SHORTEST = 7, 1e-3
 """Batches of which the median and the quartiles are taken, and the least duration of a batch [s]."""
@@ -41,14 +40,9 @@ def measure(call: Callable[[], object]) -> Timing:
     -------
     median and quartiles [s]
 
-    Raises
-    ------
-    ValueError : call is not a function.
-
     >>> measure(lambda: sum(range(100))).median > 0
     True
     """
-    function("call", call)
     calls = 1
     while (seconds := _batch(call, calls)) < _SHORTEST:
         calls = max(2 * calls, math.ceil(calls * _SHORTEST / max(seconds, 1e-7)))
@@ -68,25 +62,10 @@ def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
     -------
     a number of `REFERENCE`
 
-    Raises
-    ------
-    ValueError : a parameter is not a finite positive number.
-
     >>> round(float(exact_frequency_squared(1, 1, 99)), 9)
     104.0
     """
-    given = (("m", m), ("m_prime", m_prime), ("k", k))
-    return frequency_squared(*(REFERENCE.mpf(positive(name, value)) for name, value in given))
-
-
-def float_type(name: str, value: str) -> type[np.floating]:
-    """Return np.float32 or np.float64 for its name, or raise ValueError.
-
-    >>> float_type("dtype", "float32")
-    <class 'numpy.float32'>
-    """
-    kinds = {"float32": np.float32, "float64": np.float64}
-    return kinds[one_of(name, value, kinds)]
+    return frequency_squared(*(REFERENCE.mpf(float(value)) for value in (m, m_prime, k)))
 
 
 def _batch(call: Callable[[], object], calls: int) -> float:

@@ -11,14 +11,11 @@ from dataclasses import dataclass
 
 import mpmath
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ramanujan.accuracy.measurement import REFERENCE, exact_frequency_squared
 from ramanujan.motion import InitialState, motion
-from ramanujan.numerals import number, quantity
 from ramanujan.oscillator import Oscillator
-from ramanujan.translation import _
-from ramanujan.validation import finite_array, instance
 
 LARGEST_DECADE = 15
 """Beyond 1e15 periods neighbouring doubles t are a quarter of a period apart: t itself no longer determines a phase."""
@@ -48,23 +45,13 @@ def phase_errors(oscillator: Oscillator) -> list[PhaseErrors]:
     -------
     the `PhaseErrors` of each decade
 
-    Raises
-    ------
-    ValueError : oscillator is not an `Oscillator`, or the longest time is outside the range of float64.
-
     >>> [near.periods for near in phase_errors(Oscillator())][:3]
     [1.0, 10.0, 100.0]
     """
-    instance("oscillator", oscillator, Oscillator)
-    if not math.isfinite(oscillator.period * 10.0**LARGEST_DECADE * 2):
-        sentence = _("oscillator has a period of {period}, too long for {count} of them")
-        raise ValueError(
-            sentence.format(period=quantity(oscillator.period, "s", 3), count=number(10.0**LARGEST_DECADE))
-        )
     return [_errors_near(oscillator, 10.0**decade) for decade in range(LARGEST_DECADE + 1)]
 
 
-def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
+def largest_phase_error(oscillator: Oscillator, times: NDArray[np.float64]) -> float:
     """Return the largest phase error [rad] of `motion` at the given times, against 50-digit arithmetic.
 
     Parameters
@@ -76,16 +63,9 @@ def largest_phase_error(oscillator: Oscillator, times: ArrayLike) -> float:
     -------
     the largest of the n errors [rad]
 
-    Raises
-    ------
-    ValueError : times is not a sequence of finite numbers.
-
-    >>> largest_phase_error(Oscillator(), [1.0, 1e6]) < 1e-15
+    >>> largest_phase_error(Oscillator(), np.array([1.0, 1e6])) < 1e-15
     True
     """
-    times = finite_array("times", times)
-    if times.ndim != 1 or times.size == 0:
-        raise ValueError(_("times must be a sequence of numbers, not of the shape {shape}").format(shape=times.shape))
     q, q_dot = motion(oscillator, InitialState(phi=1.0), times)
     sines = -q_dot[1] / oscillator.natural_frequency
     exact = map(REFERENCE.cos_sin, _exact_phases(oscillator, times))

@@ -10,10 +10,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ramanujan.accuracy.measurement import Timing, float_type
-from ramanujan.accuracy.runs import LONGEST_RUN, blocks, evaluations_of, method_named, seconds_per_step, steps_within
-from ramanujan.translation import _
-from ramanujan.validation import function, instance, integer, one_of, positive, sequence
+from ramanujan.accuracy.measurement import Timing
+from ramanujan.accuracy.runs import blocks, evaluations_of, seconds_per_step
+from ramanujan.integrators import METHODS
 
 STEPS_PER_PERIOD = tuple(range(3, 193))
 """Every whole number of steps that is tried; below 3, a step would turn by half a circle or more."""
@@ -92,34 +91,20 @@ def work_precision(
     -------
     the runs over that many periods, without seconds
 
-    Raises
-    ------
-    ValueError : an argument is outside its range, or a run would take more than LONGEST_RUN steps.
-
     >>> work_precision("velocity_verlet", periods=10, steps_per_period=[20]).evaluations
     array([201])
     """
-    periods = integer("periods", periods, 1, LONGEST_RUN // 3)
-    chosen, kind = method_named("method", method), float_type("dtype", dtype)
-    function("between", between)
-    one_of("of", of, ("state", "phase"))
     if after is None:
-        steps = np.unique([steps_within(n, periods) for n in sequence("steps_per_period", steps_per_period)])
-        if steps.size == 0:
-            raise ValueError(_("steps_per_period must not be empty"))
-        before, error = 0, np.zeros(steps.size)
-        start = np.ones((2, steps.size), kind), np.zeros((2, steps.size), kind)
+        steps, before = np.unique(steps_per_period), 0
+        error, start = np.zeros(steps.size), (np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype))
     else:
-        instance("after", after, WorkPrecision)
-        if (after.method, after.dtype) != (method, dtype) or after.periods >= periods:
-            raise ValueError(_("after must be fewer periods of the same method in the same dtype"))
         steps, before, error, start = after.steps_per_period, after.periods, after.error.copy(), after.ends
-    h = (2 * np.pi / steps).astype(kind)
+    h = (2 * np.pi / steps).astype(dtype)
     # Every machine rounds its own h and Ω², so its hΩ is off by up to ¾ ε. These two steps enclose that.
     h = np.stack([h - 2 * np.spacing(h), h + 2 * np.spacing(h)])
-    ends = np.empty((2, *h.shape), kind)
+    ends = np.empty((2, *h.shape), dtype)
     turns, first = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps]), np.cumsum(steps) - steps
-    for number, q, v in blocks(chosen, start, h, steps * (periods - before)):
+    for number, q, v in blocks(METHODS[method], start, h, steps * (periods - before)):
         running = slice(steps.size - q.shape[-1], None)
         exact = turns[first[running] + number[:, None] % steps[running]][:, None]
         with np.errstate(over="ignore", invalid="ignore"):
@@ -147,14 +132,9 @@ def timed(curve: WorkPrecision) -> WorkPrecision:
     -------
     the same runs with their seconds
 
-    Raises
-    ------
-    ValueError : curve is not a result of `work_precision`.
-
     >>> timed(work_precision("rk4", periods=1, steps_per_period=[20])).seconds > 0
     array([ True])
     """
-    instance("curve", curve, WorkPrecision)
     return replace(curve, step=seconds_per_step(curve.method, curve.dtype))
 
 
@@ -171,19 +151,12 @@ def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evalu
     -------
     at most one choice for each curve, the run with the fewest steps; a curve without such a run has none
 
-    Raises
-    ------
-    ValueError : curves are not results of `work_precision`, the tolerance is not a finite positive number, or the cost
-        has another name.
-
     >>> [choice] = cheapest([work_precision("rk4", periods=10)], tolerance=1e-2)
     >>> choice.steps_per_period
     17
     """
-    one_of("by", by, ("evaluations", "seconds"))
-    tolerance = positive("tolerance", tolerance)
     found = []
-    for curve in (instance("curves", curve, WorkPrecision) for curve in sequence("curves", curves)):
+    for curve in curves:
         if (within := curve.error <= tolerance).any():
             run, n = int(np.argmax(within)), curve.steps_per_period
             costs = int(curve.evaluations[run]), float(curve.seconds[run])

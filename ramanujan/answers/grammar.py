@@ -10,8 +10,6 @@ they were typed, unevaluated: `length`, digits and exponents are bounded before 
 was typed is put together meanwhile; SymPy's printer would evaluate it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import sympy as sp
@@ -63,7 +61,7 @@ def typeset(text: str, *, is_equation: bool = False) -> str:
     return "=".join(side.bare for side in _sides(text, is_equation))
 
 
-def _sides(text: str, is_equation: bool = False) -> list[_Part]:
+def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
     """Return a formula, or both sides of an equation."""
     if not isinstance(text, str):
         raise UnreadableError(_("Type your answer as text."))
@@ -78,7 +76,7 @@ def _sides(text: str, is_equation: bool = False) -> list[_Part]:
     return [_side(each) for each in (*sides, "0")[: 1 + is_equation]]
 
 
-def _side(in_ascii: str) -> _Part:
+def _side(in_ascii: str) -> "_Part":
     reader = _Reader(list(tokens(in_ascii)))
     if reader.next is None:
         raise UnreadableError(_("Type a formula first."))

@@ -4,8 +4,6 @@ A float is read as what a person has entered: 0.1 is 1/10, and the float nearest
 nearest to ε*m, it is read as ε*m = (√1729 − 1)/36 · m itself. That Ω² then equals k/m is computed, not assumed.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -42,12 +40,12 @@ class Numbers:
     k: float
 
     @classmethod
-    def of(cls, machine: Any) -> Numbers:
+    def of(cls, machine: Any) -> "Numbers":
         """Return the numbers of a machine that has them as attributes, such as an `Oscillator`."""
         return cls(*(getattr(machine, field.name) for field in fields(cls)))
 
     @property
-    def with_equal_masses(self) -> Numbers:
+    def with_equal_masses(self) -> "Numbers":
         """The same with m′ = m."""
         return replace(self, m_prime=self.m)
 

@@ -4,8 +4,6 @@ Nothing is derived here and nothing is typed: what goes in is a SymPy expression
 numbers (p + r√n)/q have LaTeX and decimals of their own: “=” where a decimal is exact, “≈” where it is rounded.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Context, Decimal
 from functools import cache, lru_cache
@@ -168,7 +166,7 @@ class Number(NamedTuple):
     n: int = 1
 
     @classmethod
-    def of(cls, p: int, r: int, q: int, n: int) -> Number:
+    def of(cls, p: int, r: int, q: int, n: int) -> "Number":
         """Return (p + r√n)/q.
 
         >>> Number.of(-2, 2, 72, 1729)

@@ -7,8 +7,6 @@ What a class may do is said in `classes`; here a transaction is carried out or r
 middle of one leaves the database as it was before. Nothing in it names a person.
 """
 
-from __future__ import annotations
-
 import logging
 import os
 import random
@@ -77,7 +75,7 @@ def place() -> str:
     return str(Path(tempfile.gettempdir()) / f"ramanujan-classes-{user}.sqlite")
 
 
-def store_at(where: str | Path) -> Store:
+def store_at(where: str | Path) -> "Store":
     """Return the store at a file's path or a PostgreSQL server's address."""
     return PostgresStore(str(where)) if str(where).startswith(POSTGRES) else SqliteStore(Path(where))
 

@@ -1,5 +1,6 @@
 """The caches of the page Motion: the motion and its figures, for the settings that were asked for."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -13,15 +14,19 @@ from ramanujan.figures import Drawn
 from ramanujan.figures.motion import Curve, Panel, phase_plane, roomy, time_panels
 from ramanujan.record import Record
 from ramanujan.record import record as take_record
-from ramanujan.sampling import points_for_half_pixel
 from ramanujan.shell import theme
 from ramanujan.translation import _
 
 PERIODS = 2
 """How many periods of the machine the figures show."""
 
-POINTS = points_for_half_pixel(2 * PERIODS)
-"""An energy goes up and down twice in a period; and any figure can be opened to fill the screen."""
+HEIGHT = 1080
+"""Pixels: any figure can be opened to fill the screen."""
+POINTS = math.ceil(2 * math.pi * PERIODS / math.acos(1 - 1 / HEIGHT)) + 1
+"""The fewest points whose chords miss a cosine with two cycles in a period, as an energy has, by at most half a pixel.
+
+A chord misses its arc at a crest by ½·height·(1 − cos ½δ), where δ is the step of the cosine's phase.
+"""
 
 CONTACTS = {
     # TRANSLATORS: two bodies that touch: hoop and slab.
