@@ -43,12 +43,9 @@ def test_heading_and_reason_are_there_and_hold_no_result(name, key):
 
 
 def test_what_is_not_there_is_refused_by_name():
-    with pytest.raises(KeyError, match="guess"):
-        ROUTES["guess"]
-    with pytest.raises(ValueError, match=r"key must be one of rolling, forces, .*not 'nope'"):
-        ROUTES["newton"]["nope"]
-    with pytest.raises(ValueError, match="name must be one of block, hoop, cylinder, slab, top, not 'wheel'"):
-        machine()["wheel"]
+    for known, name in ((ROUTES, "guess"), (ROUTES["newton"], "nope"), (machine(), "wheel")):
+        with pytest.raises(KeyError, match=name):
+            known[name]
 
 
 def test_routes_and_steps_show_themselves_in_a_notebook():

@@ -55,5 +55,5 @@ def test_thirteen_equations_for_thirteen_unknowns():
     cut = newton.free_bodies(machine())
     assert (len(cut.forces), len(cut.torques), len(cut.rolling)) == (5, 3, 5)
     assert len(cut.solution) == 13
-    coefficients, _ = sp.linear_eq_to_matrix(cut.equations, list(cut.solution))
+    coefficients, _ = sp.linear_eq_to_matrix(cut.forces + cut.torques + cut.rolling, list(cut.solution))
     assert coefficients.subs({m: 2, m_prime: 3, R: 5}).rank() == 13

@@ -7,7 +7,6 @@ import sympy as sp
 
 from ramanujan.derivation.model import COORDINATES, Machine, Phi, R, X, epsilon, equation, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.printers import in_order
-from ramanujan.translation import _
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 
@@ -131,10 +130,8 @@ def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:
     normalized = sp.factor(natural_frequency_squared.subs(m_prime, epsilon * m) * m / k)
     numerator, denominator = sp.fraction(normalized)
     quadratic = sp.Poly(denominator - numerator, epsilon).primitive()[1]
-    roots = [root for root in sp.roots(quadratic, multiple=True) if root.is_positive]
-    if len(roots) != 1:
-        raise ValueError(_("natural_frequency_squared must be k/m at exactly one positive mass ratio"))
-    return UnitCondition(normalized, quadratic, sp.factor(roots[0]), quadratic.discriminant())
+    (root,) = (root for root in sp.roots(quadratic, multiple=True) if root.is_positive)
+    return UnitCondition(normalized, quadratic, sp.factor(root), quadratic.discriminant())
 
 
 def _common_factor(gathered: sp.Expr) -> sp.Expr:

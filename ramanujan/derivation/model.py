@@ -14,8 +14,6 @@ from typing import Any
 
 import sympy as sp
 
-from ramanujan.translation import _
-
 m, m_prime, k, R = sp.symbols("m m_prime k R", positive=True)
 epsilon, epsilon_star = sp.symbols("varepsilon varepsilon_star", positive=True)
 """ε = m′/m, and ε*, the mass ratio at which Ω² = k/m."""
@@ -91,17 +89,8 @@ class Machine:
     bodies: tuple[Body, ...]
 
     def __getitem__(self, name: str) -> Body:
-        """Return the body of that name.
-
-        Raises
-        ------
-        ValueError : name is not one of the five.
-        """
-        for body in self.bodies:
-            if body.name == name:
-                return body
-        known = ", ".join(body.name for body in self.bodies)
-        raise ValueError(_("name must be one of {known}, not {name}").format(known=known, name=repr(name)))
+        """Return the body of that name."""
+        return {body.name: body for body in self.bodies}[name]
 
     @property
     def deformation(self) -> sp.Expr:

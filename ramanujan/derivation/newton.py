@@ -89,11 +89,6 @@ class FreeBodies:
     rolling: tuple[sp.Eq, ...]
     solution: dict[sp.Expr, sp.Expr]
 
-    @property
-    def equations(self) -> tuple[sp.Eq, ...]:
-        """All thirteen."""
-        return self.forces + self.torques + self.rolling
-
 
 def acceleration(name: str) -> sp.Expr:
     """Return a body's acceleration relative to the ground, to the right [m/s²]."""
@@ -108,7 +103,7 @@ def angular_acceleration(name: str) -> sp.Expr:
 def free_bodies(bodies: Machine) -> FreeBodies:
     """Return the balances of the five bodies, the five rolling constraints, and their solution.
 
-    >>> len(free_bodies(machine()).equations)
+    >>> len(free_bodies(machine()).solution)
     13
     """
     rollers = tuple(body for body in bodies.bodies if body.angle != 0)

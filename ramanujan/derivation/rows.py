@@ -4,7 +4,7 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 """
 
 import re
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -82,14 +82,14 @@ class Row:
         return found
 
 
-def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row | None] | None = None) -> list[Row]:
+def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | None = None) -> list[Row]:
     """Return the equations of a step as rows, with the numbers of a machine if they are given, none twice.
 
     Parameters
     ----------
     step : one step of a route, in symbols
     numbers : of the machine; none for the symbols
-    make : equation, its label and dress → a row, or None to leave it out; `row` by itself
+    make : equation, its label and dress → a row; `row` by itself
 
     >>> from ramanujan.derivation import ROUTES
     >>> from ramanujan.derivation.numbers import Numbers
@@ -104,17 +104,12 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row | N
     for equation, label, operation in zip(said.equations, said.labels or none, once, strict=True):
         dress = _underlined(equation, said.marks)
         made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
-        if made:
-            found.setdefault(made, replace(made, operation=operation))
+        found.setdefault(made, replace(made, operation=operation))
     return list(found.values())
 
 
 def row(
-    equation: sp.Eq,
-    numbers: Numbers | None = None,
-    highlight: Highlight = (),
-    label: str = "",
-    dress: Dress = (),
+    equation: sp.Eq, numbers: Numbers | None = None, highlight: Highlight = (), label: str = "", dress: Dress = ()
 ) -> Row:
     """Return one equation as a row.
 
@@ -166,24 +161,20 @@ def extent(formula: str) -> int:
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
-def aligned(blocks: Iterable[Iterable[Row]], width: int, gap: str = ".5em") -> str:
-    """Return blocks of rows as one display: aligned at the equals signs or, where some say … = 0, at the left.
+def aligned(shown: Sequence[Row], width: int, gap: str = ".5em") -> str:
+    """Return rows as one display: aligned at the equals signs or, where some say … = 0, at the left; "" for none.
 
     Parameters
     ----------
-    blocks : rows that belong together, with more room between one block and the next
+    shown : the rows
     width : characters of a right side that fit into a line
     gap : room between equations
     """
-    made = [list(block) for block in blocks]
-    to_zero = any(each.right == "0" for block in made for each in block)
-    beside = widest(each for block in made for each in block)
+    to_zero, beside = any(each.right == "0" for each in shown), widest(shown)
     # Behind broken lines a column of operations would be far away.
-    behind = "" if any(len(each.lines(width, beside)) > 1 for block in made for each in block) else " &&"
-    shown = (
-        rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, behind) for each in block) for block in made if block
-    )
-    return r"\begin{aligned}" + r" \\[1.6em] ".join(shown) + r"\end{aligned}"
+    behind = "" if any(len(each.lines(width, beside)) > 1 for each in shown) else " &&"
+    lines = rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, behind) for each in shown)
+    return rf"\begin{{aligned}}{lines}\end{{aligned}}" if lines else ""
 
 
 def widest(shown: Iterable[Row]) -> int:

@@ -105,17 +105,8 @@ class Route:
     cells: Mapping[str, str] = field(default_factory=dict, repr=False)
 
     def __getitem__(self, key: str) -> Step:
-        """Return the step of that key.
-
-        Raises
-        ------
-        ValueError : no step of the route has that key.
-        """
-        for step in self.steps:
-            if step.key == key:
-                return step
-        known = ", ".join(step.key for step in self.steps)
-        raise ValueError(_("key must be one of {known}, not {key}").format(known=known, key=repr(key)))
+        """Return the step of that key."""
+        return {step.key: step for step in self.steps}[key]
 
     def _repr_markdown_(self) -> str:
         """Show the route in a notebook, one numbered section for each step."""

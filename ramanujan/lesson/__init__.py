@@ -45,17 +45,10 @@ INTRODUCTION = _(
 
 
 def stop(name: str) -> Stop:
-    """Return the stop with this id; ValueError if there is none."""
-    return _with_id(name, STOPS, _("there is no stop {name}"))
+    """Return the stop with this id."""
+    return {stop.id: stop for stop in STOPS}[name]
 
 
 def task(name: str) -> Task:
-    """Return the task with this id; ValueError if there is none."""
-    return _with_id(name, TASKS, _("there is no task {name}"))
-
-
-def _with_id(name: str, entries: tuple, otherwise: str) -> Stop | Task:
-    for entry in entries:
-        if entry.id == name:
-            return entry
-    raise ValueError(otherwise.format(name=name))
+    """Return the task with this id."""
+    return {task.id: task for task in TASKS}[name]

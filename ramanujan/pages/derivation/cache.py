@@ -174,4 +174,4 @@ def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, 
 def _aligned(shown: list[Row]) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
     lines = sum(len(each.lines(LINE_WIDTH)) for each in shown)
-    return aligned([shown], LINE_WIDTH, ".5em" if lines < _MANY else ".15em") if shown else ""
+    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".15em")

@@ -36,9 +36,10 @@ class Predictions(address.URLParameter):
     def read(self, text: str) -> dict[str, tuple[str, str]]:
         """Return the predictions; ValueError if the text is no such list."""
         made = {}
+        options = {stop.id: stop.options for stop in lesson.STOPS}
         for entry in text.split("~"):
             name, option, *phase = entry.split(".")
-            if phase not in ([], [PREDICTED], [MISSED]) or option not in lesson.stop(name).options:
+            if phase not in ([], [PREDICTED], [MISSED]) or option not in options.get(name, ()):
                 raise ValueError(self.name)
             made[name] = option, *(phase or [ANSWERED])
         return made

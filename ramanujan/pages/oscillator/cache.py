@@ -1,6 +1,6 @@
 """What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -103,7 +103,7 @@ class SummaryStep:
     numbers: tuple[Row, ...]
 
 
-_LINE_WIDTH, _BESIDE = 60, 40
+LINE_WIDTH, _BESIDE = 60, 40
 """Characters of a formula that fit into a window of 1280 points, and beside the machine on a projector."""
 _NONE, _FIRST, _LAST, _ALL = slice(0), slice(1), slice(-1, None), slice(None)
 SUMMARY: tuple[Mapping[str, slice], ...] = (
@@ -143,16 +143,10 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
             Way(
                 step.heading,
                 step.reason,
-                display(row for row in found if row not in results),
-                display(found, _BESIDE),
+                aligned([row for row in found if row not in results], LINE_WIDTH),
+                aligned(found, _BESIDE),
             )
             for step, found in steps.values()
         ),
         tuple(replace(row, operation="") for row in numbers if row not in symbols),
     )
-
-
-def display(shown: Iterable[Row], width: int = _LINE_WIDTH) -> str:
-    """Return rows as LaTeX, in lines of about so many characters; "" for none."""
-    found = list(shown)
-    return aligned([found], width) if found else ""

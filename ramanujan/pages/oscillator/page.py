@@ -8,6 +8,7 @@ import streamlit as st
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.derivation.numbers import Numbers
+from ramanujan.derivation.rows import aligned
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
@@ -243,7 +244,7 @@ def six_steps() -> None:
 def one_step(step: cache.SummaryStep, numbers: Numbers | None) -> None:
     """Say how a step of the derivation finds its results, and what they are for the present machine."""
     st.markdown("\n\n".join(part for way in step.ways for part in (way.reason, in_display(way.between))))
-    with_numbers(cache.display(step.numbers), f"{numbers_stated(numbers)}\n\n" if numbers else "")
+    with_numbers(aligned(step.numbers, cache.LINE_WIDTH), f"{numbers_stated(numbers)}\n\n" if numbers else "")
 
 
 def with_numbers(formula: str, stated: str = "") -> None:
@@ -275,7 +276,7 @@ def on_slides(steps: list[cache.SummaryStep]) -> None:
                         machine, alt=_("The machine with its coordinates."), style="width:100%;background:#fff"
                     )
                     if way == step.ways[-1]:
-                        with_numbers(cache.display(step.numbers, 24))
+                        with_numbers(aligned(step.numbers, 24))
 
 
 if __name__ == "__main__":
