@@ -11,7 +11,7 @@ from PIL import Image, ImageColor
 from playwright.sync_api import expect
 
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import STAGE, inside, module, next_frame, settle
+from tests.browser import ROOT, STAGE, inside, module, next_frame, settle
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
@@ -119,47 +119,31 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
     page.keyboard.press("Home")
     heard("would slip")
     assert region.count() == 1
-    with_sidebar = page.evaluate(f"{module('components/streamlit_dom')}.then({HOLD})")
+    with_sidebar = page.evaluate(HELD)
     check_assumptions(visit("", width=390, height=844, tab=page), with_sidebar)
 
 
-HOLD = """({ ASSUMPTIONS }) =>
-  Object.fromEntries(Object.entries(ASSUMPTIONS).map(([name, [, holds]]) => [name, holds() ?? null]))"""
+HELD = f"{module('components/streamlit_dom')}.then({(ROOT / 'tests/assumptions.js').read_text(encoding='utf-8')})"
 
 
 def check_assumptions(page, elsewhere):
-    """Check those of `ASSUMPTIONS`, here or on another page; whichever breaks is named, also in the console."""
+    """Check what the app assumes about Streamlit's page, here or on another page; whichever breaks is named."""
     page.locator(".st-key-steps summary").nth(3).click()
     for awaited in (".katex-display .base", ".js-plotly-plot .nsewdrag"):
         page.wait_for_selector(awaited, state="attached")
     settle(page)
-    holds = page.evaluate(f"{module('components/streamlit_dom')}.then({HOLD})")
+    holds = page.evaluate(HELD)
     assert len(holds) > 10
     assert [name for name, held in holds.items() if not (held or (held is None and elsewhere[name]))] == []
-    # A slider that is not found agrees with nothing, and the console names what is broken, once the page is complete.
-    warned = []
-    page.on("console", lambda message: warned.append(message.text))
-    shows = page.evaluate(
-        f"""async () => {{
-          const {{ dom, reportBroken }} = await {module("components/streamlit_dom")}, slider = dom.slider;
-          const loading = document.createElement("p");
-          loading.dataset.testid = "stSkeleton";
-          document.body.append(loading);
-          dom.slider = () => null;
-          reportBroken();
-          console.log("complete");
-          loading.remove();
-          reportBroken();
-          reportBroken();
-          const shown = dom.shows(dom.slider("m"), 1);
-          dom.slider = slider;
-          return shown;
-        }}"""
-    )
-    assert shows is False
-    assert len(warned) == 2
-    assert warned[0] == "complete"
-    assert "a slider with the key m" in warned[1]
+    # Negative control: a slider that is not found agrees with nothing.
+    moved = f"""async () => {{
+      const {{ dom }} = await {module("components/streamlit_dom")}, slider = dom.slider;
+      dom.slider = () => null;
+      const held = await {HELD}, shows = dom.shows(dom.slider("m"), 1);
+      dom.slider = slider;
+      return [shows, ...Object.values(held).slice(0, 2)];
+    }}"""
+    assert page.evaluate(moved) == [False, False, True]
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
     sent = len(page.frames_sent)
     page.evaluate(

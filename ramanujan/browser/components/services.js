@@ -2,24 +2,19 @@
 
 import arrival from "./arrival.js";
 import connection from "./connection.js";
-import { atRest, observe } from "./lasting.js";
 import reach from "./reach.js";
 import ring from "./ring.js";
-import { dom, reportBroken } from "./streamlit_dom.js";
+import { dom } from "./streamlit_dom.js";
 import theme from "./theme.js";
 import touch from "./touch.js";
 import voice from "./voice.js";
-
-const forever = new AbortController().signal;
-const REST = 10_000; // ms without a change after which a page is drawn
 
 // On the screen a figure is as wide as the page. For printing it is scaled to the width of the paper (A4: 180 mm).
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
 window.addEventListener("beforeprint", fitPaper);
 dom.keepOneEntry();
-dom.watchGraphs(dom.offerFormats, forever);
+dom.watchGraphs(dom.offerFormats, new AbortController().signal);
 if (new URLSearchParams(location.search).get("view") === "projector") import("./pager.js");
-observe(document.body, { childList: true, subtree: true }, atRest(REST, reportBroken, forever), forever);
 
 export default function (component, signal) {
   const updates = [theme, voice, reach, ring, connection, touch, arrival].map((begin) => begin(component, signal));

@@ -1,7 +1,6 @@
-// What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file, and ASSUMPTIONS
-// says what each is for and whether it holds. If one breaks, the function that relies on it returns null, false or nothing. Its
-// feature then does nothing, and the console names the assumption once. How to move to another Streamlit is described in
-// .github/upgrading.md.
+// What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file. If an assumption
+// breaks, the function that relies on it returns null, false or nothing, and its feature does nothing. tests/assumptions.js
+// says what each assumption is for, and .github/upgrading.md how to move to another Streamlit.
 
 import { observe } from "./lasting.js";
 
@@ -233,79 +232,3 @@ export const dom = {
   /** Whether a node belongs to the part of a Streamlit slider that answers to the pointer. */
   isSliderTrack: (node) => Boolean(node.closest?.("[data-testid=stSlider] [role=group]")),
 };
-
-const one = (selector) => Boolean(document.querySelector(selector));
-const each = (selector, holds) => {
-  const nodes = [...document.querySelectorAll(selector)];
-  return nodes.length ? nodes.every(holds) : undefined;
-};
-
-/** What is assumed → [what it is for, whether the present page agrees]; undefined where it has nothing of the kind. */
-export const ASSUMPTIONS = {
-  "a slider with the key m is a range input in an element of the class st-key-m": [
-    "the stage follows a thumb, a box shows what its slider holds",
-    () => ["min", "max", "step", "value"].every((name) => Number(dom.slider("m")?.[name]) > 0),
-  ],
-  "a slider's track is a group": [
-    "a finger on a slider scrolls the page, unless it moves sideways",
-    () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
-  ],
-  "stApp tells the state of the connection": [
-    "the notice that the page reconnects",
-    () => one("[data-testid=stApp][data-test-connection-state]"),
-  ],
-  "a component has the colour scheme of the page": [
-    "figures follow a switch of the theme",
-    () => each("[data-testid=stBidiComponentIsolated]", (node) => dom.theme(node.shadowRoot)),
-  ],
-  "main scrolls, and its content is the child of stMainBlockContainer": [
-    "the machine is brought into view, figures fit on paper",
-    () => dom.main()?.matches("main") === true && one(".stMainBlockContainer > *"),
-  ],
-  "there is one header above main": [
-    "a phone's bar of pages, what stands around a projector's slide",
-    () => document.querySelectorAll("header").length === 1,
-  ],
-  "the sidebar stSidebar contains the controls": [
-    "the drawer of a phone, the printed page",
-    () => each(".stSidebar .st-key-controls", (controls) => controls.closest("[data-testid=stSidebarUserContent]")),
-  ],
-  "the sidebar's links are a list in a nav, and the present page is marked": [
-    "the bar of pages of a phone",
-    () => each(".stSidebar nav", (nav) => nav.querySelector("ul a[data-testid=stSidebarNavLink][aria-current=page]")),
-  ],
-  "formulas in stMarkdown are set by KaTeX": [
-    "wide formulas scroll by themselves",
-    () => each(".stMarkdown .katex-display", (formula) => formula.querySelector(":scope > .katex .base")),
-  ],
-  "a graph is of the class js-plotly-plot, with curves, layout and events": [
-    "ring and time cursor over the figures",
-    () => each(".js-plotly-plot", (graph) => dom.curves(graph) && graph.layout && graph.on && graph.removeListener),
-  ],
-  "the first button over a graph saves it, in the format of its options": [
-    "a figure as SVG and as PNG",
-    () => each(SAVE, (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
-  ],
-  "a rectangle of the class nsewdrag covers each panel of a graph": [
-    "where ring and time cursor are drawn",
-    () =>
-      each(".js-plotly-plot:has(.xaxislayer-above > *)", (graph) => {
-        const [panel] = dom.panels(graph);
-        return panel && dom.graphOf(panel) === graph;
-      }),
-  ],
-};
-
-/** Whether all of the page is there: the sidebar's last widget, and nothing that Streamlit still loads. */
-const isComplete = () => one(".st-key-update_seen") && !one("[data-testid=stSkeleton]");
-const reported = new Set();
-
-/** Say in the console, once, which assumptions the present page breaks; of a page that is still loading, nothing. */
-export function reportBroken() {
-  if (!isComplete()) return;
-  for (const [name, [purpose, holds]] of Object.entries(ASSUMPTIONS)) {
-    if (reported.has(name) || (holds() ?? true)) continue;
-    reported.add(name);
-    console.warn(`Streamlit's page is not what the app assumes: ${name}. Needed for: ${purpose}.`);
-  }
-}

@@ -1,0 +1,66 @@
+// What the app assumes about the pages of Streamlit and Plotly. The file is one function of components/streamlit_dom.js, which
+// returns for each assumption what it is for, and whether the present page agrees; null where it has nothing of the kind.
+
+({ dom }) => {
+  const one = (selector) => Boolean(document.querySelector(selector));
+  const each = (selector, holds) => {
+    const nodes = [...document.querySelectorAll(selector)];
+    return nodes.length ? nodes.every(holds) : null;
+  };
+  const save = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
+  const assumptions = {
+    "a slider with the key m is a range input in an element of the class st-key-m": [
+      "the stage follows a thumb, a box shows what its slider holds",
+      () => ["min", "max", "step", "value"].every((name) => Number(dom.slider("m")?.[name]) > 0),
+    ],
+    "a slider's track is a group": [
+      "a finger on a slider scrolls the page, unless it moves sideways",
+      () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
+    ],
+    "stApp tells the state of the connection": [
+      "the notice that the page reconnects",
+      () => one("[data-testid=stApp][data-test-connection-state]"),
+    ],
+    "a component has the colour scheme of the page": [
+      "figures follow a switch of the theme",
+      () => each("[data-testid=stBidiComponentIsolated]", (node) => dom.theme(node.shadowRoot)),
+    ],
+    "main scrolls, and its content is the child of stMainBlockContainer": [
+      "the machine is brought into view, figures fit on paper",
+      () => dom.main()?.matches("main") === true && one(".stMainBlockContainer > *"),
+    ],
+    "there is one header above main": [
+      "a phone's bar of pages, what stands around a projector's slide",
+      () => document.querySelectorAll("header").length === 1,
+    ],
+    "the sidebar stSidebar contains the controls": [
+      "the drawer of a phone, the printed page",
+      () => each(".stSidebar .st-key-controls", (controls) => controls.closest("[data-testid=stSidebarUserContent]")),
+    ],
+    "the sidebar's links are a list in a nav, and the present page is marked": [
+      "the bar of pages of a phone",
+      () => each(".stSidebar nav", (nav) => nav.querySelector("ul a[data-testid=stSidebarNavLink][aria-current=page]")),
+    ],
+    "formulas in stMarkdown are set by KaTeX": [
+      "wide formulas scroll by themselves",
+      () => each(".stMarkdown .katex-display", (formula) => formula.querySelector(":scope > .katex .base")),
+    ],
+    "a graph is of the class js-plotly-plot, with curves, layout and events": [
+      "ring and time cursor over the figures",
+      () => each(".js-plotly-plot", (graph) => dom.curves(graph) && graph.layout && graph.on && graph.removeListener),
+    ],
+    "the first button over a graph saves it, in the format of its options": [
+      "a figure as SVG and as PNG",
+      () => each(save, (button) => dom.graphOf(button)._context.toImageButtonOptions.format === "svg"),
+    ],
+    "a rectangle of the class nsewdrag covers each panel of a graph": [
+      "where ring and time cursor are drawn",
+      () =>
+        each(".js-plotly-plot:has(.xaxislayer-above > *)", (graph) => {
+          const [panel] = dom.panels(graph);
+          return panel && dom.graphOf(panel) === graph;
+        }),
+    ],
+  };
+  return Object.fromEntries(Object.entries(assumptions).map(([name, [purpose, holds]]) => [`${name} (${purpose})`, holds()]));
+}
