@@ -5,7 +5,8 @@
     number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
     filled("It takes {t:3 s}.", t=0.61)         It takes 0.610 s.
 
-`components/sentences.js` follows the same rules in the browser. LaTeX has its own digits, in `derivation.printers`.
+The decimal mark is that of the language. `components/sentences.js` follows the same rules in the browser. LaTeX has its
+own digits, in `derivation.printers`. Files for programs keep Python's way to write numbers.
 """
 
 import math
@@ -13,8 +14,10 @@ import string
 from decimal import Decimal
 from numbers import Integral
 
-from ramanujan.translation import _
+from ramanujan.translation import _, pgettext
 
+# TRANSLATORS: a point or a comma: what your language writes between 0 and 5 in one half.
+DECIMAL = pgettext("decimal mark", ".")
 THIN = "\u202f"
 """A thin space that does not break: between groups of three digits, and between a number and its unit."""
 
@@ -61,6 +64,7 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
     if power not in _PLAIN:
         mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
         sign, size = ("−", mantissa[1:]) if mantissa.startswith("-") else ("", mantissa)
+        size = size.replace(".", DECIMAL)
         return sign + (power_of_ten(power) if size == "1" else f"{size}×{power_of_ten(power)}")
     places = digits - 1 - power
     text = f"{round(value, places):,.{max(places, 0)}f}"
@@ -120,6 +124,15 @@ def duration(seconds: float) -> str:
     return quantity(seconds / size, unit)
 
 
+def in_latex(decimal: str) -> str:
+    """Return a decimal as LaTeX, in which a comma of its own would be followed by a space.
+
+    >>> in_latex("0.5")
+    '0.5'
+    """
+    return decimal.replace(".", DECIMAL if DECIMAL == "." else f"{{{DECIMAL}}}")
+
+
 def percent(share: float, digits: int = 2) -> str:
     """Return a share of the whole in percent.
 
@@ -174,6 +187,6 @@ def superscript(exponent: int) -> str:
 
 def _grouped(text: str) -> str:
     """Return digits that Python has grouped by commas with thin spaces, four without any, and a true minus sign."""
-    whole, _point, _decimals = text.partition(".")
+    whole, point, decimals = text.partition(".")
     thin = THIN if len(whole.lstrip("-")) > len("1,729") else ""
-    return text.replace(",", thin).replace("-", "−")
+    return whole.replace(",", thin).replace("-", "−") + point.replace(".", DECIMAL) + decimals

@@ -12,7 +12,7 @@ import playwright
 import pytest
 
 from ramanujan import numerals
-from tests.browser import ROOT
+from ramanujan.browser import modules
 from tests.reading import read
 
 NODE = Path(playwright.__file__).parent / "driver/node"
@@ -65,8 +65,11 @@ def test_a_thin_space_stands_before_a_unit_and_none_without_one():
     ]
 
 
-def test_the_page_writes_the_same_numbers():
-    script = (ROOT / "ramanujan/browser/components/sentences.js").read_text(encoding="utf-8")
+@pytest.mark.parametrize("mark", ".,")
+def test_the_page_writes_the_same_numbers(mark, monkeypatch):
+    monkeypatch.setattr(numerals, "DECIMAL", mark)
+    _imports, script = modules.contents()["components/sentences.js"].decode().split('"./language.js";')
+    script = f"const DECIMAL = '{mark}';{script}"
     asked = {"values": VALUES, "digits": [1, 2, 4, 7], "places": [0, 1, 3]}
     script += f"""
 const asked = {json.dumps(asked)};
@@ -77,7 +80,7 @@ console.log(JSON.stringify({{
 }}));"""
     done = subprocess.run([NODE, "-e", script], capture_output=True, text=True, check=True, timeout=60)
     said = json.loads(done.stdout)
-    assert said["filled"] == "1 before −2.0\u202fcm"
+    assert said["filled"] == f"1 before −2{mark}0\u202fcm"
     for digits, texts in zip(asked["digits"], said["number"], strict=True):
         assert texts == [numerals.number(value, digits) for value in VALUES]
     for places, texts in zip(asked["places"], said["fixed"], strict=True):

@@ -1,8 +1,9 @@
-"""The JavaScript modules of the page, with what they need: the files of this folder, and three that Python writes.
+"""The JavaScript modules of the page, with what they need: the files of this folder, and four that Python writes.
 
 The server offers them under an address with the hash of their contents, so that a browser may keep them for good. The
 browser itself resolves their imports. markup.js holds each component's HTML and CSS: Streamlit would send these again
-with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.js holds the stage's words.
+with every run of the page. stage/formulas.js is printed by SymPy, stage/texts.js holds the stage's words, and
+components/language.js the decimal mark.
 """
 
 import json
@@ -20,6 +21,7 @@ from ramanujan.browser.components.words import TEXTS
 from ramanujan.browser.stage import words
 from ramanujan.browser.stage.formulas import formulas, labels
 from ramanujan.derivation.printers import javascript
+from ramanujan.numerals import DECIMAL
 
 _HERE = Path(__file__).parent
 _MARKUP = {"turn": "steps"}
@@ -36,6 +38,7 @@ def contents() -> dict[str, bytes]:
         markup[f"components/{name}"] = _markup(f"components/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
     written = {
+        "components/language.js": f'export const DECIMAL = "{DECIMAL}";',
         "markup.js": f"export const MARKUP = {json.dumps(markup, ensure_ascii=False)};",
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"

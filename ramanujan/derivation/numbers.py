@@ -17,6 +17,7 @@ from ramanujan.derivation import model
 from ramanujan.derivation.elimination import UnitCondition, eliminate, unit_condition
 from ramanujan.derivation.model import k, m, m_prime, machine
 from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
+from ramanujan.numerals import in_latex
 from ramanujan.translation import _
 
 _DIGITS_OF_A_FLOAT = 15
@@ -107,7 +108,7 @@ def stated(numbers: Numbers) -> str:
 def _short(value: sp.Expr) -> str:
     """Return a number as LaTeX, as a decimal if that has only a few places."""
     if value.is_Rational and value.q > 1 and 10**15 % value.q == 0:
-        return f"{Decimal(value.p) / Decimal(value.q):f}"
+        return in_latex(f"{Decimal(value.p) / Decimal(value.q):f}")
     return latex(value)
 
 
@@ -121,7 +122,7 @@ def with_decimal(value: sp.Expr, digits: int = 5) -> str:
     if value.is_Integer:
         return exact
     if not value.is_Rational:
-        return rf"{exact} \approx {float(value):.{digits}g}"
+        return rf"{exact} \approx {in_latex(f'{float(value):.{digits}g}')}"
     fraction = Number(value.p, value.q)
     needed = next(digits for digits in count(digits) if rounded(fraction, digits) != "1")
     # A long fraction is written as a decimal anyway.

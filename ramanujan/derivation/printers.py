@@ -15,6 +15,7 @@ from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinte
 from sympy.printing.latex import translate
 
 from ramanujan.derivation import model
+from ramanujan.numerals import in_latex
 
 _NAMES = {
     model.m_prime: "m'",
@@ -265,4 +266,5 @@ def _decimal(number: Number, rounding: str, digits: int, goes_on: str = "") -> t
         text = text.rstrip("0").rstrip(".") if "." in text else text
     else:
         text += goes_on
+    text = in_latex(text)
     return rf"{text} \times 10^{{{exponent}}}" if has_power else text, is_exact

@@ -16,6 +16,7 @@ import numpy as np
 import plotly.graph_objects as go
 from plotly.basedatatypes import BaseFigure
 
+from ramanujan.numerals import DECIMAL, THIN
 from ramanujan.translation import _
 
 MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
@@ -55,6 +56,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "yaxis": axis,
         "modebar": {"bgcolor": colors["paper"], "color": colors["ink"], "activecolor": colors["primary"]},
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
+        "separators": DECIMAL + THIN,
         # A line that passes behind a name leaves its letters free, on paper and in a saved file as well.
         "annotationdefaults": {"font": {"shadow": ", ".join([f"0 0 3px {colors['paper']}"] * 4)}},
     }

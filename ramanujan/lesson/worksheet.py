@@ -20,7 +20,7 @@ from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step
 from ramanujan.lesson import CHAPTERS, Stop
 from ramanujan.number_theory import BodyChoice
-from ramanujan.numerals import number, quantity
+from ramanujan.numerals import in_latex, number, quantity
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
@@ -155,7 +155,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             working=(
                 f"\\frac{{\\Omega^2m}}{{k}}\\cdot\\frac{{k}}{{m}}={latex(normalized)}\\cdot"
                 f"\\frac{{{latex(values[k])}}}{{{latex(values[m])}}}\\,\\mathrm{{s^{{-2}}}}",
-                f"T=\\frac{{2\\pi}}{{\\Omega}}=\\frac{{2\\pi}}{{{float(sp.sqrt(squared)):.5g}}}\\,\\mathrm{{s}}",
+                f"T=\\frac{{2\\pi}}{{\\Omega}}=\\frac{{2\\pi}}{{{in_latex(f'{float(sp.sqrt(squared)):.5g}')}}}\\,\\mathrm{{s}}",
             ),
         ),
         Question(

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 import streamlit as st
 
 from ramanujan import Oscillator
+from ramanujan.numerals import number, quantity
 from ramanujan.shell.address import URLParameter, fits
 from ramanujan.translation import _
 
@@ -51,7 +52,7 @@ class Parameter(URLParameter):
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""
         sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
-        return sentence.format(name=self.name, least=f"{self.least:g}", most=self.written(self.most))
+        return sentence.format(name=self.name, least=number(self.least, strip=True), most=self.written(self.most))
 
     @property
     def label(self) -> str:
@@ -78,7 +79,7 @@ class Parameter(URLParameter):
 
     def written(self, value: float) -> str:
         """Return a value with its unit, for a sentence."""
-        return f"{value:.7g}\u202f{self.unit}".rstrip()
+        return quantity(value, self.unit, 7, strip=True)
 
     def equation(self, value: float) -> str:
         """Return that the parameter has this value, in one line, for a sentence."""

@@ -15,6 +15,7 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
+from ramanujan.numerals import number as written
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
 from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
 from ramanujan.translation import _, pgettext
@@ -215,7 +216,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
         sentences.append(sentence.format(**values))
     if not math.isclose(new_m, nearest):
         sentences.append(
-            _("The mass ratio is now {ratio}, the nearest possible value.").format(ratio=f"{bound / new_m:.3g}")
+            _("The mass ratio is now {ratio}, the nearest possible value.").format(ratio=written(bound / new_m, 3))
         )
     messages.note("m", " ".join(sentences))
 
@@ -290,7 +291,7 @@ def take_exact(key: str, text: str) -> None:
         if number is None
         else _("{symbol} must be between {least} and {most}. The old value, {old}, was kept.")
     )
-    limits = {"least": f"{parameter.least:g}", "most": parameter.written(parameter.most)}
+    limits = {"least": written(parameter.least, strip=True), "most": parameter.written(parameter.most)}
     sentence = sentence.format(symbol=parameter.symbol, old=parameter.written(parameter.value), **limits)
     messages.note(parameter.name, sentence, warning=True)
 

@@ -4,6 +4,7 @@
 // a value between the slider's steps. A thumb that comes near snaps to it, and the page sends it as if it were typed.
 
 import { bus } from "./bus.js";
+import { DECIMAL } from "./language.js";
 import { atRest, observe } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 
@@ -15,7 +16,7 @@ export default function (component, signal) {
   let received = {}; // what the server said last: value, text, judged
   box.id = root.querySelector("label").htmlFor = "box";
 
-  const held = () => dom.held(dom.slider(key), received);
+  const held = () => dom.held(dom.slider(key), received).replace(".", DECIMAL);
   const show = () => {
     if (dom.shows(dom.slider(key), received.value, received)) dom.writeAddress(key, received.value, component.data.default);
     const edited = root.activeElement === box && box.value !== box.dataset.shown;

@@ -1,7 +1,7 @@
 // A stopwatch: started and stopped by hand, it runs on the page and tells the server the time between.
 
 import { bus } from "./bus.js";
-import { fill } from "./sentences.js";
+import { fill, fixed } from "./sentences.js";
 
 export default function (component, signal) {
   const [button, output] = component.parentElement.querySelectorAll("button, output");
@@ -10,7 +10,7 @@ export default function (component, signal) {
   const write = () => {
     const { start, stop, seconds } = component.data, runs = started !== null;
     button.textContent = runs ? stop : start;
-    output.textContent = fill(seconds, { seconds: runs ? ((performance.now() - started) / 1000).toFixed(1) : taken.toFixed(2) });
+    output.textContent = fill(seconds, { seconds: runs ? fixed((performance.now() - started) / 1000, 1) : fixed(taken, 2) });
   };
   button.addEventListener("click", ({ timeStamp }) => {
     clearInterval(timer);

@@ -9,7 +9,7 @@ import { WORDS } from "./texts.js";
 const NOTE_TIME = 3000; // ms that a note stays
 
 /** A length to a tenth of a millimetre at most, without zeros at its end. */
-export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/\.?0+$/, ""), "cm");
+export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/[.,]?0+$/, ""), "cm");
 
 /** The two periods, and how fast the clocks part. */
 export function description({ Omega, plain }) {

@@ -8,6 +8,7 @@ import streamlit as st
 from ramanujan import number_theory
 from ramanujan.browser import stage
 from ramanujan.number_theory import BODIES, BodyChoice
+from ramanujan.numerals import in_latex
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
@@ -97,7 +98,7 @@ def with_your_masses(machine: BodyChoice) -> None:
     )
     st.markdown(
         _("With your masses, $\\varepsilon={ratio}$, it has $\\Omega^2m/k={value}$.").format(
-            ratio=f"{oscillator.mass_ratio:.5g}", value=f"{float(present):.6g}"
+            ratio=in_latex(f"{oscillator.mass_ratio:.5g}"), value=in_latex(f"{float(present):.6g}")
         )
     )
 
