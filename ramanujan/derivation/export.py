@@ -21,6 +21,10 @@ _WITH_NUMBERS, _CHECKED = _("With numbers"), _("Check the result another way")
 _BODIES = _("The machine has five bodies, three of which roll, and one spring.")
 _CHECK = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omega^2$.")
 _DISTANCE = _("How far is this machine from the condition $\\Omega^2=k/m$?")
+# TRANSLATORS: the name of your language in LaTeX's package babel, such as ngerman.
+_BABEL = pgettext("LaTeX package babel", "english")
+_WORDS = "" if _BABEL == "english" else f"\\usepackage[T1]{{fontenc}}\n\\usepackage[{_BABEL}]{{babel}}\n"
+"""How LaTeX divides words and sets letters that English does not have."""
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage{amsmath}
@@ -61,7 +65,7 @@ _MATH = re.compile(r"(\$[^$]*\$)")
 
 
 def to_latex(route: Route, numbers: Numbers | None = None) -> str:
-    """Return the route as a LaTeX document that needs amsmath and nothing else; it is plain ASCII.
+    """Return the route as a LaTeX document that needs amsmath and nothing else; in English it is plain ASCII.
 
     Parameters
     ----------
@@ -75,11 +79,11 @@ def to_latex(route: Route, numbers: Numbers | None = None) -> str:
     body = "".join(_latex_section(step, numbers) for step in route.steps)
     title = f"\\title{{{prose_to_latex(TITLE.format(route=route.title))}}}\n\\author{{}}\n\\date{{}}\n"
     opening = f"\\begin{{document}}\n\\maketitle\n{prose_to_latex(_numbers_stated(numbers))}{symbols}"
-    return f"{_PREAMBLE}{title}{opening}{body}\\end{{document}}\n"
+    return f"{_PREAMBLE}{_WORDS}{title}{opening}{body}\\end{{document}}\n"
 
 
 def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", step: int | None = None) -> str:
-    """Return the route as slides for LaTeX's beamer, in ASCII: the machine, then a frame or more for each step.
+    """Return the route as slides for LaTeX's beamer: the machine, then a frame or more for each step.
 
     Parameters
     ----------
@@ -95,7 +99,7 @@ def to_beamer(route: Route, numbers: Numbers | None = None, picture: str = "", s
     for each in route.steps if step is None else route.steps[step - 1 : step]:
         frames += _slides(each, numbers)
     body = "".join(f"\\begin{{frame}}[label={label}]{{{head}}}\n{text}\\end{{frame}}\n" for label, head, text in frames)
-    return f"{_SLIDES}{title}\\begin{{document}}\n{body}\\end{{document}}\n"
+    return f"{_SLIDES}{_WORDS}{title}\\begin{{document}}\n{body}\\end{{document}}\n"
 
 
 def to_markdown(route: Route, numbers: Numbers | None = None) -> str:

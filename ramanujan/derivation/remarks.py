@@ -14,6 +14,7 @@ from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, elim
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.model import COORDINATES, Machine, Omega_squared, X, equation, k, m, machine, phi, t
 from ramanujan.derivation.printers import latex
+from ramanujan.numerals import in_latex
 from ramanujan.translation import _
 
 
@@ -79,8 +80,8 @@ def _rounding(equal_masses: Elimination) -> Remark:
     rounded = sp.floor(ratio * 10**digits + sp.Rational(1, 2)) / sp.Integer(10**digits)
     return Remark(
         _("Section 1, last equation"),
-        f"${latex(ratio)}\\approx{float(printed):.{digits}f}$",
-        f"${latex(ratio)}\\approx{float(rounded):.{digits}f}$",
+        f"${latex(ratio)}\\approx{in_latex(f'{float(printed):.{digits}f}')}$",
+        f"${latex(ratio)}\\approx{in_latex(f'{float(rounded):.{digits}f}')}$",
         _("The last printed digit is one too high. No other result depends on it."),
         bool(abs(ratio - rounded) < abs(ratio - printed)),
     )

@@ -6,6 +6,7 @@ from typing import Any
 
 import streamlit as st
 
+from ramanujan.numerals import DECIMAL
 from ramanujan.shell import address
 from ramanujan.shell.address import Choice, Count
 from ramanujan.shell.parameters import LONGEST, Parameter
@@ -130,7 +131,8 @@ def slider(parameter: Parameter, **more: Any) -> float:
         parameter.most,
         parameter.default,
         parameter.step,
-        format=parameter.format,
+        # Streamlit writes a comma only where it writes numbers as the browser's own language has them.
+        format=parameter.format if DECIMAL == "." else "localized",
         key=parameter.name,
         bind="query-params",
         **more,

@@ -21,7 +21,7 @@ function nearness({ Omega, plain }) {
 /** What the hands show now, in a sentence. Before the release they part, too, but nobody is ahead. */
 function lead({ phase, plainPhase, periods }) {
   const turns = (phase - plainPhase) / TURN, apart = Math.abs(turns);
-  const values = { turns: fixed(apart, 2), periods: fixed(Math.abs(periods), 1), least: LEAST };
+  const values = { turns: fixed(apart, 2), periods: fixed(Math.abs(periods), 1), least: fixed(LEAST, 2) };
   if (Math.abs(periods) < 0.05) return WORDS.start;
   if (apart < LEAST) return fill(periods < 0 ? WORDS.start : WORDS.close, values);
   if (periods < 0) return fill(WORDS.before, values);
@@ -33,7 +33,7 @@ function parting({ Omega, plain }) {
   const periods = 1 / Math.abs(Omega / plain - 1);
   const turns = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
   const words = { "in-step": WORDS.in_step, nearly: WORDS.nearly, apart: WORDS.parting };
-  return fill(words[nearness({ Omega, plain })], { turns, least: LEAST });
+  return fill(words[nearness({ Omega, plain })], { turns, least: fixed(LEAST, 2) });
 }
 
 export function makeDial(root) {
@@ -44,7 +44,7 @@ export function makeDial(root) {
   set(find(".unity"), { x: at(1) });
   for (let value = 0; value <= limit; value += 0.5) {
     element("path", { d: `M${at(value)} ${value === 1 ? 18 : 30}V36` }, find(".gauge .ticks"));
-    element("text", { x: at(value), y: 48 }, find(".gauge .ticks")).textContent = value;
+    element("text", { x: at(value), y: 48 }, find(".gauge .ticks")).textContent = fixed(value, value % 1 && 1);
   }
 
   /** Without clocks, nothing on the page tells how near the two frequencies are. */

@@ -8,7 +8,7 @@ import streamlit as st
 from ramanujan import Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.contact import first_to_slip, largest_compression
-from ramanujan.numerals import quantity
+from ramanujan.numerals import fixed, quantity
 from ramanujan.pages.motion import cache, plots
 from ramanujan.pages.motion.plots import Friction, centimetres
 from ramanujan.record import Record, table
@@ -93,7 +93,7 @@ def verdict(friction: Friction, compression: float) -> None:
         )
     )
     # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
-    said = {"mu": f"{friction.coefficient:.2f}", "largest": centimetres(friction.largest)}
+    said = {"mu": fixed(friction.coefficient, 2), "largest": centimetres(friction.largest)}
     st.container(border=True).markdown(sentence.format(**said, contact=cache.CONTACTS[friction.first]))
 
 

@@ -10,7 +10,7 @@ from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.model import MOMENTA
 from ramanujan.derivation.printers import latex
 from ramanujan.figures.motion import friction_bars
-from ramanujan.numerals import filled, quantity
+from ramanujan.numerals import filled, fixed, quantity
 from ramanujan.pages.motion import cache
 from ramanujan.record import Record
 from ramanujan.shell import drawings, theme
@@ -165,7 +165,7 @@ def friction_needed(motion: Record, friction: Friction) -> None:
         colors=colors,
     )
     sees = _("Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}.")
-    chart(bars, "friction_needed", sees.format(mu=f"{mu:.2f}", needed=listed(cache.CONTACTS, needed, "")))
+    chart(bars, "friction_needed", sees.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
     st.metric(_("Largest compression without slip"), centimetres(friction.largest))
 
 

@@ -83,9 +83,10 @@ def story(start: float) -> tuple[Scene, ...]:
 
 def stills() -> list[dict[str, str | float]]:
     """Return clocks for someone who asked for less motion: labels, and by how many turns the hands are apart."""
-    ratios = {"ε = 5": 5.0, "ε = 2": 2.0, "ε = 1.127…": UNIT_MASS_RATIO, "ε = 1": 1.0, "ε = 0.5": 0.5}
+    ratios = {"5": 5.0, "2": 2.0, f"{number(UNIT_MASS_RATIO, 4)}…": UNIT_MASS_RATIO, "1": 1.0, number(0.5, 1): 0.5}
     return [
-        {"label": label, "turns": round(STILL_PERIODS * float(gained(ratio)), 6)} for label, ratio in ratios.items()
+        {"label": f"ε = {label}", "turns": round(STILL_PERIODS * float(gained(ratio)), 6)}
+        for label, ratio in ratios.items()
     ]
 
 

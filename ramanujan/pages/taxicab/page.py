@@ -6,7 +6,7 @@ import streamlit as st
 
 from ramanujan import number_theory
 from ramanujan.browser import components
-from ramanujan.numerals import number
+from ramanujan.numerals import DECIMAL, in_latex, number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, sidebar, widgets
@@ -68,7 +68,8 @@ def digits_and_fractions() -> None:
     decimals, fractions = st.columns([2, 3], gap="medium")
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
-        st.code(number_theory.positive_root_digits(*PAPER.quadratic, count), language=None, wrap_lines=True)
+        digits = number_theory.positive_root_digits(*PAPER.quadratic, count)
+        st.code(digits.replace(".", DECIMAL), language=None, wrap_lines=True)
         sentence = _(
             "Computed with exact integers; the digits are cut off, not rounded. They never become periodic, because "
             "the square root of {number} is irrational."
@@ -98,7 +99,7 @@ def practical_ratios() -> list[tuple[str, ...]]:
 def scientific(value: Fraction) -> str:
     """Return a number as LaTeX in two digits and a power of ten."""
     mantissa, exponent = f"{float(value):+.1e}".split("e")
-    return rf"{mantissa}\times10^{{{int(exponent)}}}"
+    return rf"{in_latex(mantissa)}\times10^{{{int(exponent)}}}"
 
 
 def two_stacks() -> None:
