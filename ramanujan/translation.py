@@ -16,6 +16,7 @@ import gettext
 import os
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 LOCALE = Path(__file__).parent / "locale"
 """Where the catalogues are, a folder for each language."""
@@ -70,6 +71,25 @@ def language(name: str) -> gettext.NullTranslations:
     if name == "pseudo":
         return PseudoLanguage()
     return gettext.translation("ramanujan", LOCALE, [name], fallback=name == "en")
+
+
+class Offered(NamedTuple):
+    """A language that the page offers: its name, its own name, its server's place, and whether it is spoken here."""
+
+    lang: str
+    name: str
+    place: str
+    spoken: bool
+
+
+def offered() -> list[Offered]:
+    """Return the languages that RAMANUJAN_LANGUAGES names with the places of their servers, such as en:/,hu:/hu/."""
+    named = [each.split(":", 1) for each in filter(None, os.environ.get("RAMANUJAN_LANGUAGES", "").split(","))]
+    # TRANSLATORS: what your language calls itself.
+    return [
+        Offered(lang, language(lang).pgettext("own name of the language", "English"), place, lang == LANGUAGE)
+        for lang, place in named
+    ]
 
 
 LANGUAGE = os.environ.get("RAMANUJAN_LANGUAGE") or "en"

@@ -1,4 +1,4 @@
-"""The app as `.deploy/` runs it, on the loopback address: two processes by their unit, HAProxy and HTTPS before."""
+"""The app as `.deploy/` runs it, on the loopback address: processes by their unit, HAProxy and HTTPS before."""
 
 from __future__ import annotations
 
@@ -22,6 +22,9 @@ from tests.browser import ROOT
 RECIPE = ROOT / ".deploy"
 HAPROXY = shutil.which("haproxy") or shutil.which("haproxy", path="/usr/sbin:/usr/local/sbin")
 
+OTHERS = {"hungarian": 8503, "german": 8504}
+"""The processes of other languages → their ports in the recipe."""
+
 _PLACE = "/opt/ramanujan"
 """Where the unit expects the app; here it is this folder, with this Python."""
 _STATE = "/var/lib/ramanujan"
@@ -31,12 +34,13 @@ _STATE = "/var/lib/ramanujan"
 class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
     """Run the recipe's processes and its proxy for as long as the block lasts.
 
-    The proxy has two addresses: `address`, and `secure` for HTTPS, with a certificate that nobody has signed.
+    The proxy has two addresses: `address`, and `secure` for HTTPS, with a certificate that nobody has signed. A process
+    of another language is started by its name.
     """
 
     def __init__(self, processes: int = 2) -> None:
         names = ("first", "second")[:processes]
-        self.ports = dict(zip(names, _free_ports(processes), strict=True))
+        self.ports = dict(zip((*names, *OTHERS), _free_ports(processes + len(OTHERS)), strict=True))
         self.processes: dict[str, subprocess.Popen] = {}
         self.state = tempfile.TemporaryDirectory()
 
@@ -59,9 +63,10 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,
             )
-            for name in self.ports:
+            names = self.ports.keys() - OTHERS.keys()
+            for name in names:
                 self.start(name)
-            self._wait()
+            self._wait(names)
         except BaseException:
             self.__exit__()
             raise
@@ -75,12 +80,12 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             process.wait()
         self.state.cleanup()
 
-    def _wait(self, seconds: float = 90) -> None:
-        """Wait until the proxy sends visitors to every process."""
+    def _wait(self, names: set[str], seconds: float = 90) -> None:
+        """Wait until the proxy sends visitors to these processes."""
         seen, end = set(), time.monotonic() + seconds
-        while seen < set(self.ports):
+        while seen < names:
             if time.monotonic() > end:
-                raise RuntimeError(f"the proxy sends nobody to {', '.join(set(self.ports) - seen)}")
+                raise RuntimeError(f"the proxy sends nobody to {', '.join(names - seen)}")
             with contextlib.suppress(OSError), urllib.request.urlopen(self.address, timeout=5) as answer:
                 seen.add(answer.headers["Set-Cookie"].partition(";")[0].partition("=")[2])
             time.sleep(0.1)
@@ -91,11 +96,14 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         unit.optionxform = str
         unit.read(RECIPE / "ramanujan@.service")
         service = unit["Service"]
+        given = service["Environment"].split()
+        if name in OTHERS:
+            unit.read(RECIPE / f"ramanujan@{OTHERS[name]}.service.d/language.conf")
+            given += service["Environment"].split()
         command = [
             part.replace("%i", str(self.ports[name])).replace(f"{_PLACE}/.venv/bin/python", sys.executable)
             for part in shlex.split(service["ExecStart"])
         ]
-        given = service["Environment"].split()
         self.processes[name] = subprocess.Popen(
             command,
             cwd=service["WorkingDirectory"].replace(_PLACE, str(ROOT)),

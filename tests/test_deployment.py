@@ -17,7 +17,7 @@ from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_codes import network_of
 from ramanujan.shell.browser_cookie import NAME
-from tests.browser import CHROMIUM, get, settle
+from tests.browser import CHROMIUM, get, settle, started
 from tests.deployed import HAPROXY, deployed
 
 pytestmark = pytest.mark.xdist_group("deployment")
@@ -126,6 +126,21 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     assert {answer["headers"].get("content-encoding") for answer in scripts} == {"br"}
     # A class of thirty loads it over one Wi-Fi.
     assert sum(sizes.get(number, 0) for number in sent) < 2.5e6
+
+
+def test_another_language_keeps_the_page_the_machine_and_the_options(hall: deployed, visit: Callable) -> None:
+    hall.start("hungarian")
+    started(f"{hall.address}/hu")
+    tab = visit("motion?m=2.5&mu=0.4", network=hall.address, figures=False)
+    move(tab, 3)
+    english = tab.url
+    for lang, name, address in (("hu", "Magyar", english.replace("/motion", "/hu/motion")), ("en", "English", english)):
+        tab.locator(".st-key-link select").select_option(name)
+        tab.wait_for_url(address)
+        tab.wait_for_selector(f"html[lang={lang}] [data-testid=stMainBlockContainer] h1")
+        settle(tab)
+        assert tab.url == address
+        assert tab.locator(".st-key-m input[type=range]").first.input_value() == "2.5"
 
 
 def test_a_class_votes_across_the_processes_and_one_that_is_killed_costs_nobody_what_they_set(

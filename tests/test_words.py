@@ -43,8 +43,13 @@ def sources() -> list[tuple[Path, ast.Module]]:
 
 def calls(tree: ast.AST, *names: str) -> Iterator[ast.Call]:
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names:
+        if isinstance(node, ast.Call) and name_of(node) in names:
             yield node
+
+
+def name_of(call: ast.Call) -> str:
+    """The name of a called function, or of a method."""
+    return getattr(call.func, "id", getattr(call.func, "attr", ""))
 
 
 # The catalogue
@@ -57,7 +62,7 @@ def test_the_template_holds_every_message_and_each_is_a_literal():
         found = list(calls(tree, *KEYWORDS))
         assert len(found) == held[str(path.relative_to(PACKAGE))], path
         for call in found:
-            literals = call.args[: 1 if call.func.id == "_" else 2]
+            literals = call.args[: 1 if name_of(call) == "_" else 2]
             assert all(isinstance(each, ast.Constant) and isinstance(each.value, str) for each in literals), path
     assert sum(held.values()) > 300
 

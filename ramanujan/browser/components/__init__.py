@@ -31,7 +31,7 @@ from typing import Any
 import streamlit as st
 
 from ramanujan.browser import modules
-from ramanujan.translation import _
+from ramanujan.translation import _, offered
 
 
 def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bool:
@@ -140,14 +140,15 @@ def drawer() -> Any:
 
 
 def link(private: Sequence[str] = ()) -> Any:
-    """Put a button on the page that copies its address, which contains every setting.
+    """Put a button on the page that copies its address, which contains every setting, and the choice of a language.
 
     Parameters
     ----------
     private : keys of the address that are left out of the copy
     """
     words = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    return modules.component("components/link")(key="link", data={**words, "private": list(private)})
+    data = {**words, "private": list(private), "languages": [each._asdict() for each in offered()]}
+    return modules.component("components/link")(key="link", data=data)
 
 
 def exact(key: str, head: Mapping[str, Any], on_typed: Callable[[str], None]) -> Any:

@@ -1,5 +1,5 @@
 // The button that copies the address of the page. Browsers keep the clipboard from pages that are not served securely:
-// there the text itself is offered.
+// there the text itself is offered. Before it the languages, each with the place of its server: the rest of the address stays.
 
 import { bus } from "./bus.js";
 
@@ -11,7 +11,12 @@ function shared(secret) {
 }
 
 export default function ({ data, parentElement }) {
-  const [button, told, input] = parentElement.querySelectorAll("button, .told, input");
+  const [select, button, told, input] = parentElement.querySelectorAll("select, button, .told, input");
+  select.hidden = !data.languages.length;
+  select.replaceChildren(
+    ...data.languages.map(({ lang, name, place, spoken }) => Object.assign(new Option(name, place, spoken, spoken), { lang })),
+  );
+  select.onchange = () => location.assign(select.value + location.pathname.split("/").pop() + location.search);
   const tell = (sentence) => {
     told.textContent = sentence;
     bus.publish("say", { sentence, urgent: true });
