@@ -110,7 +110,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
     reply, right = stop.reply(wrong), stop.options[stop.answer()]
     app = opened(stop=name)
     page = sent(app)
-    told = sentences(stop.explanation()) | {stop.link_label, "Right answer", "prediction was"}
+    told = sentences(stop.explanation()) | {stop.onward.label, "Right answer", "prediction was"}
     giveaways = told | sentences(reply) | (set() if stop.exhibit or name == "other-body" else frequencies(stop))
     if name in ("by-hand", "exactly"):
         giveaways.add(f"{UNIT_MASS_RATIO:.3g}")
@@ -147,7 +147,7 @@ def test_nothing_of_the_answer_is_on_the_page_before_the_machine_runs_nor_the_an
     go_on(go_on(choose(app, name, wrong), name), name)
     page = sent(app)
     assert all(
-        sentence in page for sentence in sentences(stop.explanation()) | {reply, stop.link_label, "Right answer:"}
+        sentence in page for sentence in sentences(stop.explanation()) | {reply, stop.onward.label, "Right answer:"}
     )
     assert app.pills(key="preset").options
 
@@ -292,6 +292,6 @@ def test_the_notes_cover_every_stop_and_name_their_sources(opened):
 
 def test_the_full_page_understands_the_link_of_every_stop():
     for stop in lesson.STOPS:
-        keys = {key.name: key for key in PAGES[stop.page].url_parameters}
-        for key, text in stop.link.items():
+        keys = {key.name: key for key in PAGES[stop.onward.page].url_parameters}
+        for key, text in stop.onward.query.items():
             assert keys[key].write(keys[key].read(text)) == text, stop.id

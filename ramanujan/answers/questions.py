@@ -19,23 +19,9 @@ from ramanujan.answers.mistakes import Slips, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, exact
 from ramanujan.answers.values import Mistakes, Values, agree, at_points, up_to_a_factor
-from ramanujan.derivation import ROUTES, Step
+from ramanujan.derivation import ROUTES, Step, model
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
-from ramanujan.derivation.model import (
-    ACCELERATIONS,
-    MOMENTA,
-    VELOCITIES,
-    Machine,
-    R,
-    X,
-    epsilon,
-    equation,
-    m,
-    m_prime,
-    machine,
-    phi,
-    t,
-)
+from ramanujan.derivation.model import Machine, R, X, epsilon, m, m_prime, machine, phi, t
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.translation import _
@@ -204,7 +190,7 @@ def shown_step(name: str) -> tuple[sp.Eq, ...]:
     shown = [e for e in lines if not several or str(e.lhs) in own]
     if any(it.right in e.args for e in shown):
         return tuple(shown)
-    return (*shown, equation(it.symbol or shown[-1].lhs, it.right))
+    return (*shown, model.equation(it.symbol or shown[-1].lhs, it.right))
 
 
 def _step(key: str) -> Step:
@@ -323,10 +309,10 @@ _ALL = (
         _("the momentum of X"),
         lambda: elimination().momenta[X],
         lambda: _("What is the momentum {momentum}, written with the velocities?").format(
-            momentum=f"${latex(MOMENTA[0])}=\\partial\\mathcal L/\\partial\\dot X$"
+            momentum=f"${latex(model.MOMENTA[0])}=\\partial\\mathcal L/\\partial\\dot X$"
         ),
         mistakes.momentum,
-        lambda bodies: _first_row(bodies, VELOCITIES),
+        lambda bodies: _first_row(bodies, model.VELOCITIES),
         "2 m X' - m' R phi'",
         POLYNOMIAL,
         ("momenta",),
@@ -340,7 +326,7 @@ _ALL = (
         lambda: _("What is the equation of motion of {coordinate}?").format(coordinate=f"${latex(X)}$"),
         mistakes.block_equation,
         # An equation with one term says no more than that this term is zero.
-        lambda bodies: row if (row := _first_row(bodies, ACCELERATIONS)).is_Add else None,
+        lambda bodies: row if (row := _first_row(bodies, model.ACCELERATIONS)).is_Add else None,
         "2 m X'' = m' R phi''",
         EQUATION,
         ("rates", "motion"),

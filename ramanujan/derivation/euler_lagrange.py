@@ -5,29 +5,18 @@ The paper derives Ω² twice, first for equal masses. Here one computation does 
 
 import sympy as sp
 
+from ramanujan.derivation import model
 from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, eliminate, phi_ddot
 from ramanujan.derivation.energies import COLLECTED, bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
-from ramanujan.derivation.model import (
-    COORDINATES,
-    MOMENTA,
-    Machine,
-    Omega_squared,
-    equation,
-    gather,
-    k,
-    m,
-    m_prime,
-    phi,
-    t,
-)
+from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, gather, k, m, m_prime, phi, t
 from ramanujan.derivation.printers import in_order, latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
 
 @ROUTES.add("euler_lagrange")
-def build(bodies: Machine) -> Route:
+def build(bodies: model.Machine) -> Route:
     """Return the route in the paper's order; at equal masses it ends close to the plain mass, not at a condition."""
     result = eliminate(bodies)
     frequency = result.natural_frequency_squared

@@ -5,8 +5,6 @@ H contains neither X nor Φ. For fixed values of their momenta the machine acts 
     H = (p_φ + shift)²/(2M_eR²) + 2kR²φ² + H₀,    shift and H₀ constant,    Ω² = 4k/M_e.
 """
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from ramanujan.derivation import model
@@ -20,20 +18,12 @@ H_0 = sp.Symbol("H_0")
 """The part of H that stays constant."""
 
 
-@dataclass(frozen=True)
-class Legendre:
-    """The Legendre transform of ℒ: the momenta in the velocities, the velocities in the momenta, and H(q, p)."""
-
-    momenta: dict[sp.Expr, sp.Expr]
-    velocities: dict[sp.Expr, sp.Expr]
-    hamiltonian: sp.Expr
-
-
-def legendre_transform(bodies: Machine) -> Legendre:
-    """Return p = ∂ℒ/∂q̇, its inverse q̇(p), and H = Σ p q̇ − ℒ.
+def legendre_transform(bodies: Machine) -> tuple[dict[sp.Expr, sp.Expr], dict[sp.Expr, sp.Expr], sp.Expr]:
+    """Return p = ∂ℒ/∂q̇ by momentum, its inverse q̇(p) by velocity, and H(q, p) = Σ p q̇ − ℒ.
 
     >>> from ramanujan.derivation.model import machine
-    >>> legendre_transform(machine()).momenta[MOMENTA[2]]
+    >>> momenta, velocities, hamiltonian = legendre_transform(machine())
+    >>> momenta[MOMENTA[2]]
     3*R**2*m*Derivative(Phi(t), t)/2 - R*m*Derivative(X(t), t)
     """
     lagrangian = bodies.lagrangian
@@ -44,52 +34,34 @@ def legendre_transform(bodies: Machine) -> Legendre:
     kinetic = gather(sum(p * velocities[v] for p, v in zip(MOMENTA, VELOCITIES, strict=True)) / 2, MOMENTA)
     # One term each for p_φ², p_φ and the products of the others.
     square, linear, rest = (kinetic.coeff(p_phi, power) for power in (2, 1, 0))
-    hamiltonian = square * p_phi**2 + sp.factor(linear) * p_phi + rest + bodies.potential_energy
-    return Legendre(momenta, velocities, hamiltonian)
+    return momenta, velocities, square * p_phi**2 + sp.factor(linear) * p_phi + rest + bodies.potential_energy
 
 
-def rates_of_momenta(hamiltonian: sp.Expr) -> dict[sp.Expr, sp.Expr]:
-    """Return ṗ = −∂H/∂q for each momentum; zero where H does not contain the coordinate."""
-    return {p.diff(t): -hamiltonian.diff(q) for p, q in zip(MOMENTA, COORDINATES, strict=True)}
-
-
-@dataclass(frozen=True)
-class Reduction:
-    """H as one oscillator: M_e, the constant shift of p_φ, and the constant H₀."""
-
-    effective_mass: sp.Expr
-    shift: sp.Expr
-    constant: sp.Expr
-
-
-def reduce_to_one_degree(hamiltonian: sp.Expr) -> Reduction:
+def reduce_to_one_degree(hamiltonian: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Return M_e, shift and H₀ of H = (p_φ + shift)²/(2M_eR²) + U(φ) + H₀, by completing the square in p_φ.
 
     >>> from ramanujan.derivation.model import machine
-    >>> reduce_to_one_degree(legendre_transform(machine()).hamiltonian).effective_mass
+    >>> reduce_to_one_degree(legendre_transform(machine())[2])[0]
     (32*m**2 + 49*m*m_prime + 18*m_prime**2)/(2*(7*m + 6*m_prime))
     """
     constant = hamiltonian.subs(p_phi, 0).as_independent(phi, as_Add=True)[0]
     square, linear = (hamiltonian.diff(p_phi, n).subs(p_phi, 0) / n for n in (2, 1))
-    return Reduction(
-        sp.factor(1 / (2 * square * R**2)),
-        sp.factor(linear / (2 * square)),
-        _one_fraction(constant - linear**2 / (4 * square)),
-    )
+    effective_mass, shift = sp.factor(1 / (2 * square * R**2)), sp.factor(linear / (2 * square))
+    return effective_mass, shift, _one_fraction(constant - linear**2 / (4 * square))
 
 
 @ROUTES.add("hamilton")
 def build(bodies: Machine) -> Route:
     """Return the route: Legendre transform, Hamilton's equations, one degree of freedom, Ω²."""
-    transform = legendre_transform(bodies)
-    rates = rates_of_momenta(transform.hamiltonian)
-    reduced = reduce_to_one_degree(transform.hamiltonian)
-    acceleration = transform.hamiltonian.diff(p_phi).diff(t).subs(rates)
+    momenta, velocities, hamiltonian = legendre_transform(bodies)
+    rates = {p.diff(t): -hamiltonian.diff(q) for p, q in zip(MOMENTA, COORDINATES, strict=True)}
+    effective_mass, shift, constant = reduce_to_one_degree(hamiltonian)
+    acceleration = hamiltonian.diff(p_phi).diff(t).subs(rates)
     frequency = sp.factor(-acceleration / phi)
     stiffness = bodies.potential_energy.diff(phi, 2) / R**2
     lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
     X_dot, phi_dot, Phi_dot = VELOCITIES
-    one_degree = (p_phi + reduced.shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
+    one_degree = (p_phi + shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
     steps = (
         step(
             "lagrangian",
@@ -105,7 +77,7 @@ def build(bodies: Machine) -> Route:
             "momenta",
             _("Find the momenta"),
             _("Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
-            *(equation(p, value) for p, value in transform.momenta.items()),
+            *(equation(p, value) for p, value in momenta.items()),
             operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(velocity)}" for velocity in VELOCITIES),
         ),
         step(
@@ -116,7 +88,7 @@ def build(bodies: Machine) -> Route:
                 "insert it into that of $X$. Solve the result for $\\dot X$ and insert it into that of $\\varphi$: "
                 "only $\\dot\\varphi$ is left."
             ),
-            *_inversion(transform.momenta),
+            *_inversion(momenta),
             operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
         ),
         step(
@@ -126,7 +98,7 @@ def build(bodies: Machine) -> Route:
                 "Solve the last line for $\\dot\\varphi$, then go back to $\\dot X$ and $\\dot\\Phi$. This always "
                 "works, because $T$ is positive for every motion."
             ),
-            *(equation(velocity, value) for velocity, value in transform.velocities.items()),
+            *(equation(velocity, value) for velocity, value in velocities.items()),
             operations=(insert(phi_dot), solve_for(phi_dot), insert(X_dot)),
         ),
         step(
@@ -138,7 +110,7 @@ def build(bodies: Machine) -> Route:
                 "$T+U$."
             ),
             equation("H", sp.Add(*(p * v for p, v in zip(MOMENTA, VELOCITIES, strict=True))) / 2 + sp.Symbol("U")),
-            equation("H", transform.hamiltonian),
+            equation("H", hamiltonian),
             operations=(r"\textstyle\sum p_q\dot q-\mathcal{L}", insert(*VELOCITIES, "U")),
         ),
         step(
@@ -151,7 +123,7 @@ def build(bodies: Machine) -> Route:
                 "$p_\\Phi$ is the angular momentum of the top cylinder about its line of contact with the block."
             ),
             *(equation(rate, value) for rate, value in rates.items()),
-            equation(phi_dot, transform.velocities[phi_dot]),
+            equation(phi_dot, velocities[phi_dot]),
             operations=(
                 *(rf"-\partial\mathcal{{H}}/\partial {latex(q)}" for q in COORDINATES),
                 rf"\partial\mathcal{{H}}/\partial {latex(p_phi)}",
@@ -166,8 +138,8 @@ def build(bodies: Machine) -> Route:
                 "displacement $R\\varphi$."
             ),
             equation("H", one_degree),
-            equation(M_e, reduced.effective_mass),
-            equation(H_0, reduced.constant),
+            equation(M_e, effective_mass),
+            equation(H_0, constant),
             operations=(
                 blackboard(_("complete the square")),
                 compare(p_phi**2),
@@ -184,7 +156,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
             equation(model.Omega_squared, stiffness / M_e),
-            equation(M_x, sp.factor(reduced.effective_mass / lever)),
+            equation(M_x, sp.factor(effective_mass / lever)),
             equation(model.Omega_squared, frequency),
             operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(lever)}", insert(M_e)),
         ),

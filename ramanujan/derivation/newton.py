@@ -23,20 +23,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ramanujan.derivation import model
 from ramanujan.derivation.energies import PARTS, rolled
-from ramanujan.derivation.model import (
-    ACCELERATIONS,
-    Body,
-    Machine,
-    Omega_squared,
-    R,
-    equation,
-    gather,
-    k,
-    machine,
-    phi,
-    t,
-)
+from ramanujan.derivation.model import ACCELERATIONS, Body, Machine, R, equation, gather, k, machine, phi, t
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
@@ -322,7 +311,7 @@ def build(bodies: Machine) -> Route:
             ),
             equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
             equation(phi_ddot, cut.solution[roller]),
-            equation(Omega_squared, frequency),
+            equation(model.Omega_squared, frequency),
             operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
         ),
     )

@@ -1,7 +1,7 @@
 """Stops 6 to 9: which body moves where, and where the energy is."""
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Stop, after, by_sign
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Stop, after, by_sign
 from ramanujan.motion import ground_positions, ground_velocities, relative_positions, relative_velocities
 from ramanujan.translation import _
 
@@ -90,9 +90,7 @@ STOPS = (
         expect=_("Some let the slab carry the block along, as friction would on a rough floor."),
         minutes=3,
         layers=("arrows",),
-        page="motion",
-        link={"figure": "momentum"},
-        link_label=_("See the momenta on the page Motion"),
+        onward=Onward(_("See the momenta on the page Motion"), "motion", {"figure": "momentum"}),
     ),
     Stop(
         id="rollers",
@@ -142,9 +140,7 @@ STOPS = (
         ),
         layers=("traces",),
         short=True,
-        page="motion",
-        link={"figure": "displacements"},
-        link_label=_("Compare the displacements on the page Motion"),
+        onward=Onward(_("Compare the displacements on the page Motion"), "motion", {"figure": "displacements"}),
     ),
     Stop(
         id="turning-point",
@@ -182,9 +178,7 @@ STOPS = (
         purpose=_("Released from rest, only one mode is excited, so all bodies stop together."),
         expect=_("Some expect that the free top cylinder still moves."),
         layers=("energy",),
-        page="motion",
-        link={"figure": "energy"},
-        link_label=_("See the energies on the page Motion"),
+        onward=Onward(_("See the energies on the page Motion"), "motion", {"figure": "energy"}),
     ),
     Stop(
         id="middle",
@@ -227,8 +221,6 @@ STOPS = (
         minutes=3,
         hides=(*FREQUENCY, "energy", "arrows"),
         layers=("energy",),
-        page="motion",
-        link={"figure": "energy"},
-        link_label=_("See the energies on the page Motion"),
+        onward=Onward(_("See the energies on the page Motion"), "motion", {"figure": "energy"}),
     ),
 )

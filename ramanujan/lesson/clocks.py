@@ -3,7 +3,7 @@
 import math
 
 from ramanujan.energy import energies
-from ramanujan.lesson.stop import EQUAL, Run, Stop, after, by_sign
+from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop, after, by_sign
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -95,7 +95,7 @@ STOPS = (
         minutes=4,
         dials=True,
         periods=_PERIODS,
-        link_label=_("See the two clocks on the page Oscillator"),
+        onward=Onward(_("See the two clocks on the page Oscillator")),
     ),
     Stop(
         id="light-rollers",
@@ -127,7 +127,7 @@ STOPS = (
         expect=_("Those who noticed that the lower rollers hardly move often answer that their mass cannot matter."),
         runs=(Run(LIGHT),),
         dials=True,
-        link_label=_("Change the rollers on the page Oscillator"),
+        onward=Onward(_("Change the rollers on the page Oscillator")),
     ),
     Stop(
         id="heavy-rollers",
@@ -164,7 +164,7 @@ STOPS = (
         runs=(Run(HEAVY),),
         dials=True,
         periods=_PERIODS,
-        link_label=_("Change the rollers on the page Oscillator"),
+        onward=Onward(_("Change the rollers on the page Oscillator")),
     ),
     Stop(
         id="stiffness",
@@ -197,7 +197,7 @@ STOPS = (
         expect=_("“Larger” is common: a stiff spring is thought to favour the complicated machine."),
         then=STIFF,
         dials=True,
-        link_label=_("Drag k on the page Oscillator"),
+        onward=Onward(_("Drag k on the page Oscillator")),
     ),
     Stop(
         id="radius",
@@ -229,6 +229,6 @@ STOPS = (
         purpose=_("Rolling couples spin to travel, so R drops out."),
         expect=_("“Longer” is common, because the moment of inertia is four times as large."),
         runs=tuple(Run(each, label=filled(_RADIUS, radius=100 * each.radius)) for each in (EQUAL, LARGE)),
-        link_label=_("Drag R on the page Oscillator, under “More”"),
+        onward=Onward(_("Drag R on the page Oscillator, under “More”")),
     ),
 )

@@ -9,7 +9,7 @@ import numpy as np
 from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.runs import History, error_history
 from ramanujan.integrators import METHODS
-from ramanujan.lesson.stop import EQUAL, Run, Stop
+from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop
 from ramanujan.numerals import power_of_ten
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
@@ -127,9 +127,7 @@ STOPS = (
         runs=tuple(
             Run(EQUAL, COMPRESSION, METHODS[method].title, samples=partial(samples, method)) for method in STEPS
         ),
-        page="speed",
-        link={"method": "explicit_euler"},
-        link_label=_("Measure the methods on the page Speed and accuracy"),
+        onward=Onward(_("Measure the methods on the page Speed and accuracy"), "speed", {"method": "explicit_euler"}),
     ),
     Stop(
         id="huge-ratio",
@@ -171,7 +169,6 @@ STOPS = (
         ),
         runs=(Run(_DRAWN, label=_LABEL),),
         exhibit=f"```js\n{program()}\n```",
-        page="speed",
-        link_label=_("See where each formula fails on the page Speed and accuracy"),
+        onward=Onward(_("See where each formula fails on the page Speed and accuracy"), "speed"),
     ),
 )

@@ -6,7 +6,7 @@ import numpy as np
 
 from ramanujan.answers.machines import CALLED
 from ramanujan.contact import first_to_slip, normal_forces, required_friction
-from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Run, Stop
+from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.motion import InitialState, released
 from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.translation import _
@@ -77,8 +77,7 @@ STOPS = (
             Run(label=_("The whole machine glides"), initial=InitialState(X_dot=_SPEED)),
             Run(label=_("The top cylinder rolls freely"), initial=InitialState(Phi_dot=_SPEED / EQUAL.radius)),
         ),
-        page="derivation",
-        link_label=_("See the three modes on the page Derivation"),
+        onward=Onward(_("See the three modes on the page Derivation"), "derivation"),
     ),
     Stop(
         id="contact",
@@ -124,8 +123,6 @@ STOPS = (
         runs=(Run(slipping=True),),
         hides=(*FREQUENCY, "forces", "motion"),
         layers=("forces",),
-        page="motion",
-        link={"figure": "forces"},
-        link_label=_("Change the friction on the page Motion"),
+        onward=Onward(_("Change the friction on the page Motion"), "motion", {"figure": "forces"}),
     ),
 )

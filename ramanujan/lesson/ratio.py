@@ -8,7 +8,7 @@ from ramanujan import number_theory
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
-from ramanujan.lesson.stop import EQUAL, FREQUENCY, Run, Stop
+from ramanujan.lesson.stop import EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import filled, number
 from ramanujan.oscillator import Oscillator
@@ -139,7 +139,7 @@ STOPS = (
         short=True,
         minutes=3,
         dials=True,
-        link_label=_("Find it with the slider on the page Oscillator"),
+        onward=Onward(_("Find it with the slider on the page Oscillator")),
     ),
     Stop(
         id="exactly",
@@ -169,8 +169,7 @@ STOPS = (
         minutes=3,
         then=IN_STEP,
         dials=True,
-        page="taxicab",
-        link_label=_("See the solution on the page 1729"),
+        onward=Onward(_("See the solution on the page 1729"), "taxicab"),
     ),
     Stop(
         id="1729",
@@ -211,8 +210,7 @@ STOPS = (
         runs=(Run(IN_STEP),),
         hides=FREQUENCY,
         exhibit=f"$${latex(unit_frequency_condition().quadratic.as_expr())}=0$$",
-        page="taxicab",
-        link_label=_("Count the cubes on the page 1729"),
+        onward=Onward(_("Count the cubes on the page 1729"), "taxicab"),
     ),
     Stop(
         id="other-body",
@@ -248,8 +246,6 @@ STOPS = (
         minutes=3,
         runs=(Run(IN_STEP, bodies=OTHER.bodies),),
         dials=True,
-        page="taxicab",
-        link={"top": OTHER.top},
-        link_label=_("Choose the bodies on the page 1729"),
+        onward=Onward(_("Choose the bodies on the page 1729"), "taxicab", {"top": OTHER.top}),
     ),
 )

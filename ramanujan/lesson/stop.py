@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
+from typing import NamedTuple
 
 from numpy.typing import ArrayLike, NDArray
 
@@ -53,6 +54,19 @@ class Run:
     initial: InitialState | None = None
 
 
+class Onward(NamedTuple):
+    """A link to another page.
+
+    label : what the link says
+    page : its folder in `pages`
+    query : what its address says besides the machine
+    """
+
+    label: str
+    page: str = "oscillator"
+    query: Mapping[str, str] = MappingProxyType({})
+
+
 @dataclass(frozen=True)
 class Stop:
     """One stop of the lesson.
@@ -81,9 +95,7 @@ class Stop:
     periods : of the plain mass, to which a button takes both clocks after the answer
     exhibit : Markdown that is shown above the machine, such as a program
     then : the machine after the prediction, where it is another one
-    page : the page on which it is seen in full, by its folder in `pages`
-    link : what the address of that page says besides the machine
-    link_label : what the link says
+    onward : where it is seen in full
     """
 
     id: str
@@ -96,11 +108,9 @@ class Stop:
     hints: tuple[str, ...]
     purpose: str
     expect: str
-    link_label: str
+    onward: Onward
     given: Mapping[str, object] = field(default_factory=lambda: MappingProxyType({}))
     numbers: Callable[[], Mapping[str, object]] = dict
-    page: str = "oscillator"
-    link: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     minutes: int = 2
     short: bool = False
     runs: tuple[Run, ...] = (Run(),)

@@ -80,10 +80,14 @@ export const dom = {
    * can be older than the slider.
    */
   writeAddress(key, value, byDefault) {
-    const url = new URL(location.href), said = url.searchParams.get(key);
-    if (value === byDefault ? said === null : Number(said) === value && said !== null) return;
-    if (value === byDefault) url.searchParams.delete(key);
-    else url.searchParams.set(key, value);
+    const said = new URLSearchParams(location.search).get(key);
+    if (value === byDefault ? said !== null : said === null || Number(said) !== value) dom.keep([[key, value, byDefault]]);
+  },
+
+  /** Write values into the address: key, value, and the default, which is left out. */
+  keep(entries) {
+    const url = new URL(location.href), { searchParams: said } = url;
+    for (const [key, value, byDefault] of entries) value === byDefault ? said.delete(key) : said.set(key, value);
     history.replaceState(history.state, "", url);
   },
 
@@ -117,17 +121,15 @@ export const dom = {
   /** Whether a component's theme is light or dark. */
   theme: (parentElement) => getComputedStyle(parentElement.host ?? parentElement).colorScheme.match(/^(light|dark)$/)?.[0],
 
-  /** Plotly's graphs on the page; each carries its own `layout`. */
-  graphs: () => [...document.querySelectorAll(".js-plotly-plot")],
-
   /**
-   * Call a listener with a graph after each of its drawings, and with every graph that comes, until the signal aborts.
-   * Streamlit does not say when it loads a figure, so this function observes the page.
+   * Call a listener with one of Plotly's graphs, which carries its `layout`, after each of its drawings, and with every graph
+   * that comes, until the signal aborts. Streamlit does not say when it loads a figure, so this function observes the page.
    */
   watchGraphs(listener, signal) {
     const known = new WeakSet();
     const look = () => {
-      for (const graph of dom.graphs().filter((graph) => graph.on && !known.has(graph))) {
+      for (const graph of document.querySelectorAll(".js-plotly-plot")) {
+        if (!graph.on || known.has(graph)) continue;
         const drawn = () => signal.aborted || listener(graph);
         known.add(graph);
         graph.on("plotly_afterplot", drawn);

@@ -4,29 +4,16 @@ from typing import Any
 
 import sympy as sp
 
+from ramanujan.derivation import model
 from ramanujan.derivation.elimination import eliminate
-from ramanujan.derivation.model import (
-    HOOP,
-    SOLID_CYLINDER,
-    Machine,
-    Phi,
-    R,
-    X,
-    epsilon,
-    k,
-    m,
-    m_prime,
-    machine,
-    phi,
-    t,
-)
+from ramanujan.derivation.model import Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi, t
 from ramanujan.derivation.newton import contact_forces, floor_lever, normal_forces, spring_forces
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import plain_text
 from ramanujan.derivation.solution import coefficients
 from ramanujan.oscillator import DRAWN_SPACING, GRAVITY
 
-SHAPE_FACTORS = {"hoop": float(HOOP), "cylinder": float(SOLID_CYLINDER), "top": float(SOLID_CYLINDER)}
+SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLINDER), "top": float(model.SOLID_CYLINDER)}
 """β of the paper's rollers."""
 
 

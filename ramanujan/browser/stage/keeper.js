@@ -2,6 +2,7 @@
 // from ground or block, and the moment of a pause. shell/stages.py has the names and their values.
 
 import { atRest } from "../components/lasting.js";
+import { dom } from "../components/streamlit_dom.js";
 import { finder } from "./parts.js";
 import { TURN } from "./motion.js";
 
@@ -19,21 +20,14 @@ export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFi
   owners.set(place, name); // another stop of the lesson begins anew
 
   function write() {
-    const url = new URL(location.href), { clock, layers } = stage, shown = [...layers].sort().join() || "none";
-    const keep = (key, value, byDefault) => {
-      if (value === byDefault) url.searchParams.delete(prefix + key);
-      else url.searchParams.set(prefix + key, value);
-    };
+    const { clock, layers } = stage, named = (names) => [...names].sort().join() || "none", shown = named(layers);
     const angles = stages().flatMap(({ playback: { phase, plainPhase } }) => [phase, plainPhase]);
     const turns = angles.map((angle) => Number((angle / TURN).toFixed(6)));
     const { seenFrom: from, speed, playing } = clock, pace = playing ? stage.pace() : 0;
     send({ layers: shown, from, speed, pace, turns: turns.join() });
-    if (!active) return;
-    if (!compact) keep("layers", shown, [...shownAtFirst].sort().join() || "none");
-    keep("speed", speed, 1);
-    keep("from", from, "ground");
-    keep("paused", playing ? "" : turns.join(), "");
-    history.replaceState(history.state, "", url);
+    const view = [["speed", speed, 1], ["from", from, "ground"], ["paused", playing ? "" : turns.join(), ""]];
+    if (!compact) view.push(["layers", shown, named(shownAtFirst)]);
+    if (active) dom.keep(view.map(([key, ...values]) => [prefix + key, ...values]));
   }
 
   const soon = atRest(PAUSE, write, signal);

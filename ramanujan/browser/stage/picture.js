@@ -10,7 +10,7 @@ import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
 import { TURN } from "./motion.js";
 import { finder } from "./parts.js";
-import { element, put, set } from "./svg.js";
+import { element, put, set, strip } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const TRAIL = { positions: 8, apart: TURN / 60 }; // the last ones, so much of a period apart
@@ -112,10 +112,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     const ghost = moving.cloneNode(true);
     set(ghost, { class: "ghost" });
     for (const node of ghost.querySelectorAll("text, title, .grip, .handle, .rest")) node.remove();
-    for (const node of ghost.querySelectorAll("*")) {
-      const said = node.getAttributeNames().filter((name) => /^(tabindex$|role$|aria-)/.test(name));
-      for (const name of said) node.removeAttribute(name);
-    }
+    for (const node of ghost.querySelectorAll("*")) strip(node, /^(tabindex$|role$|aria-)/);
     put(finder(ghost), placed(known, place));
     return ghost;
   }

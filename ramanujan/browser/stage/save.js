@@ -1,7 +1,7 @@
 // The picture as a file: SVG that needs nothing of this page, PNG, or TikZ for LaTeX, always in the light theme. All three are
 // read off the picture that is seen, so that its lengths stand nowhere twice.
 
-import { element, set } from "./svg.js";
+import { element, set, strip } from "./svg.js";
 import { LIGHT } from "./texts.js";
 
 const LOOKS = [
@@ -38,12 +38,11 @@ function standalone(svg) {
     looks["stroke-width"] = parseFloat(looks["stroke-width"]) * lines;
     looks["stroke-dasharray"] = looks["stroke-dasharray"].replace(/[\d.]+(px)?/g, (length) => parseFloat(length) * lines);
     looks["font-family"] = looks["font-family"].replaceAll('"', "'");
-    const ofThisPage = node.getAttributeNames().filter((name) => /^(class|style|role|tabindex|aria-.*|data-.*)$/.test(name));
-    for (const name of ofThisPage) copies[i].removeAttribute(name);
+    strip(copies[i], /^(class|style|role|tabindex|aria-.*|data-.*)$/);
     set(copies[i], looks);
   });
   for (const node of gone) node.remove();
-  for (const { name } of [...copy.attributes]) copy.removeAttribute(name);
+  strip(copy, /./);
   const size = { width: WIDE, height: Math.round((WIDE * height) / width) };
   set(copy, { xmlns: "http://www.w3.org/2000/svg", viewBox: `${x} ${y} ${width} ${height}`, ...size });
   copy.prepend(element("rect", { x, y, width, height, fill: LIGHT["--st-background-color"] }));
@@ -100,8 +99,11 @@ ${lines.join("\n")}
 `;
 }
 
+/** Read the lengths of a node by their names. */
+const lengthsOf = (node) => (name) => rounded(Number(node.getAttribute(name) ?? 0));
+
 function outline(node) {
-  const of = (name) => rounded(Number(node.getAttribute(name) ?? 0));
+  const of = lengthsOf(node);
   if (node.matches("circle")) return `(${of("cx")}pt,${of("cy")}pt) circle[radius=${of("r")}pt]`;
   if (node.matches("rect")) return `(${of("x")}pt,${of("y")}pt) rectangle ++(${of("width")}pt,${of("height")}pt)`;
   if (node.matches("line")) return `(${of("x1")}pt,${of("y1")}pt) -- (${of("x2")}pt,${of("y2")}pt)`;
@@ -109,7 +111,7 @@ function outline(node) {
 }
 
 function label(node, style, cm) {
-  const of = (name) => rounded(Number(node.getAttribute(name) ?? 0)), ends = { start: "west", end: "east" }[style.textAnchor];
+  const of = lengthsOf(node), ends = { start: "west", end: "east" }[style.textAnchor];
   const anchor = style.dominantBaseline === "auto" ? `base${ends ? ` ${ends}` : ""}` : ends ?? "center";
   // A letter upon a line has a rim of paper.
   const rim = style.paintOrder === "stroke" ? `fill=${tikzColour(style.stroke)}, fill opacity=0.6, text opacity=1, ` : "";

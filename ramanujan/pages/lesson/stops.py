@@ -224,11 +224,9 @@ def _moves(stop: Stop, chosen: str, label: str, phase: str) -> None:
 def why(stop: Stop) -> None:
     """Say why the right option is right, and where all of it is seen."""
     st.markdown(stop.explanation())
-    if display_mode.is_projector():
-        return
-    st.page_link(
-        PAGES[stop.page].file, label=stop.link_label, icon=":material/open_in_full:", query_params=dict(stop.link)
-    )
+    label, page, query = stop.onward
+    if not display_mode.is_projector():
+        st.page_link(PAGES[page].file, label=label, icon=":material/open_in_full:", query_params=dict(query))
 
 
 def _compare_hands(stop: Stop) -> None:

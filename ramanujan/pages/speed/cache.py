@@ -13,16 +13,7 @@ from functools import partial
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.choices import (
-    Arithmetic,
-    ClosedForm,
-    Comparison,
-    CurveSampling,
-    arithmetics,
-    caching,
-    closed_form,
-    curve_sampling,
-)
+from ramanujan.accuracy.choices import ClosedForm, arithmetics, caching, closed_form, curve_sampling
 from ramanujan.accuracy.extremes import FORMS, Sweep, extremes
 from ramanujan.accuracy.general_solvers import EigenSweep, eigen_solvers
 from ramanujan.accuracy.measurement import Timing
@@ -127,7 +118,7 @@ def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
 
 
 @st.cache_resource(show_spinner=_("Measuring what the app itself uses …"), max_entries=1)
-def choices() -> tuple[list[ClosedForm], list[CurveSampling], list[Arithmetic], list[Comparison]]:
+def choices() -> tuple[list, list, list, list]:
     """Return error and cost of what the app itself chooses, for the machine with m = m′ = 1 kg and k = 1 N/m.
 
     They are those of the closed form, of curves, of kinds of arithmetic, and of what is kept.
