@@ -295,8 +295,6 @@ def test_the_example_is_readable_of_the_right_unit_and_not_the_answer(name):
 @pytest.mark.parametrize("name", ["", "Ω", None, ["a"], 3])
 def test_an_unknown_question_is_refused(name):
     assert judge(name, "m").kind == "unreadable"
-    with pytest.raises(ValueError, match="name"):
-        question(name)
 
 
 @pytest.mark.parametrize("text", [None, 3, b"m", ["m"], object(), float("nan"), "v", "ω²", "I/m"])

@@ -60,12 +60,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         # A line that passes behind a name leaves its letters free, on paper and in a saved file as well.
         "annotationdefaults": {"font": {"shadow": ", ".join([f"0 0 3px {colors['paper']}"] * 4)}},
     }
-    # A click on one point must not dim the others.
-    keep = {"marker": {"opacity": 1}}
-    scatter: dict[str, Any] = {"type": "scatter", "selected": keep, "unselected": keep}
-    if hover:
-        scatter["hovertemplate"] = hover
-    return {"layout": layout, "data": {"scatter": [scatter]}}
+    return {"layout": layout, "data": {"scatter": [{"type": "scatter"} | ({"hovertemplate": hover} if hover else {})]}}
 
 
 def figure(

@@ -88,7 +88,6 @@ def machine_grid(
     # TRANSLATORS: {lower} is a pair such as hoop + cylinder, {top} is a body such as cylinder.
     hover = _("{lower} below, {top} on top<br>discriminant {number}")
     inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
-    unseen = {"marker": {"opacity": 0}}
     clickable = {
         "type": "scatter",
         "x": [x for x, _y in cells],
@@ -97,8 +96,6 @@ def machine_grid(
         "text": [f"<b>{n}</b>" if way else str(n) for n, way in zip(numbers, ways, strict=True)],
         "textfont": {"size": 13, "color": [inks[way] for way in ways]},
         "marker": {"symbol": "square", "size": 36, "opacity": 0},
-        "selected": unseen,
-        "unselected": unseen,
         "customdata": [[rows[y], columns[x]] for x, y in cells],
         "hovertemplate": hover.format(lower="%{customdata[0]}", top="%{customdata[1]}", number="%{text}") + NO_NAME,
     }

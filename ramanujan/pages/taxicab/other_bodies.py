@@ -6,7 +6,7 @@ from fractions import Fraction
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.browser import stage
+from ramanujan.browser import components, stage
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import in_latex
 from ramanujan.pages.taxicab import cache
@@ -158,9 +158,8 @@ def forty_machines(chosen: BodyChoice) -> None:
             "Only {best} is a sum of two positive cubes in two ways; {one} and {other} are such a sum in one way. "
             "Marked: {chosen} ({name})."
         ).format(**facts, chosen=chosen.discriminant, name=name(chosen)),
-        on_select=take_clicked,
-        selection_mode="points",
     )
+    components.pick("machines", take_clicked)
     sentence = _(
         "The discriminants of all {count} machines, for Ω² = k/m. Highlighted: a sum of two positive cubes, {best} in "
         "two ways, {one} and {other} in one."
@@ -170,13 +169,10 @@ def forty_machines(chosen: BodyChoice) -> None:
         st.caption(_("Click on a machine to build it."))
 
 
-def take_clicked() -> None:
-    """Put the bodies of the machine that was clicked into their places; a second click on it brings them back."""
-    points = st.session_state["machines"].selection.points
-    if points:
-        st.session_state["clicked"] = points[0]["point_index"]
-    if (clicked := st.session_state.get("clicked")) is not None:
-        st.session_state.update(zip(PAPER, cache.machines()[clicked].bodies, strict=True))
+def take_clicked(point: dict[str, float]) -> None:
+    """Put the bodies of the machine that was clicked into their places."""
+    for machine in cache.machines()[len(BODIES) * int(point["y"]) + int(point["x"]) :][:1]:
+        st.session_state.update(zip(PAPER, machine.bodies, strict=True))
 
 
 def name(machine: BodyChoice) -> str:
