@@ -25,27 +25,6 @@ CHROMIUM = next(
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 
 STAGE = "document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot"
-WATCH_LAG = f"""() => {{
-  const input = document.querySelector('.st-key-m_prime input[type=range]');
-  const readout = {STAGE}.querySelector('[data-read=normalized]');
-  let value = input.value, shown = readout.textContent, since = null;
-  window.lags = [];
-  const watch = () => {{
-    if (input.value !== value) {{
-      value = input.value;
-      since ??= 0;
-    }}
-    if (readout.textContent !== shown) {{
-      shown = readout.textContent;
-      if (since !== null) window.lags?.push(since);
-      since = null;
-    }} else if (since !== null) since += 1;
-    if (window.lags) requestAnimationFrame(watch);
-  }};
-  requestAnimationFrame(watch);
-}}"""
-"""Counts, into window.lags, the animation frames from each move of the m′ slider to the stage's readout."""
-
 _FINISHED = {ForwardMsg.FINISHED_SUCCESSFULLY, ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY}
 _QUIET = 350
 """Milliseconds of silence, by the page's own timer, after which it has drawn.
@@ -225,6 +204,11 @@ def thumb(page: Page, key: str) -> tuple[float, float]:
     """Return where the middle of a slider's thumb is on the screen."""
     box = page.locator(f".st-key-{key} [style*=left]").first.bounding_box()
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def script(name: str) -> str:
+    """Return the JavaScript of a file in tests/scripts, for a page to evaluate."""
+    return (ROOT / "tests" / "scripts" / f"{name}.js").read_text(encoding="utf-8").strip()
 
 
 def module(name: str) -> str:

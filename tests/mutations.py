@@ -35,18 +35,6 @@ _ARROWS = "velocityArrow(x + over[name], y, velocity(name, known) * per.speed"
 MUTATIONS = [
     Mutation("every roller turns backwards", "stage/drawing.js", _SPIN, _SPIN.replace("(FORM", "(-FORM")),
     Mutation(
-        "the top roller turns backwards",
-        "stage/drawing.js",
-        _SPIN,
-        _SPIN.replace("* 360", '* (name === "top" ? -360 : 360)'),
-    ),
-    Mutation(
-        "bodies move to the wrong side",
-        "stage/drawing.js",
-        "translate(${x0 + x[name]} ",
-        "translate(${x0 - x[name]} ",
-    ),
-    Mutation(
         "the block stays where it is",
         "stage/drawing.js",
         "translate(${x0 + x[name]} ",
@@ -84,12 +72,6 @@ MUTATIONS = [
         '"kinetic_energy": {body.name: body.mass * body.velocity**2 / 2 for',
     ),
     Mutation(
-        "two bars are swapped",
-        "stage/layers.js",
-        "BODIES.map((name) => FORMULAS.kinetic_energy[name](known))",
-        'BODIES.map((name) => FORMULAS.kinetic_energy[{ hoop: "cylinder", cylinder: "hoop" }[name] ?? name](known))',
-    ),
-    Mutation(
         "bars against their own largest",
         "stage/layers.js",
         "energies.reduce((sum, energy) => sum + energy, 0)",
@@ -111,12 +93,6 @@ MUTATIONS = [
         "length = 1.3 * value * per[name]",
     ),
     Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
-    Mutation(
-        "the hands are swapped",
-        "stage/dial.js",
-        "const { phase, plainPhase } = playback;",
-        "const { phase: plainPhase, plainPhase: phase } = playback;",
-    ),
     Mutation(
         "the gauge stays at 1",
         "stage/dial.js",

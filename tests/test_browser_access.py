@@ -12,7 +12,7 @@ from itertools import pairwise
 import pytest
 
 from ramanujan.shell.navigation import PAGES
-from tests.browser import settle, until
+from tests.browser import script, settle, until
 from tests.engines import REFUSED
 from tests.test_browser_language import OVERLAPS
 from tests.test_browser_print import SHEETS, check_printed
@@ -43,23 +43,7 @@ HEADINGS = """() => [...document.querySelectorAll("h1, h2, h3, h4, h5, h6")]
 REGIONS = ":is(main, .stSidebar) :is([role=status], [aria-live]:not([aria-live=off]), output:not([aria-hidden=true]))"
 """Every place of the page that a screen reader announces; Playwright looks into the components, too."""
 
-LINES = """() => [...document.querySelectorAll(".stMarkdown :is(p, li), [data-testid=stCaptionContainer] p")]
-  .filter((each) => each.checkVisibility() && !each.closest("[data-collapsed=true]")).flatMap((each) => {
-    const lines = [], range = document.createRange();
-    const texts = document.createTreeWalker(each, NodeFilter.SHOW_TEXT);
-    for (let text = texts.nextNode(); text; text = texts.nextNode()) {
-      if (text.parentElement.closest(".katex-mathml, .katex-display, [role=img]")) continue;
-      [...text.data].forEach((letter, at) => {
-        range.setStart(text, at);
-        range.setEnd(text, at + letter.length);
-        const { top, bottom, width } = range.getBoundingClientRect(), middle = (top + bottom) / 2;
-        if (!width) return;
-        const line = lines.find((line) => Math.abs(line.middle - middle) < 9);
-        line ? (line.text += letter) : lines.push({ middle, text: letter });
-      });
-    }
-    return lines.map(({ text }) => text.trim());
-  })"""
+LINES = script("lines")
 """The lines of all paragraphs, as they are broken on the screen; a small index counts as a letter."""
 TICKS = "[...document.querySelectorAll('.js-plotly-plot .xtick text')].map((each) => each.style.fill)"
 FACES = """() => [...document.querySelectorAll(".js-plotly-plot text")].filter((each) => each.textContent.trim())

@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from tests.browser import WATCH_LAG, inside, next_frame, press_preset, settle, thumb
+from tests.browser import inside, next_frame, press_preset, script, settle, thumb
 from tests.test_browser_speed import CUT
 
 PANEL = ".st-key-curve .nsewdrag >> nth=0"
@@ -76,7 +76,7 @@ def test_stage_boxes_and_address_follow_a_hand_on_the_sliders(visit):
 def check_drag(page) -> None:
     """Check that a drag moves the stage within two frames and sends nothing before it ends."""
     before = len(page.frames_sent)
-    page.evaluate(WATCH_LAG)
+    page.evaluate(script("watch_lag"))
     hold(page, "m_prime", 96, steps=24)
     lags = page.evaluate("window.lags")
     assert len(lags) >= 15

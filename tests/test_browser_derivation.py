@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from ramanujan.derivation import ROUTES
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import settle
+from tests.browser import script, settle
 from tests.test_browser_access import RING, switch
 from tests.test_look import THEME, rgb
 
@@ -193,29 +193,8 @@ def check_long_formulas(page) -> None:
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
-BEFORE_THE_FIRST_EQUATION = """() => {
-  const top = [...document.querySelectorAll('.st-key-lecture .katex-display')].find((each) => each.checkVisibility())
-    .getBoundingClientRect().top;
-  const found = [];
-  const look = (root) => [...root.querySelectorAll('*')].forEach((node) => {
-    if (node.shadowRoot) look(node.shadowRoot);
-    const { width, height, top: y } = node.getBoundingClientRect();
-    const seen = node.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && width > 1 && height > 1;
-    const offered = node.matches('button, input, select, summary') && !node.closest('.st-key-bar');
-    if (seen && y < top && offered) found.push(node.ariaLabel ?? node.innerText);
-  });
-  look(document.querySelector('[data-testid=stMain]'));
-  return found;
-}"""
-ALONE = """() => [...document.querySelectorAll('[data-testid=stMain] .katex')].filter((formula) => {
-  const after = formula.nextSibling;
-  if (after?.nodeType !== Node.TEXT_NODE || !/^[.,;:!?]/.test(after.data) || !formula.checkVisibility()) return false;
-  const sign = document.createRange();
-  sign.setStart(after, 0);
-  sign.setEnd(after, 1);
-  const last = [...formula.querySelectorAll('.base')].at(-1).getBoundingClientRect();
-  return sign.getBoundingClientRect().top >= last.bottom - 4;
-}).map((formula) => formula.textContent)"""
+BEFORE_THE_FIRST_EQUATION = script("before_equation")
+ALONE = script("alone")
 """Formulas whose full stop or comma has gone to the next line."""
 
 

@@ -3,7 +3,7 @@
 import pytest
 from playwright.sync_api import TimeoutError
 
-from tests.browser import settle
+from tests.browser import script, settle
 from tests.test_browser_language import ADDRESSES, OVERLAPS
 
 WIDTHS = (
@@ -18,19 +18,7 @@ new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map((e
   .observe({ type: "layout-shift", buffered: true });"""
 """Notes how far what is seen has moved, as the browser measures it, however slow the machine is."""
 MOST_SHIFT = 0.02
-OFFERED = """() => {
-  const inside = (node) => (node.shadowRoot ? all(node.shadowRoot) : []);
-  const all = (root) => [...root.querySelectorAll("*")].flatMap((node) => [node, ...inside(node)]);
-  const seen = (node) => {
-    const { top, bottom, width } = node.getBoundingClientRect();
-    return width > 1 && top < innerHeight - 4 && bottom > 4 && node.checkVisibility({ visibilityProperty: true });
-  };
-  const links = "a[href]:not([aria-current], [aria-label='Link to heading'])";
-  const controls = `${links}, button, input, select, summary, [role=slider]`;
-  const framed = (node) => node.id !== "box" || getComputedStyle(node).borderTopColor !== "rgba(0, 0, 0, 0)";
-  const offered = all(document.body).filter((node) => node.matches(controls) && !node.disabled);
-  return offered.filter((node) => seen(node) && framed(node)).length;
-}"""
+OFFERED = script("offered")
 """Counts what can be operated and is in view; a slider's box counts while it has its frame."""
 MOST_OFFERED = {"oscillator": 23, "derivation": 28, "motion": 24, "taxicab": 14, "speed": 24}
 

@@ -12,24 +12,12 @@ import pytest
 from PIL import Image
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
-from tests.browser import STAGE, inside, next_frame, slab_over_block
+from tests.browser import STAGE, inside, next_frame, script, slab_over_block
 from tests.test_browser_print import CUT
 
 pytestmark = pytest.mark.parametrize("engine", ["firefox", "webkit"])
 
-FIND = """([path, name]) => {
-  const [component, selector] = path.includes(" >> ") ? path.split(" >> ") : ["", path];
-  const shadows = (root) => [...root.querySelectorAll("[data-testid=stBidiComponentIsolated]")]
-    .filter((node) => node.shadowRoot && (!component || node.closest(component))).map((node) => node.shadowRoot);
-  const seen = (node) => node.getClientRects().length && node.checkVisibility({ visibilityProperty: true });
-  const named = (node) => node.textContent.trim().endsWith(name) || node.ariaLabel === name;
-  const node = [...(component ? [] : [document]), ...shadows(document)]
-    .flatMap((root) => [...root.querySelectorAll(selector)]).find((each) => seen(each) && named(each));
-  if (!node) return null;
-  if (!node.closest("svg")) node.scrollIntoView({ block: "nearest", behavior: "instant" });
-  const text = node.innerText ?? node.textContent, { x, y, width, height } = node.getBoundingClientRect();
-  return { x: x + width / 2, y: y + height / 2, width, height, text };
-}"""
+FIND = script("find")
 """The first visible element that fits a selector and has this name, or none; "A >> B" is B in the component in A."""
 
 

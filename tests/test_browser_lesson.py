@@ -8,24 +8,11 @@ import pytest
 from playwright.sync_api import expect
 
 from ramanujan import lesson
-from tests.browser import next_frame, settle
+from tests.browser import next_frame, script, settle
 
 MACHINE = lesson.stop("two-clocks").machine
 STAGE = "[class*='st-key-stage_'] [data-testid=stBidiComponentIsolated]"
-SAID = """() => {
-  // Every word on the page and in its components, seen or not, and every name and value that a screen reader hears.
-  const said = [];
-  const walk = (root) => {
-    for (const node of root.querySelectorAll("*")) {
-      if (["SCRIPT", "STYLE"].includes(node.tagName)) continue;
-      for (const { name, value } of node.attributes) if (name.startsWith("aria-") || name === "title") said.push(value);
-      for (const child of node.childNodes) if (child.nodeType === 3) said.push(child.data);
-      if (node.shadowRoot) walk(node.shadowRoot);
-    }
-  };
-  walk(document);
-  return said.join("\\n");
-}"""
+SAID = script("said")
 PLACE = f"document.querySelector(\"{STAGE}\").shadowRoot.querySelector('.body.slab').getAttribute('transform')"
 WIDTH = "document.querySelector('[data-testid=stMain]').scrollWidth"
 BUS = "JSON.stringify(ramanujan.last('drawn/stage_two-clocks_0'))"

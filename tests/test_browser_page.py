@@ -11,7 +11,7 @@ from PIL import Image, ImageColor
 from playwright.sync_api import expect
 
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import ROOT, STAGE, inside, module, next_frame, settle
+from tests.browser import STAGE, inside, module, next_frame, script, settle
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
@@ -20,28 +20,7 @@ REGION = ".st-key-services [role=status]"
 
 # ---- the machine first
 
-FIRST = """
-const look = () => {
-  const stage = document.querySelector(".st-key-stage");
-  const root = stage?.querySelector("[data-testid=stBidiComponentIsolated]")?.shadowRoot;
-  const drawn = root?.querySelector(".slab[transform]");
-  if (!drawn) return requestAnimationFrame(look);
-  const { x, y, width } = stage.getBoundingClientRect();
-  const heavy = ".js-plotly-plot, .katex-display, .st-key-compression, a[href*='motion']";
-  const { m, k } = ramanujan.last("machine/oscillator").parameters;
-  window.first = { place: [x, y, width], heavy: document.querySelectorAll(heavy).length, m, k };
-};
-requestAnimationFrame(look);
-window.heights = [];
-const watch = () => {
-  const heading = [...document.querySelectorAll("h2")].find((h) => h.innerText.startsWith("When"));
-  if (heading) heights.push(heading.getBoundingClientRect().top);
-  requestAnimationFrame(watch);
-};
-requestAnimationFrame(watch);
-const later = setTimeout;
-window.setTimeout = (act, ms, ...more) => (ms === 10000 ? 0 : later(act, ms, ...more));
-"""
+FIRST = script("first_frame")
 """Notes, at the stage's first frame, where the stage is, and how much of what takes long stands on the page.
 
 Notes as well, in every frame, where the heading over the curve is.
@@ -123,7 +102,7 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
     check_assumptions(visit("", width=390, height=844, tab=page), with_sidebar)
 
 
-HELD = f"{module('components/streamlit_dom')}.then({(ROOT / 'tests/assumptions.js').read_text(encoding='utf-8')})"
+HELD = f"{module('components/streamlit_dom')}.then({script('assumptions')})"
 
 
 def check_assumptions(page, elsewhere):

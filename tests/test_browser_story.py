@@ -15,7 +15,7 @@ from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
 from tests.bare import Bare
-from tests.browser import STAGE, inside, next_frame, settle, thumb
+from tests.browser import STAGE, inside, next_frame, script, settle, thumb
 from tests.engines import ANY_ENGINE
 from tests.test_browser_controls import write
 
@@ -66,21 +66,6 @@ def test_the_hands_meet_again_where_both_machines_are_in_step(start):
     assert gained(scenes, ends - 1e-9) == pytest.approx(round(turns), abs=1e-3)
 
 
-TURN = """() => {
-  let now = performance.now(), waiting = [];
-  window.requestAnimationFrame = (draw) => waiting.push(draw);
-  window.cancelAnimationFrame = () => (waiting = []);
-  performance.now = () => now;
-  window.turn = (frames) => {
-    for (let i = 0; i < frames; i++) {
-      const due = waiting;
-      now += 50;
-      waiting = [];
-      for (const draw of due) draw(now);
-    }
-  };
-}"""
-"""A clock that the test turns by frames of a twentieth of a second: a story of half a minute is told at once."""
 FRAME = 0.05 / PACE
 """Periods of the plain mass in a frame."""
 
@@ -101,7 +86,7 @@ def told(bare) -> Bare:
 def test_the_story_is_true_at_every_moment_and_ends_in_step(told):
     evaluate = told.page.evaluate
     assert evaluate(MARK) == "", "the answer is not printed on the slider"
-    evaluate(TURN)
+    evaluate(script("turned_clock"))
     evaluate("wish(false)")
     scenes, seen = story(STARTS[0]), set()
     ends = [*accumulate(scene.periods for scene in scenes)]

@@ -6,7 +6,7 @@ import re
 import pytest
 from playwright.sync_api import TimeoutError, expect
 
-from tests.browser import STAGE, next_frame, settle
+from tests.browser import STAGE, next_frame, script, settle
 from tests.test_browser_language import OVERLAPS
 from tests.test_worksheet import key_of, name_of
 
@@ -55,50 +55,14 @@ def test_a_link_keeps_all_that_is_seen(visit):
 
 # ---- on a projector
 
-SIZES = """(small) => {
-  const inside = (node) => (node.shadowRoot ? all(node.shadowRoot) : []);
-  const all = (root) => [...root.querySelectorAll('*')].flatMap((node) => [node, ...inside(node)]);
-  const around = ['.controls, .katex-mathml, .note, .pager, .bartext, [data-away], .st-key-lesson_head, .stSelectbox',
-    '.body, .coordinates',
-    '.stSlider, .cursor, label, button, style, .mtight, .size4, tspan[style*="font-size:70%"]'];
-  const drawn = { visibilityProperty: true, opacityProperty: true };
-  const seen = (node) => node.checkVisibility(drawn) && !node.closest(around);
-  const size = (node) => {
-    const svg = node.ownerSVGElement, scale = svg && node.getScreenCTM ? node.getScreenCTM().d : 1;
-    return parseFloat(getComputedStyle(node).fontSize) * (scale || 1);
-  };
-  const said = (each) => each.nodeType === 3 && each.data.replaceAll('\u200b', '').trim();
-  const words = (node) => [...node.childNodes].some(said);
-  const small_words = all(document.querySelector('.stMainBlockContainer'))
-    .filter((node) => words(node) && seen(node) && size(node) < small);
-  return small_words.map((node) => `${size(node).toFixed(1)} px: ${node.textContent.trim().slice(0, 30)}`);
-}"""
+SIZES = script("small_words")
 """The words of the present slide that are smaller than this.
 
 An index is smaller by nature, a name by its body, and an operation by the line that it leads to.
 """
-LAID = """() => {
-  const main = document.querySelector('[data-testid=stMain]');
-  const slides = [...document.querySelectorAll('[class*=st-key-slide-]')];
-  const seen = slides.filter((node) => !node.hasAttribute("data-away"));
-  const [slide] = seen, { top, height } = slide.getBoundingClientRect();
-  const drawn = [...slide.children].map((node) => node.getBoundingClientRect()).filter((box) => box.height > 2);
-  return {
-    seen: seen.length,
-    over: Math.max(...[slide, main].map((node) => node.scrollHeight - node.clientHeight)),
-    wide: Math.max(...[slide, main].map((node) => node.scrollWidth - node.clientWidth)),
-    filled: (Math.max(...drawn.map((box) => box.bottom)) - top) / height,
-  };
-}"""
+LAID = script("laid")
 """How the slides are laid out: how many are seen, what is cut, how much of its height the slide fills."""
-OUT = """() => [...document.querySelectorAll(".js-plotly-plot")]
-  .filter((figure) => figure.checkVisibility({ visibilityProperty: true })).flatMap((figure) => {
-    const frame = figure.getBoundingClientRect();
-    const out = ({ top, bottom, left, right, width }) => width
-      && Math.max(frame.top - top, bottom - frame.bottom, frame.left - left, right - frame.right) > 2;
-    const texts = [...figure.querySelectorAll("text")].filter((text) => out(text.getBoundingClientRect()));
-    return texts.map((text) => text.textContent);
-  })"""
+OUT = script("cut_figures")
 """The words of figures that are cut."""
 BAR = """() => {
   const pager = document.querySelector('.st-key-pager').getBoundingClientRect();
@@ -108,17 +72,7 @@ BAR = """() => {
 """How many names of pages the pager covers."""
 PLACE = ".st-key-pager select option:checked"
 HEIGHTS = "[...document.querySelectorAll('.js-plotly-plot')].map((figure) => figure.clientHeight / innerHeight)"
-SEEN = """(() => {
-  window.seen = new Set();
-  const look = () => {
-    const slides = [...document.querySelectorAll("[class*='st-key-slide-']")];
-    const seen = slides.filter((slide) => slide.checkVisibility({ visibilityProperty: true }));
-    const size = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    for (const { className } of seen) window.seen.add(`${/st-key-slide-(\\w+)/.exec(className)[1]} ${size >= 24}`);
-    requestAnimationFrame(look);
-  };
-  requestAnimationFrame(look);
-})()"""
+SEEN = script("seen_slides")
 """Collects, frame by frame, which slides have been seen, and whether the words were large then."""
 DRAWN = """!document.querySelector("[data-testid=stSkeleton]")
     && [...document.querySelectorAll(".stPlotlyChart")].every((chart) => chart.querySelector(".main-svg"))"""

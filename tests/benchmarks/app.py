@@ -18,7 +18,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.browser import CHROMIUM, FLAGS, ROOT, STAGE, WATCH_LAG, listen, running, settle
+from tests.browser import CHROMIUM, FLAGS, ROOT, STAGE, listen, running, settle
 
 BARE = """
 import streamlit as st
@@ -43,16 +43,14 @@ class Subject:
 
 @dataclass(frozen=True)
 class Costs:
-    """Seconds, bytes and frames of one page."""
+    """Seconds and frames of one page; test_browser_controls counts its bytes, and frames behind a slider's thumb."""
 
     first_picture: float
-    bytes_per_change: float
     server: list[float]
     release_to_picture: list[float]
     release_to_words: list[float]
     frames_per_second: float | None = None
     frames_slowed_down: float | None = None
-    frames_behind_thumb: list[int] | None = None
 
 
 def main() -> None:
@@ -84,14 +82,12 @@ def measure(browser: Browser, subject: Subject, changes: int) -> Costs:
     with running(subject.script) as address:
         visit(browser, address, subject)[0].context.close()  # the first visitor pays for the warm-up
         page, first_picture = visit(browser, address, subject)
-        before = sum(page.frames_received)
         times = [change(page, subject, "ArrowRight" if i % 2 else "ArrowLeft") for i in range(changes)]
-        size = (sum(page.frames_received) - before) / changes
         server, picture, words = zip(*times, strict=True)
         stage = page.locator(".st-key-stage").count() > 0
-        extra = (frames_per_second(page), slowed_down(page), frames_behind(page)) if stage else ()
+        extra = (frames_per_second(page), slowed_down(page)) if stage else ()
         page.context.close()
-    return Costs(first_picture, size, server, picture, words, *extra)
+    return Costs(first_picture, server, picture, words, *extra)
 
 
 def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float]:
@@ -170,20 +166,6 @@ def slowed_down(page: Page, times: int = 4) -> float:
     return frames
 
 
-def frames_behind(page: Page) -> list[int]:
-    """Return, for each move of a slider's thumb, how many frames later the stage's readout follows."""
-    handle = page.locator(".st-key-m_prime [style*=left]").first.bounding_box()
-    x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
-    page.mouse.move(x, y)
-    page.mouse.down()
-    page.evaluate(WATCH_LAG)
-    for i in range(1, 41):
-        page.mouse.move(x + 3 * i, y)
-        page.wait_for_timeout(30)
-    page.mouse.up()
-    return page.evaluate("window.lags")
-
-
 def report(bare: Costs, app: Costs) -> None:
     """Print both pages side by side, with the goal where there is one."""
 
@@ -198,7 +180,6 @@ def report(bare: Costs, app: Costs) -> None:
 
     row("", "bare page", "first page", "goal")
     row("time to first picture", ms(bare.first_picture), ms(app.first_picture))
-    row("bytes per change", f"{bare.bytes_per_change:.0f}", f"{app.bytes_per_change:.0f}", "≤ 20000")
     row("server and network, p50", ms(statistics.median(bare.server)), ms(statistics.median(app.server)), "≤ 15 ms")
     row("server and network, p95", ms(p95(bare.server)), ms(p95(app.server)))
     bare_p50, app_p50 = (statistics.median(costs.release_to_picture) for costs in (bare, app))
@@ -208,7 +189,6 @@ def report(bare: Costs, app: Costs) -> None:
     row("release → numbers in words, p50", ms(bare_p50), ms(app_p50), f"(here {app_p50 / bare_p50:.2f} × bare)")
     row("stage, frames a second", "", f"{app.frames_per_second:.1f}", "60")
     row("… at a quarter of the speed", "", f"{app.frames_slowed_down:.1f}", "≥ 55")
-    row("stage, frames behind the thumb", "", f"{max(app.frames_behind_thumb)} at most", "≤ 2")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // What the app assumes about the pages of Streamlit and Plotly: every selector into them stands in this file. If an assumption
-// breaks, the function that relies on it returns null, false or nothing, and its feature does nothing. tests/assumptions.js
-// says what each assumption is for, and .github/upgrading.md how to move to another Streamlit.
+// breaks, the function that relies on it returns null, false or nothing, and its feature does nothing.
+// tests/scripts/assumptions.js says what each assumption is for, and .github/upgrading.md how to move to another Streamlit.
 
 import { observe } from "./lasting.js";
 

@@ -1,0 +1,64 @@
+() => {
+  const root = document.querySelector('.st-key-stage [data-testid=stBidiComponentIsolated]').shadowRoot;
+  const all = (selector) => [...root.querySelectorAll(selector)];
+  const at = (node, x, y) => {
+    const { x: left, y: top } = new DOMPoint(x, y).matrixTransform(node.getScreenCTM());
+    return [left, top];
+  };
+  const box = (node) => {
+    const { x, y, width, height } = node.getBBox();
+    return [...at(node, x, y), ...at(node, x + width, y + height)];
+  };
+  const middle = (node) => {
+    const { x, y, width, height } = node.getBBox();
+    return at(node, x + width / 2, y + height / 2);
+  };
+  const turned = ([x0, y0], [x1, y1]) => (Math.atan2(x1 - x0, y0 - y1) * 180) / Math.PI;
+  const byKey = (selector, key, read) =>
+    Object.fromEntries(all(selector).map((node) => [node.dataset[key], read(node)]));
+  const roller = (name) => {
+    const form = root.querySelector(`.moving .${name} .form`), mark = root.querySelector(`.moving .${name} .mark`);
+    const end = mark.getPointAtLength(mark.getTotalLength()), centre = middle(form), scale = form.getScreenCTM();
+    const radius = (form.getBBox().width / 2) * Math.hypot(scale.a, scale.b);
+    return { centre, radius, angle: turned(centre, at(mark, end.x, end.y)) };
+  };
+  const hand = (name) => {
+    const line = root.querySelector(`.hand.${name}`);
+    return turned(at(line, 0, 0), at(line, line.x2.baseVal.value, line.y2.baseVal.value));
+  };
+  const numbered = (selector) => all(selector).map((node) => {
+    const { x, width } = node.getBoundingClientRect();
+    return [parseFloat(node.textContent.replace("−", "-")), x + width / 2];
+  });
+  const arrow = (group) => {
+    const path = group.querySelector("path:last-of-type");
+    if (!path.getAttribute("d")) return null;
+    const tail = path.getPointAtLength(0).matrixTransform(path.getScreenCTM());
+    return [...box(path), tail.x, tail.y];
+  };
+  const scale = (name) => {
+    const group = root.querySelector(`.scales .${name}`), text = group.querySelector("text").textContent;
+    return group.style.display === "none" ? null : { value: parseFloat(text), text, box: arrow(group) };
+  };
+  const whole = root.querySelector(".bar").getBoundingClientRect().width;
+  return {
+    rollers: Object.fromEntries(['hoop', 'cylinder', 'top'].map((name) => [name, roller(name)])),
+    ruler: numbered(".ruler text"),
+    ticks: numbered(".gauge .ticks text"),
+    pointer: at(root.querySelector(".gauge .pointer"), 0, 0)[0],
+    bars: byKey(".bar i", "body", (bar) => bar.getBoundingClientRect().width / whole),
+    shares: all(".legend b").map((text) => parseFloat(text.textContent)),
+    block: box(root.querySelector(".moving .block .form")),
+    slab: box(root.querySelector(".moving .slab .form")),
+    spring: box(root.querySelector(".moving .spring")),
+    plain: box(root.querySelector(".plain .form")),
+    centre: middle(root.querySelector(".centre circle")),
+    hands: { machine: hand("machine"), plain: hand("plain") },
+    arrows: byKey(".arrows:not(.rolling) [data-line]", "line", arrow),
+    rolling: byKey(".rolling [data-line]", "line", arrow),
+    forces: byKey(".forces [data-line]", "line", arrow),
+    weights: byKey(".weights [data-line]", "line", arrow),
+    scales: { speed: scale("speed"), force: scale("force"), weight: scale("weight") },
+    step: root.querySelector("[data-step]").dataset.step,
+  };
+}
