@@ -16,12 +16,23 @@ from sympy.printing.latex import translate
 
 from ramanujan.derivation import model
 from ramanujan.numerals import in_latex
+from ramanujan.translation import pgettext
 
+# TRANSLATORS: what a symbol belongs to, in small letters below it, as in v with the subscript hoop; very short.
+_SUBSCRIPTS = {
+    "block": pgettext("subscript", "block"),
+    "hoop": pgettext("subscript", "hoop"),
+    "cylinder": pgettext("subscript", "cylinder"),
+    "slab": pgettext("subscript", "slab"),
+    "top": pgettext("subscript", "top"),
+    "body": pgettext("subscript", "body"),
+    "clamped": pgettext("subscript", "clamped"),
+}
 _NAMES = {
     model.m_prime: "m'",
     model.epsilon_star: r"\varepsilon_{*}",
     model.Omega_squared: r"\Omega^{2}",
-    model.Omega_clamped_squared: r"\Omega_{\text{clamped}}^{2}",
+    model.Omega_clamped_squared: rf"\Omega_{{\text{{{_SUBSCRIPTS['clamped']}}}}}^{{2}}",
     model.normalized_frequency_squared: r"\frac{\Omega^{2}\,m}{k}",
     sp.Symbol("L"): r"\mathcal{L}",
     sp.Symbol("H"): r"\mathcal{H}",
@@ -92,7 +103,7 @@ class LatexPrinter(VectorLatexPrinter):
         letter, _, word = expr.name.partition("_")
         is_word = len(word) > 2 and translate(word) == word
         if is_word and expr not in self._settings["symbol_names"]:
-            return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\text{{{word}}}}}"
+            return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\text{{{_SUBSCRIPTS.get(word, word)}}}}}"
         return super()._print_Symbol(expr, style)
 
 
