@@ -64,6 +64,8 @@ def update(language: str) -> Catalog:
     begun = catalogue.creation_date
     catalogue.update(template())
     catalogue.creation_date = begun
+    # What nobody has translated is not kept for the day when it comes back.
+    catalogue.obsolete = {key: message for key, message in catalogue.obsolete.items() if any(strings(message))}
     with file.open("wb") as written:
         # Without numbers of lines: they would change with every edit of a program.
         write_po(written, catalogue, width=120, sort_by_file=True, include_lineno=False)

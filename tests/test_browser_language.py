@@ -37,6 +37,11 @@ COVER = """() => {
 """Puts a text over the title, and one over a figure's tick; returns them."""
 
 
+BAR = """() => {
+  const box = (node) => node.getBoundingClientRect(), names = [...document.querySelectorAll("header .rc-overflow > *")];
+  return [Math.max(...names.map((node) => box(node).right)), box(document.querySelector(".st-key-bar")).left];
+}"""
+"""Where the names of the pages end, and where the bar begins that stands beside them."""
 SMALL = """() => [...document.querySelectorAll("main button, [data-testid=stSidebarNavLink]")]
   .filter((node) => node.offsetParent && node.tabIndex >= 0)
   .filter((node) => !node.closest(".modebar, .stTooltipIcon, [role=tablist]"))
@@ -54,6 +59,7 @@ ADDRESSES["taxicab"] += "?p=1000&q=999&digits=1000&left=sphere"
 def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     """The address of an app that speaks the pseudo-language."""
     monkeypatch.setenv("RAMANUJAN_LANGUAGE", "pseudo")
+    monkeypatch.setenv("RAMANUJAN_LANGUAGES", "en:/,hu:/hu/,pseudo:/pseudo/")
     with running(ROOT / "app.py") as address:
         yield address
 
@@ -66,6 +72,8 @@ def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_nar
         assert page.locator("html").get_attribute("lang") == "pseudo"
         assert [text for text in page.evaluate(FORGOTTEN) if text not in (*STREAMLITS_OWN, *NAMES)] == []
         check_fit(page)
+        pages, beside = page.evaluate(BAR)
+        assert pages <= beside
         client = page.context.new_cdp_session(page)
         become_phone(client, 390, 844)
         settle(page)

@@ -10,7 +10,12 @@ function shared(secret) {
   return url.href;
 }
 
-export default function ({ data, parentElement }) {
+export default function ({ data, parentElement }, signal) {
+  // The names of the pages have the room that the bar with this button leaves them.
+  const bar = parentElement.host?.closest(".st-key-bar");
+  const sizes = new ResizeObserver(() => document.documentElement.style.setProperty("--beside", `${bar.offsetWidth}px`));
+  if (bar) sizes.observe(bar);
+  signal.addEventListener("abort", () => sizes.disconnect());
   const [select, button, told, input] = parentElement.querySelectorAll("select, button, .told, input");
   select.hidden = !data.languages.length;
   select.replaceChildren(
