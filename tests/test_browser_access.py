@@ -14,6 +14,7 @@ import pytest
 from ramanujan.shell.navigation import PAGES
 from tests.browser import script, settle, until
 from tests.engines import REFUSED
+from tests.test_browser_grid import SHIFTS, check_calm, check_widths
 from tests.test_browser_language import OVERLAPS
 from tests.test_browser_print import SHEETS, check_printed
 from tests.test_look import THEME, rgb
@@ -164,9 +165,11 @@ def check_focus(page, theme: str, focused: tuple[str, ...]) -> None:
 @pytest.mark.parametrize("name", PAGES)
 def test_everyone_can_use_and_read_a_page(visit, server, name):
     asked: list[str] = []
-    large = {"width": 1920, "height": 1080, "theme": "dark"}
-    page = visit(PAGES[name].address, REFUSED, note=asked.append, bypass_csp=False, **large)
+    page = visit(PAGES[name].address, REFUSED, SHIFTS, note=asked.append, bypass_csp=False, theme="dark")
     check_requests(asked, server)
+    check_calm(page, name)
+    check_widths(page)
+    page.set_viewport_size({"width": 1920, "height": 1080})
     check_title_and_headings(page, name)
     page.evaluate(OPEN)
     settle(page)

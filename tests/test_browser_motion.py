@@ -174,7 +174,8 @@ def check_energy(page):
 
 
 def test_where_the_model_or_the_picture_ends_the_page_says_so_and_nothing_jumps(visit):
-    page = open_motion(visit, "?mu=0.07&figure=forces", motion="no-preference")
+    page = open_motion(visit, "?mu=0.07&figure=forces")
+    page.emulate_media(reduced_motion="no-preference")
     check_greatest_friction(page)
     page.emulate_media(reduced_motion="reduce")
     # Measured in the page: a key brings the slider that it moves into view.

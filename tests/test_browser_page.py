@@ -70,7 +70,8 @@ def test_the_machine_comes_before_all_that_takes_long_and_stays_where_it_is(chro
 
 
 def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pages_holds(visit):
-    page = visit("motion?mu=1.5", motion="no-preference")
+    page = visit("motion?mu=1.5")
+    page.emulate_media(reduced_motion="no-preference")
     region = page.locator(REGION)
     page.evaluate(
         """() => {

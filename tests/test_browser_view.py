@@ -1,10 +1,9 @@
 """A lecturer's view in the browser: what is hidden is nowhere, a projector shows large words and nothing to scroll."""
 
-import contextlib
 import re
 
 import pytest
-from playwright.sync_api import TimeoutError, expect
+from playwright.sync_api import expect
 
 from tests.browser import STAGE, next_frame, script, settle
 from tests.test_browser_language import OVERLAPS
@@ -137,11 +136,14 @@ def check_slides(page, count: int) -> None:
     wrong = []
     for slide, title in enumerate(titles, start=1):
         expect(page.locator(PLACE)).to_have_text(title)
-        with contextlib.suppress(TimeoutError):  # a figure that has come into view may be drawn once more
-            page.wait_for_function(f"({OVERLAPS})().length === 0", timeout=3000)
+        # A figure that has come into view may be drawn once more.
+        for _ in range(10):
+            if not (on_one_another := page.evaluate(OVERLAPS)):
+                break
+            page.wait_for_timeout(300)
         laid = page.evaluate(LAID)
         held = laid["seen"] == 1 and max(laid["over"], laid["wide"]) <= 2 and laid["filled"] > 1 / 3
-        wrong += [(title, each) for each in page.evaluate(SIZES, 23.9) + page.evaluate(OVERLAPS) + page.evaluate(OUT)]
+        wrong += [(title, each) for each in on_one_another + page.evaluate(SIZES, 23.9) + page.evaluate(OUT)]
         wrong += [] if held else [(title, laid)]
         if slide < len(titles):
             page.locator(".st-key-pager .next").click()
@@ -151,7 +153,7 @@ def check_slides(page, count: int) -> None:
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)
         assert page.evaluate(BAR) == 0
-        page.wait_for_function(f"({OUT})().length === 0", timeout=5000)
+        page.wait_for_function(f"({OUT})().length === 0", polling=200, timeout=5000)
         assert page.evaluate(SIZES, 23.9) == []
 
 
