@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.choices import arithmetics, caching, curve_sampling
+from ramanujan.accuracy.choices import curve_sampling
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.general_solvers import SOLVERS, eigen_solvers
 from ramanujan.accuracy.measurement import measure
@@ -195,11 +195,11 @@ def test_the_papers_form_fails_as_the_exponent_range_says(sweeps):
     first, *_, last = sweeps["paper", "float64", "scale"].stretches
     # (m + m′)² = 4s² and below half the smallest subnormal it is 0: 8k/(15m) is left, which looks like an answer.
     assert first.verdict == "plausible"
-    assert first.first_value == pytest.approx(8 / 15, rel=1e-12)
+    assert sweeps["paper", "float64", "scale"].value[0] == pytest.approx(8 / 15, rel=1e-12)
     assert 1e-163 < first.last < 1e-161
     # 8(m + m′)² = 32s² overflows from s = √(max/32) = 2.4e153 or, (m + m′)² first, 6.7e153 on.
     assert last.verdict == "zero"
-    assert math.copysign(1, last.last_value) == -1
+    assert math.copysign(1, sweeps["paper", "float64", "scale"].value[-1]) == -1
     assert 2e153 < last.first < 2e154
     assert [s.verdict for s in sweeps["paper", "float64", "ratio"].stretches] == ["right", "zero"]
     assert 1e18 < sweeps["paper", "float32", "scale"].stretches[-1].first < 2e19
@@ -248,25 +248,13 @@ def test_phase_errors(machine):
 
 
 def test_chords_of_a_cosine_miss_it_by_what_geometry_says():
-    for sampling in curve_sampling():
-        if sampling.curve == "cosine" and sampling.points > 9:
-            # An arc's chord under the crest: 1 − cos of half a step, times half the height; off the crest a bit less.
-            most = (1 - math.cos(math.pi / (sampling.points - 1))) * 200
-            assert 0.95 * most < sampling.pixels <= most * (1 + 1e-9)
+    for points, pixels in list(curve_sampling()["cosine"].items())[1:]:
+        # An arc's chord under the crest: 1 − cos of half a step, times half the height; off the crest a bit less.
+        most = (1 - math.cos(math.pi / (points - 1))) * 200
+        assert 0.95 * most < pixels <= most * (1 + 1e-9)
 
 
-def test_arithmetics_have_the_error_of_their_digits():
-    rows = {(row.kind, row.digits): row for row in arithmetics(1 / 3)}
-    assert rows["fraction", None].relative_error == 0
-    assert 1e-9 < rows["float32", None].relative_error < 4 * 2.0**-23
-    assert 0 < rows["float64", None].relative_error < 4 * 2.0**-52
-    for digits in (30, 50):
-        assert 0 < rows["mpmath", digits].relative_error < 10.0 ** (1 - digits)
-
-
-def test_comparisons_and_timings_are_ordered():
-    for row in caching(MACHINE):
-        assert row.ratio == row.slow_seconds.median / row.fast_seconds.median
+def test_timings_are_ordered():
     calls = []
     timing = measure(lambda: calls.append(1))
     assert len(calls) > 3

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from itertools import count
-from typing import TypeAlias
 
 import mpmath
 import numpy as np
@@ -21,38 +20,20 @@ from ramanujan.frequency import UNIT_MASS_RATIO, frequency_ratio, frequency_squa
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 
-Value: TypeAlias = float | np.floating | np.ndarray | Fraction | mpmath.mpf
-"""A value of one kind of arithmetic."""
-
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
 PERIODS = (1, 10, 100, 1000, 10_000)
 DIGITS = (15, 30, 50, 100)
 HEIGHT = 400
-"""Of the figure that the curves fill [pixels]."""
+"""The height of the figure that the curves fill [pixels]."""
 LARGEST_MASS_RATIO = 4.0
-"""Right end of the sampled Ω² curve."""
+"""The right end of the sampled Ω² curve."""
 
 ARRAY = 10_000
-"""Values in the array of `arithmetics`."""
+"""The number of values in the array of `arithmetics`."""
 STATES = 100
-"""States in one call in `caching`."""
+"""The number of states in one call of `caching`."""
 
 _BETWEEN = np.arange(1, 32)[:, None] / 32
-
-
-@dataclass(frozen=True)
-class CurveSampling:
-    """A curve drawn as straight pieces between `points` samples.
-
-    curve : "cosine", one period of it, or "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO
-    pixels : largest vertical distance between the curve and its chords, when the curve fills the figure's height
-    seconds : duration of computing y
-    """
-
-    curve: str
-    points: int
-    pixels: float
-    seconds: Timing
 
 
 @dataclass(frozen=True)
@@ -64,56 +45,20 @@ class ClosedForm:
     seconds: Timing
 
 
-@dataclass(frozen=True)
-class Arithmetic:
-    """One evaluation of Ω²m/k in one kind of arithmetic: its relative error and the seconds it takes.
+def curve_sampling() -> dict[str, dict[int, float]]:
+    """Return how far two curves are from the chords between so many points, when they fill the figure's height.
 
-    kind : "float32", "float64", "array" (one of ARRAY values in float64), "integers", "fraction", or "mpmath"
-    digits : decimal digits that mpmath carries; None for the other kinds
+    The curves are "cosine", one period of it, and "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO.
+
+    Returns
+    -------
+    curve → number of points, of POINTS → the largest vertical distance [pixels]
+
+    >>> list(curve_sampling()["cosine"])[:3]
+    [9, 17, 33]
     """
-
-    kind: str
-    digits: int | None
-    relative_error: float
-    seconds: Timing
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """The same result, computed in a slow and in a fast way.
-
-    name : "frequency" or "state", of a new machine and of the same one again; "states", STATES singly and in one call
-    """
-
-    name: str
-    slow_seconds: Timing
-    fast_seconds: Timing
-
-    @property
-    def ratio(self) -> float:
-        """How many times longer the slow way takes."""
-        return self.slow_seconds.median / self.fast_seconds.median
-
-
-def curve_sampling() -> list[CurveSampling]:
-    """Return the error on screen of both curves for each number of POINTS.
-
-    >>> {sampling.curve for sampling in curve_sampling()} == {"cosine", "frequency"}
-    True
-    """
-    found = []
-    for name, curve, end in (
-        ("cosine", np.cos, 2 * np.pi),
-        ("frequency", normalized_frequency_squared, LARGEST_MASS_RATIO),
-    ):
-        # The height of the curve, not of its samples: two samples may have equal values.
-        extent = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
-        for n in POINTS:
-            x = np.linspace(0, end, n)
-            between, chords = (each[:-1] + _BETWEEN * np.diff(each) for each in (x, curve(x)))
-            pixels = float(np.abs(curve(between) - chords).max() / extent * HEIGHT)
-            found.append(CurveSampling(name, n, pixels, measure(partial(curve, x))))
-    return found
+    curves = {"cosine": (np.cos, 2 * np.pi), "frequency": (normalized_frequency_squared, LARGEST_MASS_RATIO)}
+    return {name: {n: _off(*curve, n) for n in POINTS} for name, curve in curves.items()}
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
@@ -139,39 +84,34 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     return found
 
 
-def arithmetics(mass_ratio: float = UNIT_MASS_RATIO) -> list[Arithmetic]:
-    """Return error and cost of Ω²m/k in float32, float64, exact fractions, and mpmath with n digits.
+def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
+    """Return the seconds that Ω²m/k takes in several kinds of arithmetic.
 
     Parameters
     ----------
-    mass_ratio : ε, taken as exactly this float
+    epsilon : ε, taken as exactly this float
 
     Returns
     -------
-    an `Arithmetic` for each kind
+    "float64", "array" (one of ARRAY values in float64), "integers", "fraction", and the digits of mpmath → seconds
 
-    >>> [(value.kind, value.digits) for value in arithmetics(1.0)][-2:]
-    [('mpmath', 50), ('mpmath', 100)]
+    >>> list(arithmetics(1.0))
+    ['float64', 'array', 'integers', 'fraction', 15, 30, 50, 100]
     """
-    epsilon, many, few = mass_ratio, np.full(ARRAY, mass_ratio), np.float32(mass_ratio)
-    cases: list[tuple[str, int | None, Callable[[], Value]]] = [
-        ("float32", None, lambda: normalized_frequency_squared(few)),
-        ("float64", None, lambda: normalized_frequency_squared(epsilon)),
-        ("array", None, lambda: normalized_frequency_squared(many)),
-        ("integers", None, lambda: _by_integers(epsilon)),
-        ("fraction", None, lambda: _at(Fraction(epsilon))),
-    ]
-    cases += [("mpmath", n, _with_digits(n, epsilon)) for n in DIGITS]
-    exact, found = _at(Fraction(epsilon)), []
-    for kind, digits, evaluate in cases:
-        values, timing = np.ravel(evaluate()), measure(evaluate)
-        each = Timing(*(seconds / values.size for seconds in (timing.median, timing.low, timing.high)))
-        found.append(Arithmetic(kind, digits, float(abs(_fraction(values[0]) / exact - 1)), each))
-    return found
+    many = np.full(ARRAY, epsilon)
+    cases: dict[str | int, Callable[[], object]] = {
+        "float64": lambda: normalized_frequency_squared(epsilon),
+        "array": lambda: normalized_frequency_squared(many),
+        "integers": lambda: _by_integers(epsilon),
+        "fraction": lambda: _at(Fraction(epsilon)),
+    }
+    cases |= {digits: _with_digits(digits, epsilon) for digits in DIGITS}
+    seconds = {kind: measure(evaluate).median for kind, evaluate in cases.items()}
+    return seconds | {"array": seconds["array"] / ARRAY}
 
 
-def caching(oscillator: Oscillator) -> list[Comparison]:
-    """Return how much faster it is to keep a result, or to ask for many values at once.
+def caching(oscillator: Oscillator) -> dict[str, float]:
+    """Return how many times faster it is to keep a result, or to ask for many values at once.
 
     Parameters
     ----------
@@ -179,10 +119,10 @@ def caching(oscillator: Oscillator) -> list[Comparison]:
 
     Returns
     -------
-    the three comparisons
+    "frequency" or "state", of a new machine and of the same one again; "states", STATES singly and in one call
 
-    >>> caching(Oscillator())[0].name
-    'frequency'
+    >>> list(caching(Oscillator()))
+    ['frequency', 'state', 'states']
     """
     initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, STATES)
     # The spring of each new machine is softer by one part in 1e12.
@@ -192,7 +132,15 @@ def caching(oscillator: Oscillator) -> list[Comparison]:
         "state": (lambda: motion(next(new), initial, 1.0), lambda: motion(oscillator, initial, 1.0)),
         "states": (lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)),
     }
-    return [Comparison(name, measure(slow), measure(fast)) for name, (slow, fast) in ways.items()]
+    return {name: measure(slow).median / measure(fast).median for name, (slow, fast) in ways.items()}
+
+
+def _off(curve: Callable[[np.ndarray], np.ndarray], end: float, points: int) -> float:
+    x = np.linspace(0, end, points)
+    # The height of the curve, not of its samples: two samples may have equal values.
+    height = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
+    between, chords = (each[:-1] + _BETWEEN * np.diff(each) for each in (x, curve(x)))
+    return float(np.abs(curve(between) - chords).max() / height * HEIGHT)
 
 
 def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
@@ -213,11 +161,3 @@ def _with_digits(digits: int, epsilon: float) -> Callable[[], mpmath.mpf]:
     context = mpmath.MPContext()
     context.dps = digits
     return lambda: _at(context.mpf(epsilon))
-
-
-def _fraction(value: Value) -> Fraction:
-    """Return a float, a Fraction or an mpf (mantissa times a power of two) as exactly the same Fraction."""
-    if hasattr(value, "man_exp"):
-        mantissa, exponent = value.man_exp
-        return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    return value if isinstance(value, Fraction) else Fraction(float(value))

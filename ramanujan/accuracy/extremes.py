@@ -46,13 +46,11 @@ class Form:
 
 @dataclass(frozen=True)
 class Stretch:
-    """Consecutive samples with one verdict: both ends of the stretch, and the values of Ω² returned there."""
+    """Consecutive samples with one verdict: both ends of the stretch."""
 
     verdict: str
     first: float
     last: float
-    first_value: float
-    last_value: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,10 +84,8 @@ class Sweep:
         """The sweep as stretches of one verdict each, in ascending order of x."""
         starts = np.flatnonzero(np.r_[True, self.verdict[1:] != self.verdict[:-1]])
         ends = np.r_[starts[1:], self.x.size] - 1
-        return [
-            Stretch(str(self.verdict[a]), *map(float, (self.x[a], self.x[b], self.value[a], self.value[b])))
-            for a, b in zip(starts, ends, strict=True)
-        ]
+        bounds = zip(self.verdict[starts].tolist(), self.x[starts].tolist(), self.x[ends].tolist(), strict=True)
+        return [Stretch(*each) for each in bounds]
 
 
 def extremes(dtypes: Iterable[str] = tuple(DECADES)) -> list[Sweep]:

@@ -49,7 +49,7 @@ def energy(name: str) -> Slips:
     # The ½ of ½Iω² may be missing, or that of a cylinder's moment of inertia.
     yield _("In your answer the energy of rotation is twice the right one. What is I, and what is ½Iω²?"), whole + spin
     hint = _("You get this result if you subtract one energy from the other. Which sign does each kinetic energy have?")
-    # Of a hoop, what is left has no φ′², as if that term had been forgotten.
+    # The difference for a hoop has no φ′², as if that term had been forgotten.
     if body.shape_factor != 1:
         yield hint, travel - spin
         yield hint, spin - travel

@@ -171,7 +171,7 @@ def question(name: str) -> Question:
 def shown_step(name: str) -> tuple[sp.Eq, ...]:
     """Return the equations of the step that leads to the answer of a question; one of them states the answer."""
     it = question(name)
-    # Of what is worked out for every body and the spring, the lines about the one that is asked for.
+    # Each of these steps has a line for every body. Only the lines about the body of the question are shown.
     own = {f"{letter}_{name.rpartition('_')[2]}" for letter in "vIT"} | ({"x", "U"} if "potential" in name else set())
     several = it.steps[-1] == "energies"
     lines = [e for key in it.steps[0 if several else -1 :] for e in _step(key).equations]

@@ -32,7 +32,7 @@ _MAX_WEIGHT, _MAX_BITS, _MAX_TERMS = 60, 60_000, 120
 """Limits on the names and numbers of a quotient, on the integers of a search for common factors, on the terms of a
 polynomial."""
 _FEWEST_BITS = 6
-"""Of the integers with which that search begins."""
+"""The bits of the integers with which that search begins."""
 
 
 class Difference(NamedTuple):
@@ -211,7 +211,7 @@ def term_by_term(
     for powers in sorted(yours.keys() | theirs.keys(), reverse=True):
         term, pair = _shown_product(powers), [each.get(powers, FIELD.zero) for each in (yours, theirs)]
         if sentence := _coefficient(term and place.format(term=term), *pair):
-            # Of a sum of masses, one may be wrong.
+            # One mass of a sum may be wrong.
             within = term_by_term(*pair, NAMES, f"{{term}}{term}") if all(pair) and variables != NAMES else None
             only = within[0] if within and len(within) == 1 and len(pair[1].numer) > 1 else None
             found.append(Difference(term, *(only[1:] if only else (sentence, _is_slip(*pair)))))

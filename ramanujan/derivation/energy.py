@@ -7,7 +7,7 @@ In the oscillating mode, block and top cylinder move along so that the kinetic e
 Minimizing a quadratic form over some of its variables is a Schur complement of its matrix.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -22,33 +22,19 @@ xi, eta = sp.symbols("xi eta", real=True)
 """Shares of block and top cylinder in the motion: ξ = Ẋ/(Rφ̇), η = Φ̇/φ̇."""
 
 
-@dataclass(frozen=True)
-class LeastInertia:
-    """The inertia 2T/(Rφ̇)² as a function of the shares, the shares where it is least, its value there and at 0."""
-
-    inertia: sp.Expr
-    shares: dict[sp.Symbol, sp.Expr]
-    least: sp.Expr
-    clamped: sp.Expr
-
-
-def least_inertia(bodies: Machine) -> LeastInertia:
-    """Return where 2T/(Rφ̇)² is stationary in ξ and η, and its value there and at ξ = η = 0.
+def least_inertia(bodies: Machine) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr], sp.Expr]:
+    """Return the inertia 2T/(Rφ̇)² as a function of ξ and η, the shares where it is least, and its value there.
 
     >>> from ramanujan.derivation.model import machine
-    >>> least_inertia(machine()).shares[eta]
+    >>> inertia, shares, least = least_inertia(machine())
+    >>> shares[eta]
     4*(m + m_prime)/(7*m + 6*m_prime)
     """
     phi_dot = phi.diff(t)
     energy = bodies.kinetic_energy.subs({X.diff(t): xi * R * phi_dot, Phi.diff(t): eta * phi_dot})
     inertia = gather(2 * energy / (R * phi_dot) ** 2, (xi, eta))
     shares = sp.solve([inertia.diff(xi), inertia.diff(eta)], (xi, eta))
-    return LeastInertia(
-        inertia,
-        {share: sp.factor(value) for share, value in shares.items()},
-        sp.factor(inertia.subs(shares)),
-        inertia.subs({xi: 0, eta: 0}),
-    )
+    return inertia, {share: sp.factor(value) for share, value in shares.items()}, sp.factor(inertia.subs(shares))
 
 
 def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
@@ -65,10 +51,11 @@ def spin_of_lower_rollers(bodies: Machine) -> sp.Expr:
 @ROUTES.add("energy")
 def build(bodies: Machine) -> Route:
     """Return the route: energies, Rayleigh's quotient, its least inertia, Ω², and the clamped block's bound."""
-    result = least_inertia(bodies)
+    inertia, shares, least = least_inertia(bodies)
+    clamped = inertia.subs({xi: 0, eta: 0})
     stiffness = sp.cancel(2 * bodies.potential_energy / (R * phi) ** 2)
-    frequency = sp.factor(stiffness / result.least)
-    curvature = sp.ImmutableMatrix(sp.hessian(result.inertia, (xi, eta)))
+    frequency = sp.factor(stiffness / least)
+    curvature = sp.ImmutableMatrix(sp.hessian(inertia, (xi, eta)))
     path, speed = R * phi, R * phi.diff(t)
     steps = (
         energies_step(
@@ -89,7 +76,7 @@ def build(bodies: Machine) -> Route:
                 "$\\eta=\\dot\\Phi/\\dot\\varphi$."
             ),
             equation(2 * sp.Symbol("U") / path**2, stiffness),
-            equation(2 * sp.Symbol("T") / speed**2, result.inertia),
+            equation(2 * sp.Symbol("T") / speed**2, inertia),
             operations=tuple(rf"\div \left(\tfrac12{latex(each**2)}\right)" for each in (path, speed)),
         ),
         step(
@@ -101,8 +88,8 @@ def build(bodies: Machine) -> Route:
                 "positive definite, since its upper left entry and its determinant are positive. So the inertia is "
                 "least there."
             ),
-            *(equation(gather(result.inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
-            *(equation(share, result.shares[share]) for share in (xi, eta)),
+            *(equation(gather(inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
+            *(equation(share, shares[share]) for share in (xi, eta)),
             equation(sp.Determinant(curvature), sp.factor(curvature.det())),
             operations=(
                 *(rf"\partial/\partial {latex(share)}" for share in (xi, eta)),
@@ -117,12 +104,12 @@ def build(bodies: Machine) -> Route:
                 "The least inertia is the effective mass $M_e$ for the displacement $R\\varphi$ of the rollers. In "
                 "terms of the mass matrix, $M_eR^2$ is a Schur complement."
             ),
-            equation(M_e, result.least),
+            equation(M_e, least),
             equation(Omega_squared, stiffness / M_e),
             equation(Omega_squared, frequency),
             operations=(insert(xi, eta), rf"\div {latex(M_e)}", insert(M_e)),
         ),
-        _spring_mass_step(bodies, result, stiffness),
+        _spring_mass_step(bodies, least, stiffness),
         step(
             "bound",
             _("Clamp the block for a lower bound"),
@@ -130,18 +117,18 @@ def build(bodies: Machine) -> Route:
                 "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
                 "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
             ),
-            equation(model.M_clamped - M_e, sp.factor(result.clamped - result.least)),
-            equation(model.Omega_clamped_squared, sp.factor(stiffness / result.clamped)),
+            equation(model.M_clamped - M_e, sp.factor(clamped - least)),
+            equation(model.Omega_clamped_squared, sp.factor(stiffness / clamped)),
             operations=(rf"\xi=\eta=0,\ -{latex(M_e)}", rf"\div {latex(model.M_clamped)}"),
         ),
     )
     return Route("energy", _("Energy"), steps, frequency, CELLS)
 
 
-def _spring_mass_step(bodies: Machine, result: LeastInertia, stiffness: sp.Expr) -> Step:
+def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> Step:
     """Return the step to M_x; where its two terms merge, the sentence about one of them is left out."""
     lever, spin = sp.cancel(bodies.deformation / (R * phi)) ** 2, spin_of_lower_rollers(bodies)
-    spring_mass = sp.factor(result.least / lever)
+    spring_mass = sp.factor(least / lever)
     reason = _("With the deformation $2R\\varphi$ of the spring as coordinate, the machine acts like one mass $M_x$.")
     spins = _("The term that contains $m'$ alone comes from the rotation of the lower rollers.")
     merged = step(

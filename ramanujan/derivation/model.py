@@ -94,7 +94,7 @@ class Machine:
 
     @property
     def deformation(self) -> sp.Expr:
-        """Of the spring, positive in compression [m]: the slab's displacement relative to the block."""
+        """The deformation of the spring, positive in compression [m]: the slab's displacement relative to the block."""
         return sp.expand(self["slab"].displacement - self["block"].displacement)
 
     @property

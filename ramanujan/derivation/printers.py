@@ -43,7 +43,7 @@ _PLAIN = {
     **dict(zip(model.COORDINATES, sp.symbols("X phi Phi"), strict=True)),
     sp.Symbol("R", positive=True): sp.Symbol("radius"),
 }
-"""What a program calls the coordinates, their rates and R."""
+"""The names of the coordinates, their rates and R in a program."""
 
 _EXACTLY = Context(prec=200)
 

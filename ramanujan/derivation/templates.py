@@ -25,13 +25,13 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import InOrder, LatexPrinter, Number, Printed, in_order, number_to_latex
 
 GIVEN = (m, m_prime, k)
-"""What has a value."""
+"""The symbols that have a value."""
 
 Highlight = tuple[tuple[sp.Basic, str], ...]
 """Symbols, or functions of time, and their colours."""
 
 _PRIVATE = 0xE000
-"""Where the characters begin that no formula contains: one for each numerator, one for each denominator."""
+"""The first of the characters that no formula contains: one for each numerator, one for each denominator."""
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ class _ShapePrinter(LatexPrinter):
 
 
 Shape = tuple[int, bool, bool, bool]
-"""Of a number: its sign, and whether its numerator is 1, whether it is a sum, and whether there is a denominator."""
+"""The sign of a number, and whether its numerator is 1, whether it is a sum, and whether there is a denominator."""
 
 
 def _shape(number: Printed) -> Shape:

@@ -16,11 +16,11 @@ _SIZE, _LETTER, _LINE, _GAP, _FAR, _ON = 15, 0.52, 1.2, 0.2, 2.0, 0.5
 """Size of the words [px] at a figure's full height; a letter's width, a name's height, its gap to its curve, what is
 far from others, and how much more room a name must have on its curve than beside it to stand there."""
 _BAND_HIGH, _BAND_WIDE = 0.4, 0.06
-"""Of a name’s height and width in a band, what must be clear of the band’s edges: the name itself stands on paper."""
+"""The shares of a name’s height and width that must be clear of a band’s edges: the name itself stands on paper."""
 _POINTS, _EVERY = 120, 5
 """Points of a curve that a name must keep clear of; it stands at every so many of them at most."""
 _SIDES = [*((across, up) for up in (1, -1) for across in (0, -1, 1)), (0, 0)]
-"""Above or below a curve, to the left, in the middle or to the right; one that rises has room on the left. Or on it."""
+"""Where a name may stand: above or below its curve, to the left, in the middle or to the right; or on the curve."""
 
 Named = tuple[str, str, np.ndarray, np.ndarray]
 """Name, colour, and the curve's x and y in the units of the axes: exponents of ten on logarithmic ones."""

@@ -12,7 +12,7 @@ from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
 _HEIGHT = 420
-"""Of all panels and the gaps between them [px]."""
+"""The height of all panels with the gaps between them [px]."""
 
 _GAP = 0.12
 _BELOW = 48

@@ -45,7 +45,7 @@ class Curve:
 _LENS = (0.8, 1.4), (0.78, 1.2)
 """The part of ε and of Ω²m/k that the inset enlarges: there the marked ratios keep apart, on a phone as well."""
 _PLACE = (0.04, 0.5), (0.12, 0.59)
-"""Where the inset is, below the curve, in shares of the panel."""
+"""The place of the inset, below the curve, in shares of the panel."""
 
 
 def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:

@@ -18,7 +18,7 @@ _UPPER, _LOWER = {"domain": [0.54, 1.0]}, {"domain": [0.0, 0.46], "anchor": "x"}
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 """Exponents of ten: a run whose error grows further leaves the figure at the top, so that the others can be seen."""
 _BOUNDLESS = 1e30
-"""What stands for larger errors, which single precision cannot hold."""
+"""The value that stands for larger errors, which single precision cannot hold."""
 _HIGH = 560
 """Height [px] of two panels with the gap between them."""
 _STRIP, _HALF_STRIP = 62, 0.28
@@ -27,7 +27,7 @@ _MARGIN = {"l": 60, "r": 12, "t": 12, "b": 48}
 
 
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
-"""What is drawn of one method, point by point."""
+"""The points of one method: three arrays of equal length."""
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ INTRODUCTION = _(
     "[2]. The order predict, observe, explain is from [3]. What students are expected to answer is a guess, except "
     "where a source is named."
 )
-"""What the lecturer's notes begin with; what each stop is for stands with the stop."""
+"""The beginning of the lecturer's notes; each stop says what it is for."""
 
 
 def stop(name: str) -> Stop:

@@ -15,7 +15,7 @@ from ramanujan.numerals import filled, number, told_from
 from ramanujan.translation import _
 
 WITHIN, PERIODS = 0.01, 30
-"""Of the integrators' race: the largest angle to the exact motion [turns], and the length of the run."""
+"""The integrators' race: the largest angle to the exact motion [turns], and the length of the run."""
 HALF = 0.005
 NOTHING = 1e-6
 """A smaller share of the energy can be neither measured nor drawn: it is called none."""

@@ -7,10 +7,10 @@ import secrets
 ALPHABET = "BCDFHJKLMNPRSTWXZ"
 """Letters of a code: none looks like a digit or like another letter, and without vowels they spell no word."""
 LETTERS = 6
-"""Letters of a code; 17⁶ is 24 million. A code that is guessed gives a stranger one vote, at the desk’s sight."""
+"""The letters of a code; 17⁶ is 24 million. A stranger who guesses a code gets one vote, and the desk sees it."""
 
 SECRET_BYTES, VOTER_BYTES = 24, 9
-"""Of a lecturer’s key, which fits into an address, and of a student’s random name."""
+"""The length of a lecturer’s key, which fits into an address, and of a student’s random name."""
 _LONGEST = 60
 
 

@@ -6,7 +6,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 END = "end"
-"""What stands in place of a stop after the last one: the class looks back at its votes."""
+"""The place after the last stop, at which the class looks back at its votes."""
 
 
 class Phase(IntEnum):

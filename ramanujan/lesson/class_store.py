@@ -59,7 +59,7 @@ class ClassError(Exception):
 
 
 class CrowdError(ClassError):
-    """What a class can do in a moment."""
+    """What a class cannot do yet, but can do in a moment."""
 
 
 class SeatError(ClassError):

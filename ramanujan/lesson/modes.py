@@ -12,7 +12,7 @@ from ramanujan.oscillator import Oscillator, drawn_spacing
 from ramanujan.translation import _
 
 _SPEED = COMPRESSION / 2 / EQUAL.period
-"""Of gliding and rolling [m/s], slow enough to watch."""
+"""The speed of gliding and rolling [m/s], slow enough to watch."""
 _SPACING = drawn_spacing(EQUAL.radius)
 
 

@@ -3,7 +3,6 @@
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from xml.sax.saxutils import escape
 
@@ -21,15 +20,6 @@ _TIKZ_WIDTH = 340.0
 """Width of the picture as TikZ [pt]; a slide of beamer, 16:9, has 398 for its content."""
 
 
-@dataclass(frozen=True)
-class _Picture:
-    """Outlines, each with its body or "", and letters, each with its place; x to the right and y downwards [cm]."""
-
-    view: tuple[float, float, float, float]
-    outlines: list[tuple[str, str]]
-    letters: list[tuple[str, float, float]]
-
-
 def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
     """Return the machine at its release as SVG, with its symbols.
 
@@ -39,19 +29,20 @@ def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, st
     compression : x₀ [m]
     colors : body → its colour, as rgb(…, …, …)
     """
-    drawn, title = _drawn(machine, compression), escape(_("The machine at its release"))
-    view = " ".join(f"{each:g}" for each in drawn.view)
+    view, outlines, letters = _drawn(machine, compression)
+    title = escape(_("The machine at its release"))
     parts = [
         f'<path d="{d}" fill="{colors.get(body, "none")}" fill-rule="evenodd" stroke="#000" stroke-width=".4" '
         f'data-body="{body}"/>'
-        for d, body in drawn.outlines
+        for d, body in outlines
     ]
     parts += [
         f'<text x="{x:g}" y="{y:g}" font-size="{_LETTER:g}" font-style="italic" font-family="serif" '
         f'text-anchor="middle" dominant-baseline="central">{text}</text>'
-        for text, x, y in drawn.letters
+        for text, x, y in letters
     ]
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{view}" role="img"><title>{title}</title>'
+    box = " ".join(f"{each:g}" for each in view)
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" role="img"><title>{title}</title>'
     return "".join((head, *parts, "</svg>"))
 
 
@@ -64,18 +55,24 @@ def machine_tikz(machine: Oscillator, compression: float, colors: Mapping[str, s
     compression : x₀ [m]
     colors : body → its colour, as rgb(…, …, …)
     """
-    drawn = _drawn(machine, compression)
-    scale = _TIKZ_WIDTH / drawn.view[2]
+    view, outlines, letters = _drawn(machine, compression)
+    scale = _TIKZ_WIDTH / view[2]
     lines = [f"\\begin{{tikzpicture}}[xscale={scale:.4f}, yscale=-{scale:.4f}, line join=round]"]
-    for d, body in drawn.outlines:
+    for d, body in outlines:
         channels = (round(float(each)) for each in re.findall(r"[\d.]+", colors[body])) if body else ()
         fill = body and ", fill={{rgb,255:red,{};green,{};blue,{}}}".format(*channels)
         lines.append(f"  \\path[draw, line width=0.5pt, even odd rule{fill}] svg {{{d}}};")
-    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text.translate(_IN_TEX)}$}};" for text, x, y in drawn.letters]
+    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text.translate(_IN_TEX)}$}};" for text, x, y in letters]
     return "\n".join([*lines, "\\end{tikzpicture}\n"])
 
 
-def _drawn(machine: Oscillator, compression: float) -> _Picture:
+def _drawn(
+    machine: Oscillator, compression: float
+) -> tuple[tuple[float, float, float, float], list[tuple[str, str]], list[tuple[str, float, float]]]:
+    """Return the view, the outlines, each with its body or "", and the letters, each with its place.
+
+    x counts to the right and y downwards [cm].
+    """
     start = motion(machine, released(machine, compression), 0.0)[0]
     at = {name: float(x) * _CM for name, x in ground_positions(machine, start).items()}
     R, x0 = machine.radius * _CM, compression * _CM
@@ -105,9 +102,9 @@ def _drawn(machine: Oscillator, compression: float) -> _Picture:
         *(_sense(*centre, 1.12 * R) for centre in rollers.values()),
     ]
     angles = [("Φ" if body == "top" else "φ", x + 1.12 * R + 3, y - 0.4 * R) for body, (x, y) in rollers.items()]
-    return _Picture(
-        view=(-8, -ceiling, right + 16, ceiling + 3),
-        outlines=[
+    return (
+        (-8, -ceiling, right + 16, ceiling + 3),
+        [
             (f"M-6 0H{right + 6:g}", ""),
             (block, "block"),
             *((rim, body) for body, rim in rims.items()),
@@ -115,7 +112,7 @@ def _drawn(machine: Oscillator, compression: float) -> _Picture:
             (_coil(*spring), ""),
             *((mark, "") for mark in marks),
         ],
-        letters=[
+        [
             ("m", (riser + right) / 2, -upper / 2),
             *((letter, *rollers[body]) for body, letter in (("hoop", "m′"), ("cylinder", "m′"))),
             ("m", x, y + 0.4 * R),

@@ -32,7 +32,7 @@ OTHER = BodyChoice(top="sphere")
 """The machine of the last of these stops."""
 
 A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
-"""Of the condition aε² + bε + c = 0."""
+"""The coefficients of the condition aε² + bε + c = 0."""
 _QUADRATIC = f"{A}ε² + {'' if B == 1 else B}ε − {-C} = 0"
 _NUMBER = int(unit_frequency_condition().discriminant)
 _NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}

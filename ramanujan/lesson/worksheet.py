@@ -29,13 +29,13 @@ _STOPS = 4
 _NAMED = ("block",)
 """Stops whose answer the derivation names: on which side X is positive."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
-"""Of the route of Euler and Lagrange, those in which there is something to find."""
+"""The steps of the route of Euler and Lagrange in which there is something to find."""
 _WHERE = {"energies": _("Give $U$ as a function of the compression $x$ first, then of $\\varphi$.")}
 """Step → in which coordinates its formulas are wanted, where that is not plain."""
 _LONG = 150
-"""Letters of LaTeX that may be too wide for paper."""
+"""A formula with so many letters of LaTeX may be too wide for paper."""
 _LINE = 90
-"""Letters of LaTeX that take a line to write by hand."""
+"""So many letters of LaTeX take a line to write by hand."""
 
 
 @dataclass(frozen=True)

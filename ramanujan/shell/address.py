@@ -29,7 +29,7 @@ _MET = "address_met"
 """Session state: name → whether Streamlit binds it, for the URL parameters of every page that was opened."""
 _WARNED = "address_warned"
 _FEW = 8
-"""As many options as a sentence can list."""
+"""The most options that a sentence lists."""
 
 
 class URLParameter(ABC):

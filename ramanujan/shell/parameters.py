@@ -110,7 +110,7 @@ WATCH: dict[str, dict[str, Any]] = {
     name: {"parameter": name, "scale": PARAMETERS[name].scale, "step": PARAMETERS[name].step}
     for name in (*MACHINE, "compression")
 }
-"""For the stage: which slider moves which parameter."""
+"""The contract of the stage: which slider moves which parameter."""
 
 LONGEST = 60
 """Characters of a number that are read."""

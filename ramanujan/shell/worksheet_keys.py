@@ -19,7 +19,7 @@ from ramanujan.translation import _
 LETTERS = 10
 """Letters of a worksheet's name: 41 bits."""
 _COST = {"n": 2**14, "r": 8, "p": 1}
-"""Of scrypt: what its author recommends for a person who waits (C. Percival, 2009)."""
+"""The parameters of scrypt that its author recommends for a person who waits (C. Percival, 2009)."""
 _REFUSED = _("The value of {name} in the address was ignored: it is not the key of a worksheet.")
 _NO_NAME = _("The value of {name} in the address was ignored: it is not the name of a worksheet.")
 

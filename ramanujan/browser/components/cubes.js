@@ -3,11 +3,11 @@
 import { fill } from "./sentences.js";
 import { element, set } from "../stage/svg.js";
 
-const EYE = [0.85, 0.42]; // so far beside the middle and so far above it the view is from
+const EYE = [0.85, 0.42]; // how far beside the middle, and how far above it, the eye is
 const TILT = Math.atan2(EYE[1], EYE[0]);
 const EDGE = 10; // length of a unit cube's edge in the picture
-const APART = 2; // unit cubes that would fit between two cubes
-const GAP = 0.5; // between two layers that are pulled apart
+const APART = 2; // the gap between two cubes, in unit cubes
+const GAP = 0.5; // the gap between two layers that are pulled apart, in unit cubes
 const DEGREES = Math.PI / 180, BY_PIXEL = 0.5; // degrees for each pixel of a drag
 
 /**

@@ -56,7 +56,7 @@ export function anchors(g) {
   };
 }
 
-const SHORTEST = 0.05; // of an arrow
+const SHORTEST = 0.05; // the shortest arrow that is drawn
 
 /** How long an arrow's head is at most: in proportion to a roller, so that it never reaches the letter on it. */
 export const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);

@@ -14,7 +14,7 @@ import { element, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const TRACE_POINTS = 90;
-const PERIOD_POINTS = 24; // in which the greatest speed and force of a period are looked for
+const PERIOD_POINTS = 24; // the states of a period among which the greatest speed and force are looked for
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);

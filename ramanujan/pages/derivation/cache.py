@@ -1,7 +1,6 @@
 """What page 2 keeps: the routes in symbols once for all, their steps as LaTeX, with and without the present masses."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import partial
 
 import streamlit as st
@@ -37,15 +36,6 @@ Inks = tuple[tuple[str, str], ...]
 """Parts of the machine, and the larger cube, each with its colour, #rrggbb."""
 
 
-@dataclass(frozen=True)
-class ShownStep:
-    """A step as the page shows it: words, and its equations as one block of LaTeX."""
-
-    heading: str
-    reason: str
-    equations: str
-
-
 @st.cache_data(show_spinner=False, max_entries=1024)
 def step(
     name: str,
@@ -54,12 +44,12 @@ def step(
     inks: Inks = (),
     *,
     equal_masses: bool = False,
-) -> ShownStep:
-    """Return a step of a route, counted from 0, with what belongs to a part of the machine in its ink."""
+) -> tuple[str, str, str]:
+    """Return heading, reason and equations of a step of a route, counted from 0, what belongs to a part in its ink."""
     symbolic = route(name, equal_masses).steps[number]
     said = symbolic.about(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return ShownStep(said.heading, said.reason, _aligned(shown))
+    return said.heading, said.reason, _aligned(shown)
 
 
 def all_routes() -> list[Route]:

@@ -11,7 +11,7 @@ from ramanujan.shell.display_mode import columns, is_projector
 from ramanujan.translation import _
 
 MODES = stages.url_parameters("modes_")
-"""What the address keeps of the three machines."""
+"""The parameters by which the address keeps the view of the three machines."""
 
 
 def three_modes(numbers: Numbers | None) -> None:

@@ -32,7 +32,7 @@ URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
 ASIDE = ("compression",)
 _STEP_HEIGHT = 368
-"""Pixels: of a step in a lecture, as page.css has it."""
+"""The height of a step in a lecture [px], as page.css has it."""
 
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),
@@ -186,14 +186,16 @@ def draw(setting: Setting, number: int) -> None:
     """Draw a step, counted from 1."""
     colors = theme.colors()
     inks = (*((part, colors[f"{part}_ink"]) for part in PARTS), ("cube", colors["primary"]))
-    step = cache.step(setting.route, number - 1, setting.numbers, inks, equal_masses=setting.equal_masses)
+    heading, reason, equations = cache.step(
+        setting.route, number - 1, setting.numbers, inks, equal_masses=setting.equal_masses
+    )
     is_last = setting.steps[number - 1].key == "root"
     if is_last:
         with st.container(key="figure"):
             stacks()
-    st.markdown(f"## {number}. {step.heading}\n\n{step.reason}")
+    st.markdown(f"## {number}. {heading}\n\n{reason}")
     asked = () if setting.numbers or setting.equal_masses else cache.asked_in(setting.route, number - 1)
-    result(setting.route, step.equations, asked if not display_mode.is_projector() else ())
+    result(setting.route, equations, asked if not display_mode.is_projector() else ())
     if is_last:
         onward = navigation.PAGES["taxicab"]
         with st.container(key="onward"):

@@ -31,7 +31,7 @@ _LONGEST_CODE = 20
 NOTHING_TO_SET = """<style>@media (width < 1000px) {
   :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
 }</style>"""
-"""For the phone of a student. A rule for all pages would need :has(), which makes styles twice as slow."""
+"""A rule for the phone of a student. One for all pages would need :has(), which makes styles twice as slow."""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine a phone was last drawn with, and whether it runs."""
 _SEEN = "class_seen"

@@ -22,8 +22,8 @@ CURVE_RANGE = (0.01, 30.0)
 """The mass ratios that the Ω² curve shows; the sliders stay inside."""
 
 _POINTS = 2001
-"""Of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They also make the
-figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
+"""Points of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They make
+the figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
 
 
 @st.cache_resource(show_spinner=False)
@@ -114,7 +114,7 @@ SUMMARY: tuple[Mapping[str, slice], ...] = (
     {"insertion": _FIRST, "frequency": _LAST},
     {"ratio": _NONE, "unit": _LAST, "root": slice(3, None, 2)},
 )
-"""For each line: steps of the route, the last of which gives the heading, and which of their equations are results."""
+"""The steps of the route in each line, and which of their equations are results; the last step gives the heading."""
 
 
 @st.cache_data(show_spinner=False, max_entries=256)

@@ -24,7 +24,7 @@ OPENING = 2
 PACE = 0.6
 """Seconds that a period of the plain mass lasts in the story."""
 _OVER = 2 * UNIT_MASS_RATIO - 1
-"""As far above ε* as equal masses are below."""
+"""A mass ratio as far above ε* as equal masses are below."""
 STILL_PERIODS = 2
 """Periods of the plain mass after which the still clocks are drawn."""
 _KNOTS = 10

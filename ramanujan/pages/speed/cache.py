@@ -118,7 +118,7 @@ def sweeps() -> tuple[list[Sweep], list[EigenSweep]]:
 
 
 @st.cache_resource(show_spinner=_("Measuring what the app itself uses …"), max_entries=1)
-def choices() -> tuple[list, list, list, list]:
+def choices() -> tuple[list[ClosedForm], dict, dict, dict]:
     """Return error and cost of what the app itself chooses, for the machine with m = m′ = 1 kg and k = 1 N/m.
 
     They are those of the closed form, of curves, of kinds of arithmetic, and of what is kept.

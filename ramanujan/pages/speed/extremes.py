@@ -6,7 +6,7 @@ import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.accuracy.choices import HEIGHT, STATES
+from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATES
 from ramanujan.accuracy.extremes import FORMS, RIGHT, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.numerals import duration, filled, number
@@ -22,7 +22,7 @@ SWEEPS = {
     "scale_float64": _("scale, float64"),
     "scale_float32": _("scale, float32"),
 }
-"""What is varied, one of `cache.ALONG`, and the precision → what one reads."""
+"""One of `cache.ALONG`, which is varied, and the precision → its label."""
 SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 
 
@@ -133,8 +133,7 @@ def what_the_app_uses() -> None:
     states, curves, kinds, comparisons = cache.choices()
     drawn = {each.form: each for each in cache.sweeps()[0] if (each.along, each.dtype) == ("machines", "float64")}
     machine, curve = drawn["integers"], drawn["partial_fractions"]
-    few, *_others, many = (each for each in kinds if each.kind == "mpmath")
-    enough = {name: next(c for c in curves if c.curve == name and c.pixels < 0.5) for name in ("cosine", "frequency")}
+    enough = {name: next((n, off) for n, off in found.items() if off < 0.5) for name, found in curves.items()}
     rounding = float(np.finfo(np.float32).eps) / 2
     said = filled(
         "\n".join(f"- {sentence}" for sentence in _CHOICES),
@@ -148,18 +147,18 @@ def what_the_app_uses() -> None:
         curve_formula=FORMS[curve.form].formula,
         curve_error=curve.worst_right_ulp,
         failed=int(np.count_nonzero(curve.verdict != RIGHT)),
-        **{each.kind: duration(each.seconds.median) for each in kinds},
-        few=duration(few.seconds.median),
-        few_digits=few.digits,
-        many=duration(many.seconds.median),
-        many_digits=many.digits,
+        **{kind: duration(seconds) for kind, seconds in kinds.items() if kind not in DIGITS},
+        few=duration(kinds[DIGITS[0]]),
+        few_digits=DIGITS[0],
+        many=duration(kinds[DIGITS[-1]]),
+        many_digits=DIGITS[-1],
         height=HEIGHT,
-        **{name: each.points for name, each in enough.items()},
-        **{f"{name}_error": each.pixels for name, each in enough.items()},
+        **{name: n for name, (n, _off) in enough.items()},
+        **{f"{name}_error": off for name, (_n, off) in enough.items()},
         part=1 / rounding,
         finer=0.5 / SCREEN_HEIGHT / rounding,
         screen=SCREEN_HEIGHT,
-        **{f"kept_{each.name}": each.ratio for each in comparisons},
+        **{f"kept_{name}": ratio for name, ratio in comparisons.items()},
         n=STATES,
     )
     st.markdown(said)

@@ -23,7 +23,7 @@ KEY = worksheet_keys.key_parameter("key")
 LEVEL_WORDS = {1: _("Derivation with few blanks"), 2: _("With many blanks"), 3: _("On a blank page")}
 LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
-# Of a slide: its lines, letters in a line, and letters of LaTeX in a row of formulas.
+# The lines of a slide, letters in a line, and letters of LaTeX in a row of formulas.
 _LINES, _WIDTH, _ROW = {"questions": 15, "key": 11}, 105, 330
 _LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></span>"
 
