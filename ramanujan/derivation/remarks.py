@@ -64,7 +64,8 @@ def remarks() -> tuple[Remark, ...]:
 def _taxicab() -> Remark:
     taxicab, counterexample = _smallest_in_two_ways(signed=False), _smallest_in_two_ways(signed=True)
     n, ways = counterexample
-    shown = "=".join([str(n), *("+".join(_cube(a) for a in sorted(way, reverse=True)) for way in ways)])
+    cubes = ("+".join(f"{a}^3" if a > 0 else f"({a})^3" for a in sorted(way, reverse=True)) for way in ways)
+    shown = "=".join([str(n), *cubes])
     return Remark(
         _("Introduction"),
         _("“the smallest number representable in two ways as a sum of two cubes”"),
@@ -176,7 +177,3 @@ def _smallest_in_two_ways(*, signed: bool) -> tuple[int, list[tuple[int, int]]]:
         ways.setdefault(a**3 + b**3, []).append((a, b))
     smallest = min(n for n, pairs in ways.items() if n > 0 and len(pairs) > 1)
     return smallest, ways[smallest]
-
-
-def _cube(a: int) -> str:
-    return f"{a}^3" if a > 0 else f"({a})^3"

@@ -48,8 +48,5 @@ def _colors(shown: str) -> dict[str, str]:
 def on_paper() -> dict[str, str]:
     """Return the colours of drawings for paper: for each body one that is light enough for letters."""
     light = _colors("light")
-    return {body: _lighter(light[body]) for body in BODY_COLORS}
-
-
-def _lighter(color: str) -> str:
-    return label_rgb(find_intermediate_color(hex_to_rgb(color), (255, 255, 255), 0.56))
+    white = (255, 255, 255)
+    return {body: label_rgb(find_intermediate_color(hex_to_rgb(light[body]), white, 0.56)) for body in BODY_COLORS}

@@ -19,9 +19,7 @@ export default function (_component, signal) {
     event.stopImmediatePropagation();
     waiting = event;
   });
-  on("touchstart", (event) => {
-    if (dom.isSliderTrack(event.target)) event.stopImmediatePropagation();
-  });
+  on("touchstart", (event) => dom.isSliderTrack(event.target) && event.stopImmediatePropagation());
   // Plotly takes every touch for the start of a drag, and a wheel for a zoom. It hears only of taps, which come as clicks.
   for (const type of ["touchstart", "touchmove", "wheel"])
     on(type, (event) => dom.graphOf(event.target) && event.stopImmediatePropagation(), { passive: true });

@@ -52,8 +52,7 @@ function standalone(svg) {
 const textOf = (svg) => `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(svg)}\n`;
 
 async function rasterized(svg) {
-  const source = URL.createObjectURL(new Blob([textOf(svg)], { type: "image/svg+xml" })), image = new Image();
-  image.src = source;
+  const source = URL.createObjectURL(svg), image = Object.assign(new Image(), { src: source });
   await image.decode();
   const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
   canvas.getContext("2d").drawImage(image, 0, 0);
@@ -125,13 +124,9 @@ function label(node, style, cm) {
 /** Offer the picture under a stage's root as a file of a kind: svg, png or tex. */
 export async function save(root, kind) {
   const [svg, host] = [root.querySelector("svg.machine"), root.querySelector(".stage")];
-  const content = inLight(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : standalone(svg)));
-  const files = {
-    svg: () => new Blob([textOf(content)], { type: "image/svg+xml" }),
-    png: () => rasterized(content),
-    tex: () => new Blob([content], { type: "text/plain" }),
-  };
-  const file = await files[kind]();
+  const content = inLight(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : textOf(standalone(svg))));
+  const written = new Blob([content], { type: kind === "tex" ? "text/plain" : "image/svg+xml" });
+  const file = kind === "png" ? await rasterized(written) : written;
   const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: `${FILE}.${kind}` });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);

@@ -128,13 +128,10 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
             st.markdown("\n".join(lines[first:]))
     with slide("onwards", _("Where to go on")):
         st.markdown(_("Where to go on:"))
-        st.button(_("Set the machine yourself: twelve tasks"), key="to_tasks", on_click=_to_tasks)
+        label, turned = _("Set the machine yourself: twelve tasks"), {progress.PART.name: "tasks"}
+        st.button(label, key="to_tasks", on_click=st.session_state.update, args=(turned,))
         for name, label in _ONWARDS.items():
             st.page_link(PAGES[name].file, label=label, icon=":material/arrow_forward:")
-
-
-def _to_tasks() -> None:
-    st.session_state[progress.PART.name] = "tasks"
 
 
 def work(head: st.delta_generator.DeltaGenerator) -> None:

@@ -23,7 +23,7 @@ CURVE_RANGE = (0.01, 30.0)
 
 _POINTS = 2001
 """Points of the curve: a click takes the nearest one, so they lie closer than the pixels of a wide screen. They make
-the figure large enough for the page to keep (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
+the figure so large that the page keeps it (`minCachedMessageSize` in .streamlit/config.toml): it is sent only once."""
 
 
 @st.cache_resource(show_spinner=False)

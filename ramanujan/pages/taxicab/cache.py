@@ -92,25 +92,16 @@ def machines() -> tuple[BodyChoice, ...]:
     return tuple(number_theory.machines())
 
 
-@dataclass(frozen=True)
-class PracticalMachine:
-    """A ratio for the workshop, the exact error it leaves in Ω²m/k, and after how many periods it is one turn off."""
-
-    ratio: Fraction
-    error: Fraction
-    periods: float
-
-
 @st.cache_resource(show_spinner=False)
-def practical_machines() -> tuple[PracticalMachine, ...]:
-    """Return the first convergents of the paper's mass ratio as machines to build."""
+def practical_machines() -> list[tuple[Fraction, Fraction, float]]:
+    """Return the first convergents of the paper's mass ratio, as machines to build for a workshop.
+
+    Each has its ratio, the exact error that this leaves in Ω²m/k, and after how many periods it is one turn off.
+    """
     ratios = number_theory.convergents(quotients(5))
     errors = [number_theory.normalized_frequency_squared_exact(*PAPER.bodies, ratio) - 1 for ratio in ratios]
     # 1/|√(1 + δ) − 1|, without the difference of two numbers close to 1.
-    return tuple(
-        PracticalMachine(ratio, error, (1 + (1 + error) ** 0.5) / abs(error))
-        for ratio, error in zip(ratios, errors, strict=True)
-    )
+    return [(each, error, (1 + (1 + error) ** 0.5) / abs(error)) for each, error in zip(ratios, errors, strict=True)]
 
 
 def quotients(terms: int = 12) -> list[int]:
@@ -184,7 +175,7 @@ def as_norm(p: int, q: int) -> str:
     # Where the quadratic's coefficients share a factor, the norm carries its square.
     shared = isqrt((x * x + 3 * y * y) // number)
     right = f"{shared}^2 \\cdot {number}" if shared > 1 else str(number)
-    return f"{parenthesized(x)}^2 + 3 \\cdot {y}^2 = {right}"
+    return f"{f'({x})' if x < 0 else x}^2 + 3 \\cdot {y}^2 = {right}"
 
 
 @dataclass(frozen=True)
@@ -225,8 +216,3 @@ def sums_of_cubes(cubes: Sequence[tuple[int, int]]) -> str:
     with sp.evaluate(False):
         sums = [sp.Add(sp.Pow(x, 3), sp.Pow(y, 3)) for x, y in cubes]
     return " = ".join(sp.latex(total, order="none") for total in sums)
-
-
-def parenthesized(number: int) -> str:
-    """Return a number as LaTeX that may be raised to a power."""
-    return f"({number})" if number < 0 else str(number)

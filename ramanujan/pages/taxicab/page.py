@@ -88,11 +88,10 @@ def digits_and_fractions() -> None:
 def practical_ratios() -> list[tuple[str, ...]]:
     """Return the table of ratios for the workshop."""
     rows = [(_("ratio $\\varepsilon$"), _("error $\\Omega^2m/k-1$"), _("one full turn apart after"))]
-    for entry in cache.practical_machines():
-        periods = round(entry.periods)
-        lasting = ngettext("{n} period", "{n} periods", periods).format(n=number(periods, 4))
-        error = f"{entry.error.numerator}/{entry.error.denominator}\\approx{scientific(entry.error)}"
-        rows.append((f"${entry.ratio.numerator}/{entry.ratio.denominator}$", f"${{{error}}}$", lasting))
+    for ratio, error, periods in cache.practical_machines():
+        lasting = ngettext("{n} period", "{n} periods", round(periods)).format(n=number(round(periods), 4))
+        shown = f"{error.numerator}/{error.denominator}\\approx{scientific(error)}"
+        rows.append((f"${ratio.numerator}/{ratio.denominator}$", f"${{{shown}}}$", lasting))
     return rows
 
 
