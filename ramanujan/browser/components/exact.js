@@ -48,11 +48,10 @@ export default function (component, signal) {
     }, { capture: true, signal });
 
   // Streamlit draws the slider after its head, and may draw it anew.
-  const look = () => {
+  observe(document.body, { subtree: true, attributeFilter: ["value", "aria-valuetext"] }, () => {
     snap();
     show();
-  };
-  observe(document.body, { subtree: true, attributeFilter: ["value", "aria-valuetext"] }, look, signal);
+  }, signal);
 
   const commit = () => {
     if (box.value === box.dataset.shown) return;

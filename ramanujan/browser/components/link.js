@@ -3,13 +3,6 @@
 
 import { bus } from "./bus.js";
 
-/** The address as others may have it. */
-function shared(secret) {
-  const url = new URL(location.href);
-  for (const key of secret) if (url.searchParams.has(key)) url.searchParams.delete(key);
-  return url.href;
-}
-
 export default function ({ data, parentElement }, signal) {
   // The names of the pages have the room that the bar with this button leaves them.
   const bar = parentElement.host?.closest(".st-key-bar");
@@ -27,13 +20,15 @@ export default function ({ data, parentElement }, signal) {
     bus.publish("say", { sentence, urgent: true });
   };
   button.onclick = async () => {
+    const url = new URL(location.href); // as others may have it
+    for (const key of data.private) if (url.searchParams.has(key)) url.searchParams.delete(key);
     try {
-      await navigator.clipboard.writeText(shared(data.private));
+      await navigator.clipboard.writeText(url.href);
       tell(data.copied);
     } catch {
       tell(data.by_hand);
       input.hidden = false;
-      input.value = shared(data.private);
+      input.value = url.href;
       input.select();
     }
   };

@@ -26,12 +26,11 @@ export default function ({ data: { ring } }, signal) {
       }
     }
   };
-  const drawn = (each) => {
+  bus.subscribe(`drawn/${ring.stage}`, show, { signal });
+  dom.watchGraphs((each) => {
     if (!each.layout?.meta?.ring) return;
     graph = each;
     show();
-  };
-  bus.subscribe(`drawn/${ring.stage}`, show, { signal });
-  dom.watchGraphs(drawn, signal);
+  }, signal);
   signal.addEventListener("abort", () => graph && erase(graph, RING));
 }

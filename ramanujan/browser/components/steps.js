@@ -30,17 +30,13 @@ export default function (component, signal) {
   return () => {
     const { data } = component;
     if (data.route !== route) {
+      // The lecture begins at the step that the address names, every further route at its first step.
+      const asked = Number(new URLSearchParams(location.search).get("step"));
       tell.cancel();
-      turner.now = route ? 1 : named(data.headings);
+      turner.now = !route && data.headings[asked - 1] ? asked : 1;
       route = data.route;
     }
     turner.show(Math.min(turner.now, data.headings.length));
     reveal();
   };
-}
-
-/** The step that the address names, if there is such a step, else the first. */
-function named(headings) {
-  const step = Number(new URLSearchParams(location.search).get("step"));
-  return headings[step - 1] ? step : 1;
 }

@@ -3,7 +3,6 @@
 import { FORMULAS } from "./formulas.js";
 
 export const TURN = 2 * Math.PI;
-const COORDINATES = ["X", "phi", "Phi"];
 
 export const mapValues = (object, change) =>
   Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
@@ -16,7 +15,7 @@ export function solve(parameters, initial) {
   const known = { ...parameters, ...start, Omega };
   const motion = mapValues(FORMULAS.motion, (parts) => mapValues(parts, (part) => part(known)));
   // Nothing outside pushes the centre of mass, so only the drifts b count.
-  const drifts = { ...parameters, ...Object.fromEntries(COORDINATES.map((name) => [`${name}_dot`, motion[name].b])) };
+  const drifts = { ...parameters, ...Object.fromEntries(Object.keys(motion).map((name) => [`${name}_dot`, motion[name].b])) };
   return {
     Omega,
     plain: FORMULAS.plain_frequency(parameters),
