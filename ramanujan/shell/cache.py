@@ -13,7 +13,6 @@ import streamlit as st
 
 from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
-from ramanujan.derivation.numbers import Numbers, stated
 
 _USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
 """Seconds after which Python lets another thread run."""
@@ -45,12 +44,6 @@ def giving_way() -> Iterator[None]:
 def route(name: str, equal_masses: bool = False) -> Route:
     """Return a route of the derivation, for any masses or for m′ = m."""
     return ROUTES.with_equal_masses(name) if equal_masses else ROUTES[name]
-
-
-@st.cache_data(show_spinner=False, max_entries=256)
-def numbers_stated(numbers: Numbers) -> str:
-    """Return the sentence that says whose numbers the steps of a derivation show."""
-    return stated(numbers)
 
 
 @st.cache_data(show_spinner=False)

@@ -10,14 +10,14 @@ from ramanujan.browser import components, stage
 from ramanujan.derivation import ROUTES, Step
 from ramanujan.derivation.energies import PARTS
 from ramanujan.derivation.nomenclature import DOTS
-from ramanujan.derivation.numbers import Numbers
+from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
 from ramanujan.pages.derivation.tryout import QUESTION, ask, is_solved, take, title, try_it
 from ramanujan.pages.taxicab.page import stacks
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
-from ramanujan.shell.cache import giving_way, numbers_stated, symbols
+from ramanujan.shell.cache import giving_way, symbols
 from ramanujan.shell.display_mode import columns, slide
 from ramanujan.translation import _
 
@@ -218,7 +218,7 @@ def result(route: str, equations: str, asked: tuple[str, ...]) -> None:
 def explain(setting: Setting) -> None:
     """Say whose numbers the steps show, and what their symbols mean."""
     if setting.numbers:
-        st.caption(numbers_stated(setting.numbers))
+        st.caption(stated(setting.numbers))
     meanings = "; ".join(symbols(setting.route))
     st.expander(_("What the symbols of this route mean")).caption(f"{meanings}. {DOTS}")
 

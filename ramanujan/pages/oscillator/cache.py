@@ -47,7 +47,6 @@ def curve() -> Curve:
     )
 
 
-@st.cache_data(show_spinner=False)
 def unit_ratio() -> str:
     """Return ε* as an exact expression."""
     condition = unit_frequency_condition()

@@ -7,13 +7,12 @@ import streamlit as st
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components, stage
-from ramanujan.derivation.numbers import Numbers
+from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.rows import aligned
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story
 from ramanujan.pages.oscillator.story import gained
 from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme
-from ramanujan.shell.cache import numbers_stated
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
@@ -244,7 +243,7 @@ def six_steps() -> None:
 def one_step(step: cache.SummaryStep, numbers: Numbers | None) -> None:
     """Say how a step of the derivation finds its results, and what they are for the present machine."""
     st.markdown("\n\n".join(part for way in step.ways for part in (way.reason, in_display(way.between))))
-    with_numbers(aligned(step.numbers, cache.LINE_WIDTH), f"{numbers_stated(numbers)}\n\n" if numbers else "")
+    with_numbers(aligned(step.numbers, cache.LINE_WIDTH), f"{stated(numbers)}\n\n" if numbers else "")
 
 
 def with_numbers(formula: str, stated: str = "") -> None:

@@ -6,7 +6,7 @@ What several visitors ask for at once, Streamlit computes once, while the others
 
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
@@ -14,7 +14,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.choices import ClosedForm, arithmetics, caching, closed_form, curve_sampling
-from ramanujan.accuracy.extremes import FORMS, Sweep, extremes
+from ramanujan.accuracy.extremes import Sweep, extremes
 from ramanujan.accuracy.general_solvers import EigenSweep, eigen_solvers
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import PhaseErrors, phase_errors
@@ -24,7 +24,7 @@ from ramanujan.figures import MASS_RATIO, Drawn
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import answer_tasks
-from ramanujan.pages.speed import downsampling, verdicts
+from ramanujan.pages.speed import downsampling
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.shell.cache import giving_way
 from ramanujan.translation import _
@@ -132,13 +132,6 @@ def choices() -> tuple[list[ClosedForm], dict, dict, dict]:
 def phases(machine: Oscillator) -> list[PhaseErrors]:
     """Return the phase errors after 1 … 1e15 periods; some hundredths of a second."""
     return phase_errors(machine)
-
-
-@st.cache_resource(show_spinner=False, max_entries=4 * len(ALONG))
-def forms_figure(name: str, colors: dict[str, str], _shown: Sequence[Sweep]) -> Drawn:
-    """Return the figure of what is varied, one of ALONG, with a precision, in the given colours."""
-    strips = {FORMS[sweep.form].title: verdicts.strip(sweep) for sweep in _shown}
-    return figures.forms(strips, quantity=ALONG[name.partition("_")[0]][1], colors=colors)
 
 
 @st.cache_resource(show_spinner=False, max_entries=64)

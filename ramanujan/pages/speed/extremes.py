@@ -9,6 +9,7 @@ from ramanujan import Oscillator
 from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATES
 from ramanujan.accuracy.extremes import FORMS, RIGHT, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
+from ramanujan.figures import speed as figures
 from ramanujan.numerals import duration, filled, number
 from ramanujan.pages.speed import cache, verdicts
 from ramanujan.pages.speed.downsampling import SCREEN_HEIGHT
@@ -83,7 +84,8 @@ def forms_at_extremes() -> list[Sweep]:
     sees = _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.")
     findings = "; ".join(map(verdicts.in_words, shown))
     with figure:
-        drawn = cache.forms_figure(name, theme.colors(), shown)
+        strips = {FORMS[each.form].title: verdicts.strip(each) for each in shown}
+        drawn = figures.forms(strips, quantity=cache.ALONG[along][1], colors=theme.colors())
         drawings.plot(drawn, "forms", sees.format(count=len(FORMS), findings=findings))
     with words:
         sentence = _(

@@ -17,7 +17,6 @@ from ramanujan import normalized_frequency_squared, number_theory
 from ramanujan.derivation.model import epsilon, equation
 from ramanujan.derivation.numbers import unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
-from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BodyChoice
 from ramanujan.shell.cache import giving_way, route
 
@@ -26,11 +25,6 @@ LARGEST_PART = 1000
 
 COUNTED_PART = 20
 """The largest p and q among the targets whose discriminants are counted."""
-
-
-# Building a figure costs more than everything else on the page; these depend on little.
-machine_grid = st.cache_resource(figures.machine_grid, show_spinner=False, max_entries=80)
-cube_counts = st.cache_resource(figures.cube_counts, show_spinner=False, max_entries=4)
 
 
 PAPER = BodyChoice()
@@ -92,7 +86,6 @@ def machines() -> tuple[BodyChoice, ...]:
     return tuple(number_theory.machines())
 
 
-@st.cache_resource(show_spinner=False)
 def practical_machines() -> list[tuple[Fraction, Fraction, float]]:
     """Return the first convergents of the paper's mass ratio, as machines to build for a workshop.
 
@@ -109,7 +102,6 @@ def quotients(terms: int = 12) -> list[int]:
     return number_theory.continued_fraction(*PAPER.quadratic, terms)
 
 
-@st.cache_data(show_spinner=False, max_entries=64)
 def curve(least: float, most: float) -> tuple[np.ndarray, np.ndarray]:
     """Return mass ratios and Ω²m/k of the paper's machine between two mass ratios."""
     ratios = np.geomspace(least, most, 121)

@@ -7,6 +7,7 @@ import streamlit as st
 
 from ramanujan import number_theory
 from ramanujan.browser import components, stage
+from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice
 from ramanujan.numerals import in_latex
 from ramanujan.pages.taxicab import cache
@@ -144,7 +145,7 @@ def forty_machines(chosen: BodyChoice) -> None:
     one, other = (machine.discriminant for machine in machines if len(machine.cubes) == 1)
     facts = {"count": len(machines), "best": best.discriminant, "one": one, "other": other}
     drawings.plot(
-        cache.machine_grid(
+        figures.machine_grid(
             [pair(*names) for names in pairs],
             [WORDS[body] for body in columns],
             [machine.discriminant for machine in machines],

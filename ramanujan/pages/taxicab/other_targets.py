@@ -6,7 +6,7 @@ from math import isqrt
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.figures.taxicab import level_crossing
+from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES
 from ramanujan.numerals import filled, number
 from ramanujan.pages.taxicab import cache
@@ -74,7 +74,7 @@ def the_curve() -> None:
     target: Fraction = story.machine.target
     present = machine.mass_ratio, machine.normalized_frequency_squared
     level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
-    figure = level_crossing(
+    figure = figures.level_crossing(
         *cache.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
@@ -215,7 +215,7 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
         "How many of {count} discriminants are sums of two positive cubes, by pair of lower rollers. The paper’s pair "
         "has the most. {sums}."
     )
-    figure = cache.cube_counts(labels, sums, at, theme.colors())
+    figure = figures.cube_counts(labels, sums, at, theme.colors())
     drawings.plot(figure, "counts", sees.format(count=paper.machines, sums=listed))
     counted = _(
         "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "
