@@ -32,6 +32,8 @@ window.requestAnimationFrame = (draw) => request(() => draw(performance.now()));
 CURSORS = """[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {layout, data}) =>
   sum + (layout.meta.cursor === 'orbit' ? data.length : 1), 0)"""
 """How many marks of the time the figures of the page should have."""
+TOPICS = ("machine", "time", "drawn", "seek", "story", "seen")
+"""What the bus may know of a stage."""
 
 
 def watched(tab: object) -> object:
@@ -56,7 +58,7 @@ def test_theme_and_page_changes_leave_nothing_behind(visit: Callable) -> None:
 
     def known(stage: str) -> set[str]:
         """What the bus knows of a stage; what stays on every page may listen for news of any."""
-        return {topic for topic in tab.evaluate("ramanujan.known()") if topic.endswith(f"/{stage}")}
+        return {topic for topic in TOPICS if tab.evaluate(f"ramanujan.last('{topic}/{stage}') !== undefined")}
 
     def heard() -> Counter:
         """How many listen for each topic."""

@@ -23,11 +23,6 @@ class Bus extends EventTarget {
   forget(topic) {
     this.#values.delete(topic);
   }
-
-  /** The topics of which something is known. */
-  known() {
-    return [...this.#values.keys()];
-  }
 }
 
 /** The bus is the app's only global, for tests and for the console. */

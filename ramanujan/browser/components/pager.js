@@ -40,7 +40,10 @@ class Pager {
     this.list.addEventListener("change", () => this.turn(this.list.selectedIndex - this.now));
     this.tell = atRest(TELL, () => component.setStateValue("at", this.now > 0 ? this.slides[this.now].name : ""), signal);
     // The window hears a key last, after the page itself has used it.
-    window.addEventListener("keydown", (event) => this.press(event), { signal });
+    window.addEventListener("keydown", (event) => {
+      const by = turnOf(event, { PageDown: 1, PageUp: -1 });
+      if (by && this.turn(by)) event.preventDefault();
+    }, { signal });
     bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first slide
     bus.publish("slides", { has: (by) => Boolean(this.slides[this.now + by]) });
     document.documentElement.dataset.pager = "";
@@ -94,10 +97,5 @@ class Pager {
     this.show(this.now + by);
     this.tell();
     return true;
-  }
-
-  press(event) {
-    const by = turnOf(event, { PageDown: 1, PageUp: -1 });
-    if (by && this.turn(by)) event.preventDefault();
   }
 }

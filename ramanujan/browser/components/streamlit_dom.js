@@ -218,10 +218,7 @@ export const dom = {
   main: () => document.querySelector("[data-testid=stMain]"),
 
   /** How far the page must scroll until its stage stands at the top, below the bar of pages; 0 where it has no stage. */
-  stageAway() {
-    const stage = document.querySelector("[class*=st-key-stage]");
-    return stage ? stage.getBoundingClientRect().top - 56 : 0;
-  },
+  stageAway: () => (document.querySelector("[class*=st-key-stage]")?.getBoundingClientRect().top ?? 56) - 56,
 
   isPageLink: (node) => Boolean(node.closest?.("[data-testid=stSidebarNavLink], [data-testid=stPageLink] a")),
 
