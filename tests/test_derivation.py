@@ -10,7 +10,7 @@ import sympy as sp
 from ramanujan import UNIT_MASS_RATIO, derivation
 from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
-from ramanujan.derivation.model import Machine, Omega_squared, equation, k, m, m_prime, machine
+from ramanujan.derivation.model import Machine, Omega_squared, equation, k, m, m_prime
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.rows import row
@@ -41,12 +41,6 @@ def test_heading_and_reason_are_there_and_hold_no_result(name, key):
     assert step.reason.count("$") % 2 == 0
     # One digit belongs to a formula such as 2Rφ or to "close to 1"; results have more, or a point, or a root.
     assert not re.search(r"\d\d|\d\.\d|\\frac\{\d|\\sqrt", step.heading + step.reason)
-
-
-def test_what_is_not_there_is_refused_by_name():
-    for known, name in ((ROUTES, "guess"), (ROUTES["newton"], "nope"), (machine(), "wheel")):
-        with pytest.raises(KeyError, match=name):
-            known[name]
 
 
 def test_routes_and_steps_show_themselves_in_a_notebook():

@@ -227,12 +227,6 @@ def test_the_samples_of_a_wrong_motion_are_those_of_its_run():
         assert len(shown["q"]) <= 1100
 
 
-def test_what_is_not_there_has_no_id():
-    for ask in (lesson.stop, lesson.task):
-        with pytest.raises(KeyError):
-            ask("nowhere")
-
-
 def test_every_wrong_option_has_a_reply_that_ends_in_a_question():
     for stop in lesson.STOPS:
         right = stop.answer()
