@@ -139,7 +139,6 @@ def check_control(page) -> None:
 
 FOCUSED = (
     "[data-testid=stExpander] summary",
-    ".st-key-route button",
     ".st-key-more button",
     ".st-key-question input",
     ".stTextInput input",

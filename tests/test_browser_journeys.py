@@ -224,10 +224,10 @@ def test_a_link_with_everything(at):
         visitor.page,
         """[
       [...root.querySelectorAll("[data-layer] input:checked")].map((box) => box.parentElement.dataset.layer).sort(),
-      root.querySelector(".speeds select").value, root.querySelector(".viewpoint").ariaPressed,
+      root.querySelector(".speeds select").value, root.querySelector(".viewpoint input").checked,
       Number(root.querySelector(".scrub input").value), root.querySelector(".machine > .plain")]""",
     )
-    assert shown == [["arrows", "traces"], "0.5", "true", pytest.approx(0.25, abs=1e-3), None]
+    assert shown == [["arrows", "traces"], "0.5", True, pytest.approx(0.25, abs=1e-3), None]
     angle = inside(visitor.page, "root.querySelector('.hand.machine').getAttribute('transform')")
     assert float(re.search(r"-?[\d.]+", angle)[0]) % 360 == pytest.approx(90, abs=0.1)
     assert visitor.find(".st-key-curve .nsewdrag") is None

@@ -141,7 +141,9 @@ def check_dragged_cursor(page):
     next_frame(page)
     assert slab_over_block(page) == pytest.approx(-8, abs=0.02)
     sent = len(page.frames_sent)
+    page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
+    page.keyboard.press("Escape")
     next_frame(page)
     assert float(slider.input_value()) == pytest.approx(13 / 48, abs=1e-3)
     # A click on a figure freezes the machine there; the line can be dragged.

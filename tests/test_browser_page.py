@@ -90,6 +90,7 @@ def test_what_happens_is_said_once_and_every_assumption_about_other_people_s_pag
 
     page.get_by_role("button", name="Pause", exact=True).click()
     heard("Paused.")
+    page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
     heard("periods after release, t =")
     page.locator(".st-key-aside summary").first.click()
@@ -167,6 +168,8 @@ def check_keys(page):
     """Check that arrow keys go through the controls of the stage, and move what is under them."""
     stage = page.locator(".st-key-stage")
     focused = f"{STAGE}.activeElement.getAttribute('aria-label') ?? {STAGE}.activeElement.textContent"
+    show = stage.get_by_role("button", name="Steps, speed, view")
+    show.press("Enter")
     stops = "root.querySelectorAll('.transport button[tabindex=\"0\"]').length"
     assert inside(page, stops) == 1
     stage.get_by_role("button", name="Release again").focus()
@@ -177,9 +180,8 @@ def check_keys(page):
     page.keyboard.press("ArrowRight")
     assert page.evaluate(focused) == "Release again"
     # What opens has the keys that the browser gives it.
-    show = stage.get_by_role("button", name="Show", exact=True)
-    show.press("Enter")
-    page.keyboard.press("Tab")
+    for _ in ("speed", "viewpoint", "energy"):
+        page.keyboard.press("Tab")
     page.keyboard.press("Space")
     assert inside(page, "root.querySelector('.energy').checkVisibility()")
     page.keyboard.press("Escape")
@@ -195,8 +197,8 @@ def test_the_stage_is_led_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path)
     page = visit(theme="dark")
     check_untold_stage(page)
     check_keys(page)
+    page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
-    page.get_by_role("button", name="Show", exact=True).click()
     page.get_by_role("checkbox", name="Forces").check()
     next_frame(page)
     files = {}

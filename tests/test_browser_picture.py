@@ -180,7 +180,7 @@ def check_floor(picture: Picture, drawn: dict, masses: dict[str, float], g: floa
 @ANY_ENGINE
 def test_seen_from_the_block_it_stands_still_and_rolling_is_seen(picture, some):
     """The floor moves then, and on a lower roller the velocities are 0, Rφ̇ and 2Rφ̇, whatever the block does."""
-    switch = "root.querySelector('.viewpoint').click()"
+    switch = "root.querySelector('.viewpoint input').click()"
     picture.layers("arrows")
     picture.find(switch)
     for machine, compression in some(machines(MACHINES)[-2:]):
@@ -530,7 +530,7 @@ def test_the_layer_of_coordinates_shows_signs_and_sizes(picture, some):
 
 @ANY_ENGINE
 def test_the_buttons_need_no_symbol_font(picture):
-    buttons = picture.find("""[...root.querySelectorAll(".transport button")].map((button) => {
+    buttons = picture.find("""[...root.querySelectorAll(".controls button:has(svg)")].map((button) => {
       const icons = [...button.querySelectorAll("svg")].filter((icon) => icon.checkVisibility());
       return [button.textContent.trim(), icons.length];
     })""")

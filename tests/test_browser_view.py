@@ -20,15 +20,13 @@ def test_a_link_keeps_all_that_is_seen(visit):
         node.closest("[style*='display: none']") ? []
           : ["transform", "d"].flatMap((name) => numbers(node.getAttribute(name))));
       const set = (node) =>
-        node.type === "checkbox" ? String(node.checked) : node.getAttribute("aria-pressed") ?? node.value;
+        node.type === "checkbox" ? String(node.checked) : node.value;
       return [...all(".controls :is(button, select, [type=checkbox])", set), ...lines.flat()];
     }}"""
     page = visit("motion?m_prime=0.4&glide=3", figures=False)
-    page.get_by_role("button", name="Show", exact=True).click()
-    for name in ("Velocities", "Weights", "Forces"):
+    page.get_by_role("button", name="Steps, speed, view").click()
+    for name in ("Velocities", "Weights", "Forces", "From the block"):
         page.get_by_role("checkbox", name=name).click()
-    page.keyboard.press("Escape")
-    page.get_by_role("button", name="From the block", exact=True).click()
     page.get_by_role("combobox", name="Speed").select_option("½×")
     for _ in range(31):
         page.get_by_role("button", name="Step forward").click()

@@ -54,7 +54,7 @@ def beside(widths: int | Sequence[float], *draw: Callable[[], Any]) -> list[Any]
     return values
 
 
-def count(key: Count, label: str, *, step: int = 1, width: int) -> int:
+def count(key: Count, label: str, *, step: int = 1, width: int | str) -> int:
     """Draw a box for a whole number, with the range that Streamlit's own box keeps to itself until it is left."""
     label = _("{label} ({least} to {most})").format(label=label, least=key.least, most=key.most)
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)

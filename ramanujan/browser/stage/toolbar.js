@@ -2,7 +2,6 @@
 
 import { finder } from "./parts.js";
 import { save } from "./save.js";
-import { set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 /**
@@ -18,11 +17,11 @@ export function listenToControls(root, stage, signal) {
     back: () => stage.step(-1),
     forward: () => stage.step(1),
     undo: () => stage.slab.undo(),
-    viewpoint: () => stage.setClock({ seenFrom: stage.clock.seenFrom === "block" ? "ground" : "block" }),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
-  const speed = root.querySelector(".speeds select");
+  const speed = root.querySelector(".speeds select"), fromBlock = root.querySelector(".viewpoint input");
   on(speed, "change", () => stage.setClock({ speed: Number(speed.value) }));
+  on(fromBlock, "change", () => stage.setClock({ seenFrom: fromBlock.checked ? "block" : "ground" }));
   for (const label of all("[data-layer]")) on(label, "change", () => stage.layer(label.dataset.layer));
   for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
   const scrub = root.querySelector(".scrub input");
@@ -60,6 +59,6 @@ export function showControls(root, { playing, speed, seenFrom }, layers) {
   root.querySelector(".stage").classList.toggle("playing", playing);
   find("[data-do=play]").setAttribute("aria-label", playing ? WORDS.pause : WORDS.play);
   find(".speeds select").value = speed;
-  set(find(".viewpoint"), { "aria-pressed": seenFrom === "block" });
+  find(".viewpoint input").checked = seenFrom === "block";
   for (const label of root.querySelectorAll("[data-layer]")) label.firstChild.checked = layers.has(label.dataset.layer);
 }

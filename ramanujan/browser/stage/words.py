@@ -125,12 +125,11 @@ TEXTS = {
     "speed": _("Speed"),
     "viewpoint": _("From the block"),
     "viewpoint_hint": _("Seen from the block, which then stands still"),
-    "show": _("Show"),
+    "show": _("Steps, speed, view"),
     "save": _("Save the picture:"),
     "svg": "SVG",
     "png": "PNG",
     "tikz": "TikZ",
-    "layers": _("Layers of the picture"),
 }
 """Slot of stage.html → its text."""
 

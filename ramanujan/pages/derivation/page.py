@@ -120,7 +120,7 @@ def choose(beside: DeltaGenerator | None) -> None:
     """Draw the choice of the route; the others are folded, but on a projector they stand beside the step."""
     hidden = {"label_visibility": "collapsed"}
     titles = {name: cache.route(name).title for name in ROUTE.options}
-    widgets.segmented_control(ROUTE, _("Route"), titles, wrap=True, on_change=start_over, **hidden)
+    widgets.selectbox(ROUTE, _("Route"), titles, on_change=start_over, **hidden)
     with beside or st.popover(_("Show"), icon=":material/tune:", key="more"):
         if not display_mode.is_projector():
             widgets.segmented_control(VIEW, _("How to show the steps"), **hidden)

@@ -167,7 +167,7 @@ def the_number_as_a_norm() -> None:
     ways = number_theory.represent_x2_plus_3y2(PAPER.discriminant)
     primes = [prime for prime, _power in PAPER.factorization]
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
-    written = " = ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
+    written = "$ $= ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
     sentence = ngettext(
         "**What it says about {number}.** There is {n} way to write it in this form: ${written}$.",
         "**What it says about {number}.** There are {n} ways to write it in this form: ${written}$.",
@@ -176,7 +176,7 @@ def the_number_as_a_norm() -> None:
     number, cubes = columns("ways")
     with number:
         st.markdown(sentence.format(number=PAPER.discriminant, n=len(ways), written=written))
-    factors = ",\\ ".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
+    factors = "$, $".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
     remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
     sentence = _(
         "Its prime factors are norms themselves: ${norms}$. Multiply these three, each with either sign of "
