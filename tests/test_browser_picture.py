@@ -530,6 +530,7 @@ def test_the_layer_of_coordinates_shows_signs_and_sizes(picture, some):
 
 @ANY_ENGINE
 def test_the_buttons_need_no_symbol_font(picture):
+    picture.find("root.querySelector('[popover]').showPopover()")
     buttons = picture.find("""[...root.querySelectorAll(".controls button:has(svg)")].map((button) => {
       const icons = [...button.querySelectorAll("svg")].filter((icon) => icon.checkVisibility());
       return [button.textContent.trim(), icons.length];

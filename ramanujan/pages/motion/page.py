@@ -35,7 +35,8 @@ def show() -> None:
     machine, compression = sidebar.oscillator(), sidebar.compression()
     with slide("machine", _("The machine")):
         picture, words = display_mode.picture_and_words()
-        with words:
+        asked, said = columns("opening")
+        with words, asked:
             st.title(_("Motion"), anchor=False)
             st.markdown(
                 _(
@@ -45,8 +46,7 @@ def show() -> None:
             )
         with picture:
             scene = st.container(key="without_dials")
-        said, set_by = columns("verdict")
-        with words, set_by:
+        with words:
             sliders = [partial(widgets.page_slider, each) for each in (GLIDE, SPIN, MU)]
             glide, spin, mu = widgets.beside(1 if display_mode.is_projector() else 3, *sliders)
         setting = (machine, compression, glide, spin)

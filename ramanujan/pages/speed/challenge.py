@@ -16,7 +16,7 @@ from ramanujan.lesson import Setting
 from ramanujan.lesson.answer_tasks import PERIODS, WITHIN
 from ramanujan.pages.lesson import tasks
 from ramanujan.pages.speed import cache, downsampling, verdicts
-from ramanujan.shell import address, drawings, sidebar, stages, theme, widgets
+from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.translation import _
 
 TASK = lesson.task("cheapest")
@@ -33,16 +33,15 @@ _SHOWN_IN = 12.0
 
 def draw() -> None:
     """Draw the challenge, and what came of it."""
-    st.title(_("Speed and accuracy"), anchor=False)
-    st.markdown(
-        _(
-            "**How accurate does a simulation have to be, and what does that cost?** Most simulations advance in small "
-            "time steps. This machine can also be solved exactly, so every error can be seen."
-        )
-    )
+    projector = display_mode.is_projector()
+    if projector:
+        introduce()
     words, picture = st.container(key="beside").columns([4, 5], gap="small")
     with words:
-        st.container(key="posed").markdown(TASK.text)
+        with st.container(key="posed"):
+            if not projector:
+                introduce()
+            st.markdown(TASK.text)
         with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall"):
             method = widgets.selectbox(METHOD, _("Method"), width="stretch")
             steps = widgets.count(STEPS, _("Steps per period"), width="stretch")
@@ -58,6 +57,17 @@ def draw() -> None:
             tried, steps = _last()
             with st.container(key="race_result"):
                 tasks.verdict(TASK, Setting(method=tried, steps=steps))
+
+
+def introduce() -> None:
+    """Say what the page asks."""
+    st.title(_("Speed and accuracy"), anchor=False)
+    st.markdown(
+        _(
+            "**How accurate does a simulation have to be, and what does that cost?** Most simulations advance in small "
+            "time steps. This machine can also be solved exactly, so every error can be seen."
+        )
+    )
 
 
 def machine() -> None:

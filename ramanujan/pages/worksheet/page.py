@@ -89,7 +89,7 @@ def choose() -> tuple[str, str, int]:
         level = widgets.selectbox(LEVEL, _("Guidance"), width=280)
         if not is_projector():
             st.button(_("New worksheet with its key"), on_click=make_worksheet)
-        st.caption(_("Another name makes another worksheet. Print this page with Ctrl+P or ⌘P, on A4 or Letter."))
+        st.caption(_("Another name makes another worksheet. Print this page with Ctrl+P or Cmd+P, on A4 or Letter."))
         if has_key and not is_projector():
             st.caption(
                 _("The address of this page contains the key. Save it for yourself: *Copy link* leaves the key out.")
