@@ -31,7 +31,7 @@ _MARKUP = {"turn": "steps"}
 @cache
 def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
-    patterns = ("**/*.js", *(f"components/{name}.css" for name in ("page", "projector", "type")), "**/*.woff2")
+    patterns = ("**/*.js", *(f"components/{name}.css" for name in ("page", "print", "projector", "type")), "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     markup = {"stage/stage": _markup("stage/stage", words.TEXTS, layer_boxes=_layer_boxes())}
     for name in (path.stem for path in offered if path.match("components/*.js")):
@@ -47,7 +47,7 @@ def contents() -> dict[str, bytes]:
     files = {path.relative_to(_HERE).as_posix(): path.read_bytes() for path in offered}
     # On paper a component is drawn in the light theme, whichever is shown.
     light = "".join(f"{name}: {color}; " for name, color in (_light() | {"--st-background-color": "#fff"}).items())
-    files["components/page.css"] += f"@media print {{ #root .stBidiComponent {{ &, * {{ {light}}} }} }}".encode()
+    files["components/print.css"] += f"#root .stBidiComponent {{ &, * {{ {light}}} }}".encode()
     return files | {name: text.encode() for name, text in written.items()}
 
 

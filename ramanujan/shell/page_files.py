@@ -194,7 +194,8 @@ def _with_own() -> bytes:
     scripts = (f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST)
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
     sheets = (name for name in names if name.endswith(".css"))
-    media = {"components/projector.css": ' media="not all"'}  # until pager.js lets it hold
+    # The projector's rules wait until pager.js lets them hold.
+    media = {"components/print.css": ' media="print"', "components/projector.css": ' media="not all"'}
     rules = (f'<link rel="stylesheet" href="{place}/{name}"{media.get(name, "")}>' for name in sheets)
     end = f"{''.join(rules)}{''.join(scripts)}</body>"
     page = _FONT.sub("".join(fonts).encode(), (_STREAMLIT / "index.html").read_bytes(), count=1)
