@@ -61,7 +61,9 @@ def finish(items: tuple[str, ...]) -> None:
         st.markdown(written)
         with st.container(horizontal=True, vertical_alignment="center", key="worksheet_choices"):
             widgets.download(_("Save this worksheet"), written, FILE, "text/markdown")
-            st.caption(_("Or print this page with Ctrl+P or Cmd+P. Your answers are kept until you close or reload it."))
+            st.caption(
+                _("Or print this page with Ctrl+P or Cmd+P. Your answers are kept until you close or reload it.")
+            )
 
 
 def written_worksheet(items: tuple[str, ...]) -> str:
