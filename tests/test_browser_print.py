@@ -125,7 +125,7 @@ def test_a_worksheet_fills_its_pages_and_its_lines_keep_apart(visit):
             for paper, (_width, width) in PAPERS.items():
                 check_worksheet(printed(page, paper), width)
             check_paper(page)
-    page.add_style_tag(content=".base { padding: 0 !important; }")
+    page.add_style_tag(content=".strut { margin: 0 !important; }")
     assert any(map(touching, printed(page, "A4"))), "the test does not see lines that touch"
 
 
