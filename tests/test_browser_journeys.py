@@ -198,8 +198,8 @@ def test_worksheet_on_paper(at):
     # Only one of three lets a test print: the rules for paper are taken for the screen.
     visitor.page.evaluate("""() => {
       const on = { screen: "not all", print: "all" };
-      const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-      for (const { media } of rules.filter((rule) => rule.media))
+      const sheets = [...document.styleSheets], rules = sheets.flatMap((sheet) => [...sheet.cssRules]);
+      for (const { media } of [...sheets, ...rules].filter((each) => each.media))
         media.mediaText = media.mediaText.replace(/^(screen|print)/, (word) => on[word]);
     }""")
     assert visitor.find("section[data-testid=stSidebar] *") is None
