@@ -124,7 +124,7 @@ MUTATIONS = [
     Mutation(
         "the speed menu is dead",
         "stage/toolbar.js",
-        "speed: Number(speed.value)",
+        "speed: Number(value)",
         "",
         "speed_menu",
     ),

@@ -3,13 +3,12 @@
 
 export default function ({ data }, signal) {
   const giveBack = ({ detail, target }) => {
-    const chosen = target.closest?.('[role="option"]');
     // A click that a key made has no detail. After such a click the focus has to stay.
-    if (!detail || !(chosen ?? target.closest?.(data.choices))) return;
-    // A group may give the focus back to the button that had it before the click. A menu that has opened keeps it.
+    if (!detail) return;
+    // A group may give the focus back to the button that had it before the click. An open menu keeps it until one has chosen.
     setTimeout(() => {
-      const held = document.activeElement;
-      if (held.closest(data.choices) && (chosen || held.ariaExpanded !== "true")) held.blur();
+      const held = document.activeElement, ready = held.ariaExpanded !== "true" || target.closest?.('[role="option"]');
+      if (ready && held.closest(data.choices)) held.blur();
     });
   };
   // In the capture phase, because the choices stop their clicks.

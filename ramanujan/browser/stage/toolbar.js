@@ -19,13 +19,12 @@ export function listenToControls(root, stage, signal) {
     undo: () => stage.slab.undo(),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
-  const speed = root.querySelector(".speeds select"), fromBlock = root.querySelector(".viewpoint input");
-  on(speed, "change", () => stage.setClock({ speed: Number(speed.value) }));
-  on(fromBlock, "change", () => stage.setClock({ seenFrom: fromBlock.checked ? "block" : "ground" }));
+  const use = (selector, type, handler) => on(root.querySelector(selector), type, ({ target }) => handler(target));
+  use(".speeds select", "change", ({ value }) => stage.setClock({ speed: Number(value) }));
+  use(".viewpoint input", "change", ({ checked }) => stage.setClock({ seenFrom: checked ? "block" : "ground" }));
+  use(".scrub input", "input", ({ value }) => stage.scrub(Number(value)));
   for (const label of all("[data-layer]")) on(label, "change", () => stage.layer(label.dataset.layer));
   for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
-  const scrub = root.querySelector(".scrub input");
-  on(scrub, "input", () => stage.scrub(Number(scrub.value)));
 
   on(root.querySelector(".stage"), "keydown", (event) => {
     if ((event.ctrlKey || event.metaKey) && event.key === "z" && stage.slab.undo()) event.preventDefault();
