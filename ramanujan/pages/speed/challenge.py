@@ -44,7 +44,7 @@ def draw() -> None:
             st.markdown(TASK.text)
         with st.container(horizontal=True, vertical_alignment="bottom", gap="xsmall"):
             method = widgets.selectbox(METHOD, _("Method"), width="stretch")
-            steps = widgets.count(STEPS, _("Steps per period"), width="stretch")
+            steps = widgets.count(STEPS, _("Steps per period"), width=190 if projector else "stretch")
         label = _("Run {periods} periods").format(periods=PERIODS)
         st.button(label, key="run", type="primary", icon=":material/play_arrow:", on_click=_try, args=(method, steps))
         st.markdown(verdicts.method_facts(METHODS[method], steps))
