@@ -1,11 +1,15 @@
 """The app under a finger: what is swiped over stays as it was, and sliders and machine are seen together."""
 
+from collections.abc import Callable
 from itertools import pairwise
 
 from playwright.sync_api import expect
 
-from tests.browser import next_frame, settle
+from tests.browser import settle
 
+SIZES = ((667, 375), (844, 390))
+"""Height and width of a small phone and of a usual one."""
+THUMB = ".st-key-m_prime [style*=left]"
 SCROLLED = "document.querySelector('[data-testid=stMain]').scrollTop"
 CENTRED = "(node) => node.scrollIntoView({ block: 'center' })"
 
@@ -20,7 +24,14 @@ class Phone:
     def box(self, selector: str) -> dict[str, float]:
         return self.page.locator(selector).first.bounding_box()
 
-    def swipe(self, place: dict[str, float], dx: float, dy: float, at: tuple[float, float] = (0.5, 0.5)) -> None:
+    def swipe(
+        self,
+        place: dict[str, float],
+        dx: float,
+        dy: float,
+        at: tuple[float, float] = (0.5, 0.5),
+        meanwhile: Callable[[], object] = lambda: None,
+    ) -> None:
         x, y = place["x"] + at[0] * place["width"], place["y"] + at[1] * place["height"]
         for n in range(13):
             points = [{"x": x + dx * n / 12, "y": y + dy * n / 12}]
@@ -28,6 +39,7 @@ class Phone:
                 "Input.dispatchTouchEvent", {"type": "touchMove" if n else "touchStart", "touchPoints": points}
             )
             self.page.wait_for_timeout(16)
+        meanwhile()
         self.client.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
         self.page.wait_for_timeout(400)
 
@@ -58,14 +70,27 @@ class Phone:
 
 def check_arrival(phone: Phone) -> None:
     """Check that question, button, slider, machine and clock are seen together, also on a small phone."""
-    for height, width in ((667, 375), (844, 390)):
-        phone.page.set_viewport_size({"width": width, "height": height})
-        next_frame(phone.page)
-        seen = (".st-key-story button", ".st-key-m_prime", ".st-key-stage svg.machine", ".st-key-stage svg.dial")
+    seen = (".st-key-story button", ".st-key-m_prime", ".st-key-stage svg.machine", ".st-key-stage svg.dial")
+    story = phone.page.locator(seen[0])
+
+    def check_seen() -> None:
         expect(phone.page.get_by_text("Two machines, one spring")).to_be_in_viewport(ratio=1)
         boxes = [phone.box(each) for each in seen]
         assert all(a["y"] + a["height"] <= b["y"] + 1 for a, b in pairwise(boxes))
-        assert boxes[-1]["y"] + boxes[-1]["height"] <= height
+        assert boxes[-1]["y"] + boxes[-1]["height"] <= phone.page.viewport_size["height"]
+
+    for height, width in SIZES:
+        phone.page.set_viewport_size({"width": width, "height": height})
+        phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_seen)
+        phone.page.emulate_media(reduced_motion="no-preference")
+        story.tap()
+        for said in ("Heavy rollers", "Lighter rollers"):
+            expect(phone.page.locator(".st-key-story .said")).to_contain_text(said)
+            check_seen()
+        story.tap()
+        expect(story).to_have_text("Bring them into step")
+        phone.page.emulate_media(reduced_motion="reduce")
+        settle(phone.page)
 
 
 def check_drawer(phone: Phone) -> None:
@@ -105,6 +130,34 @@ def check_return(phone: Phone) -> None:
     assert phone.box("svg.machine")["y"] >= 0
     phone.handle()
     phone.page.wait_for_function(f"Math.abs({SCROLLED} - 900) <= 2")
+
+
+def check_stop(phone: Phone) -> None:
+    """Check that a stop's button opens the drawer, and that machine, clock and slider are seen while a thumb moves."""
+    for name in ("Ahead by less than one full turn.", "Run the machine", "Change it with the sliders"):
+        phone.page.get_by_role("button", name=name).tap()
+        settle(phone.page)
+    handle, parting = phone.page.locator(".st-key-handle button"), phone.page.locator(".parting")
+    expect(handle).to_have_attribute("aria-expanded", "true")
+
+    def check_seen() -> None:
+        places = ("svg.machine", "svg.dial", "[data-testid=stSidebar]", ".st-key-m_prime .stSlider")
+        machine, dial, drawer, slider = map(phone.box, places)
+        assert machine["y"] >= 48
+        assert machine["y"] + machine["height"] <= dial["y"]
+        assert dial["y"] + dial["height"] <= drawer["y"] < slider["y"]
+        assert slider["y"] + slider["height"] <= phone.page.viewport_size["height"]
+        assert parting.inner_text() != before
+        for control in phone.page.locator(".controls > *").all():
+            box = control.bounding_box()
+            assert not box or box["y"] + box["height"] <= drawer["y"], control
+
+    for height, width in SIZES:
+        phone.handle()
+        phone.page.set_viewport_size({"width": width, "height": height})
+        phone.handle()
+        before = parting.inner_text()
+        phone.swipe(phone.box(THUMB), 30, 2, meanwhile=check_seen)
 
 
 def check_figure(phone: Phone) -> None:
@@ -150,3 +203,5 @@ def test_a_visit_with_one_finger(visit):
     check_figure(phone)
     phone.go_to("1729", ".st-key-cubes svg")
     check_cubes(phone)
+    phone.go_to("Lesson", "svg.dial")
+    check_stop(phone)

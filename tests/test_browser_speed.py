@@ -43,6 +43,7 @@ def test_a_run_is_drawn_no_control_is_cut_and_measuring_can_be_watched_stopped_a
     expect(label).to_contain_text(re.compile("Period [1-9]"), timeout=60_000)
     expect(result).to_be_hidden()
     page.emulate_media(reduced_motion="reduce")
+    expect(result).to_be_visible()
     page.get_by_role("radio", name="float32", exact=True).click()
     settle(page)
     assert "precision=float32" in page.url

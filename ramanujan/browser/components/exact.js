@@ -30,15 +30,18 @@ export default function (component, signal) {
     if (dom.isDragged(slider)) arrived();
     else if (slider && dom.value(slider) === goal && received.value !== goal) send(String(goal));
   }, signal);
+  const settle = (slider, value) => {
+    dom.snap(slider, value);
+    seen = slider.value;
+    before = dom.value(slider);
+  };
   const snap = () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
     if (!slider || slider.value === seen) return;
     const reach = dom.isDragged(slider) ? NEAR * dom.perPixel(slider) : keyed && before !== goal ? Number(slider.step) : 0;
     const near = Boolean(reach && goal) && Math.abs(slider.value - goal) <= reach;
-    dom.snap(slider, near ? goal : null);
+    settle(slider, near ? goal : null);
     keyed = false;
-    seen = slider.value;
-    before = dom.value(slider);
     if (near) arrived();
   };
   for (const type of ["keydown", "pointerup"])
@@ -73,6 +76,8 @@ export default function (component, signal) {
   }, { signal });
   bus.subscribe(`enter/${key}`, (text) => {
     bus.forget(`enter/${key}`);
+    const slider = dom.slider(key);
+    if (slider) settle(slider, Number(text));
     send(text);
   }, { signal });
   return () => {

@@ -41,6 +41,7 @@ export default function ({ data, parentElement }, signal) {
   const finish = () => {
     found = ended = true;
     tell(null);
+    say(said.there);
     bus.publish(`enter/${slider}`, String(goal()));
   };
   /** Stop where the slider is. */
@@ -74,6 +75,7 @@ export default function ({ data, parentElement }, signal) {
   const presses = (event) => event.composedPath().includes(button) && [undefined, " ", "Enter"].includes(event.key);
   const touched = (event) => scenes && !presses(event) && yieldTo();
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, touched, { capture: true, signal });
+  calm.addEventListener("change", () => scenes && begin(), { signal });
   signal.addEventListener("abort", () => {
     bus.forget(`goal/${slider}`);
     if (scenes) bus.publish(`story/${stage}`, null);

@@ -269,6 +269,7 @@ class Stage {
     this.still = this.calm.matches;
     this.clock.playing = !this.still && (wasStill || this.clock.playing);
     for (const stage of this.clock.stages) stage.showClock();
+    if (this.still && this.lapse && this.data.computed) this.race(null);
   }
 
   showClock() {

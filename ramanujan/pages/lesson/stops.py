@@ -204,7 +204,7 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
         else:
             reply = stop.reply(chosen)
             said = _("Your prediction was different. {reply}").format(reply=reply)
-            st.markdown(f":red[:material/cancel:] {own}\\\n{reply}")
+            st.markdown(f"{own}\\\n{said}")
         if phase == progress.MISSED:
             _moves(stop, chosen, _("Show the answer"), progress.ANSWERED)
         elif not right:
