@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 
 import streamlit as st
-from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan import UNIT_MASS_RATIO
 from ramanujan.browser import components, stage
@@ -79,7 +78,7 @@ def show() -> None:
 
 def the_route() -> Setting:
     """Draw the choices, the steps, and the machine beside them; on a projector all of them share one slide."""
-    setting, projector = the_setting(), display_mode.is_projector()
+    setting = the_setting()
     with slide("lecture", _("The steps")):
         st.title(_("Many ways to one frequency"), anchor=False)
         head = st.container(horizontal=True, vertical_alignment="center", key="choices")
@@ -91,11 +90,11 @@ def the_route() -> Setting:
         with steps, st.skeleton(height=_STEP_HEIGHT):
             cache.all_routes()
         with head:
-            choose(picture.container(horizontal=True) if projector else None)
+            choose()
             turn_pages(setting)
         with steps:
             the_steps(setting)
-    if not projector:
+    if not display_mode.is_projector():
         explain(setting)
         take_home(setting)
     return setting
@@ -116,12 +115,12 @@ def present() -> Numbers:
     return Numbers.of(sidebar.oscillator())
 
 
-def choose(beside: DeltaGenerator | None) -> None:
-    """Draw the choice of the route; the others are folded, but on a projector they stand beside the step."""
+def choose() -> None:
+    """Draw the choice of the route; the others are folded."""
     hidden = {"label_visibility": "collapsed"}
     titles = {name: cache.route(name).title for name in ROUTE.options}
     widgets.selectbox(ROUTE, _("Route"), titles, on_change=start_over, **hidden)
-    with beside or st.popover(_("Show"), icon=":material/tune:", key="more"):
+    with st.popover(_("Show"), icon=":material/tune:", key="more"):
         if not display_mode.is_projector():
             widgets.segmented_control(VIEW, _("How to show the steps"), **hidden)
         if not display_mode.hides("numbers"):

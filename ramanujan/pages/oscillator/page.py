@@ -267,7 +267,7 @@ def on_slides(steps: list[cache.SummaryStep]) -> None:
         for place, way in enumerate(step.ways):
             title = f"{n}{'abc'[place] if step.ways[1:] else ''}. {way.heading}"
             with slide(f"step_{n}{f'_{place + 1}' if place else ''}", title):
-                words, picture = st.columns([4, 3], gap="medium")
+                words, picture = st.columns([5, 4])
                 words.markdown(f"### {title}\n{way.reason}")
                 words.latex(way.equations)
                 with picture:
