@@ -141,5 +141,5 @@ def check_worksheet(pdf: PdfDocument, width: float) -> None:
     total = re.findall(r"Points\s+of (\d+)", texts[0])
     assert len(points) == 17
     assert sum(map(int, points)) == sum(map(int, total or points))
-    # A question is not torn: of 120 papers, one on Letter has two pages that are 0.782 full, and all others 0.8 or more.
+    # A question is not torn: of 120 papers, one on Letter has two pages that are 0.782 full; all others are 0.8 full.
     assert [share for share in map(filled, list(pdf)[:-1]) if share < 0.78] == []
