@@ -10,7 +10,7 @@ import gzip
 import re
 from base64 import b64encode
 from collections.abc import Callable, Hashable
-from functools import cache
+from functools import cache, partial
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -82,7 +82,7 @@ class PageFiles:
             if message["type"] == "http.response.start" and message["status"] == 200:
                 replaced = Headers(raw=message["headers"]).get("content-type", "").startswith("text/html")
                 if replaced:
-                    await (await _start_page(Headers(scope=scope)))(scope, receive, send)
+                    await (await _start_page(Headers(scope=scope), scope["path"]))(scope, receive, send)
             if not replaced:
                 await send(message)
 
@@ -127,11 +127,14 @@ async def _module(request: Request) -> Response:
     return await _packed(request.headers, name, lambda: content, headers) or Response(content, headers=headers)
 
 
-async def _start_page(asked: Headers) -> Response:
+async def _start_page(asked: Headers, path: str) -> Response:
     # It is never "not modified": with each comes the browser's name, if it has none.
     headers = {"content-type": "text/html; charset=utf-8", "cache-control": "no-cache", "vary": "accept-encoding"}
     headers |= {"content-security-policy": _policy(), "referrer-policy": "no-referrer"}
-    return await _packed(asked, "", _with_own, headers) or Response(_with_own(), headers=headers)
+    # A lesson begins with words alone, and a whole class loads it over one network.
+    has_formulas = not path.endswith("/lesson")
+    page = partial(_with_own, has_formulas=has_formulas)
+    return await _packed(asked, has_formulas, page, headers) or Response(page(), headers=headers)
 
 
 async def _packed(
@@ -178,7 +181,7 @@ def _policy() -> str:
     )
 
 
-def _with_own() -> bytes:
+def _with_own(*, has_formulas: bool) -> bytes:
     """Return Streamlit's start page with the app's own fonts, rules and modules.
 
     What a script of the app says about styles is read after the first headings are drawn, on a slow machine seconds
@@ -189,7 +192,7 @@ def _with_own() -> bytes:
     # Formulas are measured with KaTeX's letters: where these come late, lines change their length.
     letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
     kept = (f"./static/media/{each.name}" for each in _STREAMLIT.glob("static/media/*") if letters.match(each.name))
-    needed = (*(f"{place}/{name}" for name in names if "fonts/" in name), *kept)
+    needed = (*(f"{place}/{name}" for name in names if "fonts/" in name), *(kept if has_formulas else ()))
     fonts = (f'<link rel="preload" as="font" crossorigin href="{name}">' for name in needed)
     scripts = (f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST)
     # At the end: Streamlit adds its own rules to the head, and of two alike the later one counts.
