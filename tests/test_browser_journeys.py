@@ -204,7 +204,7 @@ def test_worksheet_on_paper(at):
     }""")
     assert visitor.find("section[data-testid=stSidebar] *") is None
     assert visitor.find("button") is None
-    picture, text = visitor.find(".st-key-worksheet_picture img"), visitor.find(".st-key-worksheet_picture")
+    picture, text = visitor.until(".st-key-worksheet_picture img"), visitor.until(".st-key-worksheet_picture")
     assert picture["width"] > 0.55 * text["width"]
     left, top = (picture[each] - picture[size] / 2 for each, size in (("x", "width"), ("y", "height")))
     whole = Image.open(BytesIO(visitor.page.screenshot())).convert("L")

@@ -200,8 +200,8 @@ def of_route(name: str, equal_masses: bool, numbers: Numbers | None) -> Iterator
     shown.append({})
     for number, key in enumerate(keys):
         step = partial(page.step.__wrapped__, name, number, numbers, equal_masses=equal_masses)
-        shown[-1][key] = equations(step().equations)
-        yield from ((key, line) for line in equations(plain(step(INKS).equations)))
+        shown[-1][key] = equations(step()[2])
+        yield from ((key, line) for line in equations(plain(step(INKS)[2])))
     assert all(each == of_rows for each in shown), (name, numbers)
     yield from ((key, line) for key in keys for line in of_rows[key])
 
@@ -224,7 +224,7 @@ def displayed(given: Masses | None) -> Iterator[tuple[str, str, bool, str]]:
     for (*_, key), step in zip(first_page.SUMMARY, first_page.summary.__wrapped__(numbers), strict=True):
         blocks = [
             *(shown for way in step.ways for shown in (way.between, way.equations)),
-            first_page.display(step.numbers),
+            first_page.aligned(step.numbers, first_page.LINE_WIDTH),
         ]
         of_blocks = [line for block in filter(None, blocks) for line in equations(block)]
         yield from (("euler_lagrange", key, False, line) for line in (*step.results, *of_blocks))

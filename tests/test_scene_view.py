@@ -110,7 +110,12 @@ def said(app) -> list[str]:
 
 @pytest.mark.parametrize(
     ("path", "folded"),
-    [("derivation", ["compression"]), ("motion", []), ("taxicab", ["k", "compression"]), ("speed", [])],
+    [
+        ("derivation", ["compression"]),
+        ("motion", []),
+        ("taxicab", ["k", "compression"]),
+        ("speed", ["compression"]),
+    ],
 )
 def test_a_slider_that_changes_nothing_but_the_machine_s_motion_is_folded_and_keeps_its_value(app, path, folded):
     held = {"k": 33.0, "compression": 3.0}

@@ -22,7 +22,7 @@ COMPARED = address.Choice("compare", {"own": _("your method"), "all": _("all met
 PERIODS = address.Choice("periods", cache.PERIODS, 30)
 PRECISION = address.Choice("precision", ("float64", "float32"), "float64")
 URL_PARAMETERS = (METHOD, STEPS, TRIES, COMPARED, PERIODS, PRECISION, COST, TOLERANCE, SWEEP)
-ASIDE = ("k", "compression")
+ASIDE = ("compression",)
 
 
 def show() -> None:
