@@ -206,6 +206,10 @@ ALONE = script("alone")
 
 
 BESIDE = "document.querySelector('.st-key-beside [data-testid=stBidiComponentIsolated]').shadowRoot"
+CUT_OFF = """() => [...document.querySelectorAll('.st-key-lecture .katex-display')].flatMap((box) =>
+  [...box.querySelectorAll('.sizing.reset-size6.size4')].map((part) => part.getBoundingClientRect())
+    .filter(({ right }) => right > box.getBoundingClientRect().right + 1))"""
+"""Parts of operations for which one would have to scroll."""
 INKS = """[...new Set([...document.querySelectorAll('.st-key-lecture .katex-html [style*="color"]')]
   .map((part) => part.style.color).filter(Boolean))].sort()"""
 
@@ -227,6 +231,7 @@ def walk(page, route: str, check=lambda: None) -> None:
         is_beside = formula["x"] + formula["width"] <= picture["x"]
         assert is_beside or formula["y"] >= picture["y"] + picture["height"] - 1
         assert is_beside or route != "euler_lagrange"
+        assert page.evaluate(CUT_OFF) == []
         check()
         if number < len(ROUTES[route].steps):
             page.keyboard.press("ArrowRight")

@@ -59,7 +59,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(epsilon, ratio),
         equation(Omega_squared * m / k, numerator / in_order(*terms)),
         equation(Omega_squared * m / k, unit.normalized_frequency_squared),
-        operations=(defined, rf"\div {latex(m)}", blackboard(_("one fraction"))),
+        operations=(defined, rf"\times {latex(m / k)}", blackboard(_("one fraction"))),
     )
     exactly_one = step(
         "unit",

@@ -291,6 +291,7 @@ def build(bodies: Machine) -> Route:
                 insert(Phi_ddot),
                 insert(X_ddot),
             ),
+            marks=tuple(term for term in both.as_ordered_terms() if term.has(Phi_ddot)),
         ),
         step(
             "contact",

@@ -3,6 +3,7 @@
 A row is its left side, its sign, the terms of its right side, and the decimal of a right side that is a number.
 """
 
+import math
 import re
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -28,6 +29,8 @@ _UNITS = {
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _SHORT, _SHORTEST = 8, 20
 """Characters of a left side that take no room from the right one, and of the shortest line of a right side."""
+_BELOW = r" \\[.15em] &"
+"""Begins a line for an operation."""
 _INVISIBLE = re.compile(r"\\textcolor\{#\w+\}|\\[a-zA-Z]+|\\,|[{}^_ ]")
 
 
@@ -161,7 +164,7 @@ def extent(formula: str) -> int:
     return len(_INVISIBLE.sub("", _COMMAND.sub("x", formula)))
 
 
-def aligned(shown: Sequence[Row], width: int, gap: str = ".5em") -> str:
+def aligned(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = math.inf) -> str:
     """Return rows as one display: aligned at the equals signs or, where some say … = 0, at the left; "" for none.
 
     Parameters
@@ -169,11 +172,13 @@ def aligned(shown: Sequence[Row], width: int, gap: str = ".5em") -> str:
     shown : the rows
     width : characters of a right side that fit into a line
     gap : room between equations
+    room : characters of an equation behind which its operation still stands; a longer one has it below
     """
     to_zero, beside = any(each.right == "0" for each in shown), widest(shown)
     # Behind broken lines a column of operations would be far away.
-    behind = "" if any(len(each.lines(width, beside)) > 1 for each in shown) else " &&"
-    lines = rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, behind) for each in shown)
+    broken = any(len(each.lines(width, beside)) > 1 for each in shown)
+    longest = 0 if broken else max((extent(each.right) for each in shown), default=0)
+    lines = rf" \\[{gap}] ".join(_marked(each, to_zero, width, beside, longest, room) for each in shown)
     return rf"\begin{{aligned}}{lines}\end{{aligned}}" if lines else ""
 
 
@@ -182,10 +187,10 @@ def widest(shown: Iterable[Row]) -> int:
     return max((extent(each.left) for each in shown), default=0)
 
 
-def _marked(shown: Row, to_zero: bool, width: int, beside: int, behind: str) -> str:
-    if to_zero:
-        return f"&{shown.latex}{shown.margin}"
-    first, *others = shown.lines(width, beside)
-    margin = f"{behind}{shown.margin}" if shown.margin else ""
-    lines = rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
-    return f"{lines}{margin}"
+def _marked(shown: Row, to_zero: bool, width: int, beside: int, longest: int, room: float) -> str:
+    first, *others = lines = shown.lines(width, beside)
+    made, taken, behind = f"&{shown.latex}", extent(shown.left + shown.right), ""
+    if not to_zero:
+        made = rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
+        taken, behind = beside + (longest or extent(lines[-1])), " &&" if longest else ""
+    return f"{made}{behind if taken <= room else _BELOW}{shown.margin}" if shown.margin else made

@@ -1,5 +1,6 @@
 """What page 2 keeps: the routes in symbols once for all, their steps as LaTeX, with and without the present masses."""
 
+import math
 from collections.abc import Mapping
 from functools import partial
 
@@ -23,8 +24,8 @@ from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way, route
 
-LINE_WIDTH = 34
-"""Characters of a formula that fit beside the machine; longer sums are broken."""
+LINE_WIDTH, _ROOM = 34, 37
+"""Characters of a formula that fit beside the machine, longer sums are broken; and with an operation behind it."""
 
 _MANY = 6
 """Lines of equations that stand closer together."""
@@ -44,12 +45,13 @@ def step(
     inks: Inks = (),
     *,
     equal_masses: bool = False,
+    wide: bool = False,
 ) -> tuple[str, str, str]:
     """Return heading, reason and equations of a step of a route, counted from 0, what belongs to a part in its ink."""
     symbolic = route(name, equal_masses).steps[number]
     said = symbolic.about(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return said.heading, said.reason, _aligned(shown)
+    return said.heading, said.reason, _aligned(shown, math.inf if wide else _ROOM)
 
 
 def all_routes() -> list[Route]:
@@ -161,7 +163,7 @@ def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, 
     return row(symbolic, numbers, highlight, label, dress)
 
 
-def _aligned(shown: list[Row]) -> str:
+def _aligned(shown: list[Row], room: float = _ROOM) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
     lines = sum(len(each.lines(LINE_WIDTH)) for each in shown)
-    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".15em")
+    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".15em", room)

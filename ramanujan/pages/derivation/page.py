@@ -186,7 +186,12 @@ def draw(setting: Setting, number: int) -> None:
     colors = theme.colors()
     inks = (*((part, colors[f"{part}_ink"]) for part in PARTS), ("cube", colors["primary"]))
     heading, reason, equations = cache.step(
-        setting.route, number - 1, setting.numbers, inks, equal_masses=setting.equal_masses
+        setting.route,
+        number - 1,
+        setting.numbers,
+        inks,
+        equal_masses=setting.equal_masses,
+        wide=display_mode.is_projector(),
     )
     is_last = setting.steps[number - 1].key == "root"
     if is_last:

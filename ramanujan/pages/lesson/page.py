@@ -110,7 +110,7 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
         line = (
             _("- **{heading}** – :green[:material/check_circle:] {right}")
             if chosen == stop.right
-            else _("- **{heading}** – You predicted: {chosen} :green[:material/check_circle:] Right: {right}")
+            else _("- **{heading}** – You predicted: {chosen} :green[**Right:**] {right}")
         )
         named = {"chosen": stop.options[chosen], "right": stop.options[stop.right]}
         lines.append(line.format(heading=stop.heading, **named))
