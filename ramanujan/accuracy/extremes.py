@@ -138,7 +138,7 @@ FORMS: dict[str, Form] = {
     "polynomial": Form(_("two polynomials"), "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)", frequency_squared),
     "scaled": Form(
         _("scaled by the larger mass"),
-        "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); else r = m/m′: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
+        "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); r = m/m′ < 1: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
         _scaled,
     ),
     "effective_mass": Form(_("effective mass"), "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
@@ -146,7 +146,9 @@ FORMS: dict[str, Form] = {
         _("partial fractions"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _partial_fractions
     ),
     "integers": Form(
-        _("exact integers"), "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in integers of any length, rounded once", _integers
+        _("exact integers"),
+        _("{formula} in integers of any length, rounded once").format(formula="8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)"),
+        _integers,
     ),
 }
 """The forms of Ω² by name; `normalized_frequency_squared` evaluates the last but one, `Oscillator` the last one."""

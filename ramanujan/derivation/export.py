@@ -23,7 +23,14 @@ _CHECK = _("The nonzero root of $\\det(K-\\omega^2M)=0$ must be the same $\\Omeg
 _DISTANCE = _("How far is this machine from the condition $\\Omega^2=k/m$?")
 # TRANSLATORS: the name of your language in LaTeX's package babel, such as ngerman.
 _BABEL = pgettext("LaTeX package babel", "english")
-_WORDS = "" if _BABEL == "english" else f"\\usepackage[T1]{{fontenc}}\n\\usepackage[{_BABEL}]{{babel}}\n"
+_WORDS = (
+    ""
+    if _BABEL == "english"
+    else (
+        "\\usepackage[T1]{fontenc}\n\\IfFileExists{lmodern.sty}{\\usepackage{lmodern}}{}\n"
+        f"\\usepackage[{_BABEL}]{{babel}}\n"
+    )
+)
 """How LaTeX divides words and sets letters that English does not have."""
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}

@@ -87,7 +87,7 @@ def program() -> str:
     """Return the program of the last stop, in JavaScript."""
     formula = FORMS["paper"].formula.replace("m′", "M").replace("²", "**2").replace("−", "-")
     formula = re.sub(r"(\d)([mMk(])", r"\1*\2", formula).replace(" - ", "\n    - ")
-    return f"const m = 1, k = 1;\nconst M = {HUGE:g};  // M is m′\nconsole.log(\n  {formula}\n);"
+    return f"const m = 1, k = 1;\nconst M = {HUGE:g};  // M = m′\nconsole.log(\n  {formula}\n);"
 
 
 STOPS = (

@@ -116,7 +116,7 @@ def show_momentum(motion: Record, drawn: tuple) -> None:
         chart(drawn[0], "momentum", filled(sees, all=-p_X, top=p_Phi / motion.oscillator.radius))
     sentence = _(
         "The bodies exchange momentum, but two momenta are conserved, because the Lagrangian contains neither $X$ nor "
-        "$\\Phi$. ${p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
+        "$\\Phi$. $-{p_X}$ is the momentum of the whole machine; $X$ is positive to the left, hence the minus sign. "
         "${p_Phi}$ is the angular momentum of the top cylinder about its line of contact with the block. Change the "
         "initial velocities and watch both lines move."
     )

@@ -1,0 +1,70 @@
+"""The app in its languages: nothing that a page, a stop or a task sends is English, and decimals have their mark."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from ramanujan import lesson
+from ramanujan.shell.navigation import PAGES
+from ramanujan.translation import LOCALE
+from tests.browser import ROOT
+from tests.catalogue import strings, template, texts, translated
+
+ENGLISH = re.compile(r"\b(the|of|and|with|are|this|from|to|not|has|it|which)\b", re.IGNORECASE)
+"""Words that every English sentence has, and no sentence in another language."""
+POINT = re.compile(r"(?<![\w./×-])\d+\.\d+(?![\w./])")
+PLACES = [(name, {}) for name in PAGES] + [
+    *(("lesson", {"stop": stop.id, "chosen": f"{stop.id}.{stop.right}"}) for stop in lesson.STOPS),
+    *(("lesson", {"part": "tasks", "task": task.id}) for task in lesson.TASKS),
+    ("worksheet", {"key": "yes"}),
+]
+SENT = """
+import json, sys
+from tests.test_addresses import opened
+from tests.test_scene_lesson import sent
+print(json.dumps([sent(opened(name, address)) for name, address in json.loads(sys.argv[1])]))
+"""
+
+
+def told(language: str) -> set[str]:
+    """Return all strings of the messages that an app in this language sends."""
+    command = [sys.executable, "-c", SENT, json.dumps(PLACES)]
+    environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=300, check=True)
+    return {text for page in json.loads(done.stdout) for line in page.splitlines() for text in inside(json.loads(line))}
+
+
+def inside(value: object) -> set[str]:
+    """Return the strings of a value, also of JSON in a string."""
+    if isinstance(value, dict | list):
+        return {text for each in (value.values() if isinstance(value, dict) else value) for text in inside(each)}
+    if isinstance(value, str) and value[:1] in ("{", "["):
+        try:
+            return inside(json.loads(value))
+        except ValueError:
+            pass
+    return {value} if isinstance(value, str) else set()
+
+
+@pytest.mark.parametrize("language", sorted(path.name for path in LOCALE.iterdir()))
+def test_nothing_that_is_sent_is_english(language):
+    messages = [each for each in translated(language) if each.id]
+    english = {text for each in messages for text in texts(each)} - {
+        text for each in messages for text in strings(each)
+    }
+    found = told(language)
+    # Keys of values are words without a capital; an array's bytes have no spaces.
+    labels = {text for text in found & english if not text.islower() or " " in text}
+    assert sorted({text for text in found if " " in text and ENGLISH.search(text)} | labels) == []
+    # A number alone is for a program.
+    assert sorted(text for text in found if POINT.search(text) and not text.replace(".", "").isdecimal()) == []
+    assert sum(bool(re.search(r"\d,\d", text)) for text in found) > 30
+
+
+def test_an_english_sentence_is_found_by_its_words():
+    long = [text for each in template() if each.id for text in texts(each) if len(text.split()) > 7]
+    assert sum(bool(ENGLISH.search(text)) for text in long) > 0.95 * len(long) > 500
