@@ -194,4 +194,4 @@ def test_a_machine_whose_motion_is_hidden_stands_still(bare):
     picture.page.keyboard.press("ArrowRight")
     picture.page.wait_for_timeout(200)
     assert slab(picture) == place
-    assert picture.find("root.querySelector('[data-do=play]')?.checkVisibility() ?? false") is False
+    assert picture.find("root.querySelector('[data-do=play], .show')?.checkVisibility() ?? false") is False

@@ -11,7 +11,7 @@ function partNodes(root) {
     clocks: `.dial, .key, ${SAID}`,
     numbers: `.gauge, .readouts, .legend b, .scales, ${SAID}`,
     plain: ".machine > .plain",
-    motion: [".trail, [data-do=play], .transport, .scrub, .speeds, .viewpoint, .scales", ...moving].join(", "),
+    motion: [".trail, [data-do=play], .transport, .scrub, .show, .speeds, .viewpoint, .scales", ...moving].join(", "),
     ...Object.fromEntries(layers),
   };
 }
