@@ -89,8 +89,8 @@ MUTATIONS = [
     Mutation(
         "the reference arrow is too long",
         "stage/layers.js",
-        "length = value * per[name]",
-        "length = 1.3 * value * per[name]",
+        "drawn(value * per[name])",
+        "drawn(1.3 * value * per[name])",
     ),
     Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
     Mutation(
