@@ -141,9 +141,10 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
     said = [
         _(
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
-            "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is ε = m′/m. "
-            "“Plain mass” means a mass m that oscillates on an equal spring, with the angular frequency √(k/m). The "
-            "block is displaced by X to the left. The lower rollers turn clockwise by φ, the top cylinder by Φ."
+            "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is "
+            "ε\u00a0=\u00a0m′/m. “Plain mass” means a mass m that oscillates on an equal spring, with the angular "
+            "frequency √(k/m). The block is displaced by X to the left. The lower rollers turn clockwise by φ, the top "
+            "cylinder by Φ."
         ),
         _("The machine of questions {first} to {last}: {values}.").format(
             first=calculations[0], last=calculations[-1], values=values
