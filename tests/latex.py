@@ -51,7 +51,9 @@ _TOKEN = re.compile(
 )
 _SIDE_BY_SIDE = re.compile(r"\d(?:\\,| )+\d")
 """Two numbers that a reader takes for one."""
-MARGIN = re.compile(r"(?: &&| \\\\\[\.15em\] &)?\\quad\\footnotesize\\vert\\ .*?(?= \\\\|\\end\{aligned|\n|$)")
+MARGIN = re.compile(
+    r"(?: &&| \\\\\[\.15em\] &| \\\\\n  &)?\\quad\\footnotesize\\vert\\ .*?(?= \\\\|\\end\{aligned|\n|$)"
+)
 """What stands behind an equation: the operation that leads to it."""
 _UNIT = re.compile(r"\\,\\mathrm\{(?:kg|s\^\{-2\})\}")
 

@@ -235,9 +235,8 @@ def test_the_stage_is_led_by_keys_and_saved_as_svg_png_and_tikz(visit, tmp_path)
     assert "$m'$" in tikz
     assert tikz.isascii()
     if ENGINE:
-        document = (
-            r"\documentclass{standalone}\usepackage{tikz}\usetikzlibrary{svg.path}\begin{document}%s\end{document}"
-        )
+        document = r"\documentclass{article}\usepackage{tikz}\usetikzlibrary{svg.path}\textwidth=50in\begin{document}%s"
+        document += r"\end{document}"
         assert "Overfull" not in typeset(document % tikz, tmp_path)
     # Plotly itself saves a figure.
     page.locator(".st-key-curve .modebar-btn", has_text="PNG").wait_for(state="attached")

@@ -11,7 +11,7 @@ import sympy as sp
 from ramanujan.derivation.nomenclature import DOTS, nomenclature
 from ramanujan.derivation.notebooks import BODIES, CHECK, DISTANCE, FREQUENCY
 from ramanujan.derivation.numbers import Numbers, stated
-from ramanujan.derivation.rows import Row, rows, widest
+from ramanujan.derivation.rows import Row, extent, rows, widest
 from ramanujan.derivation.steps import Route, Step
 from ramanujan.translation import _, pgettext
 
@@ -160,7 +160,7 @@ def prose_to_latex(text: str) -> str:
 def _latex_section(step: Step, numbers: Numbers | None) -> str:
     said, shown = step.about(numbers), rows(step, numbers)
     heading, reason = prose_to_latex(said.heading), prose_to_latex(said.reason)
-    return f"\\section{{{heading}}}\n{reason}\n{_display(_broken(shown, _LINE_WIDTH))}"
+    return f"\\section{{{heading}}}\n{reason}\n{_display(_broken(shown, _LINE_WIDTH), _LINE_WIDTH)}"
 
 
 def _slides(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
@@ -175,7 +175,7 @@ def _slides(step: Step, numbers: Numbers | None) -> list[tuple[str, str, str]]:
         if used and used + len(lines) > most:
             parts.append([])
         parts[-1].append((row, lines))
-    heading, texts = prose_to_latex(said.heading), [_display(part) if part else "" for part in parts]
+    heading, texts = prose_to_latex(said.heading), [_display(part, _SLIDE_WIDTH) if part else "" for part in parts]
     texts[0] = f"{prose_to_latex(said.reason)}\n{texts[0]}"
     labels = (step.key, *(f"{step.key}-{number}" for number in range(2, len(texts) + 1)))
     return [(label, heading, text) for label, text in zip(labels, texts, strict=True)]
@@ -186,12 +186,13 @@ def _broken(shown: list[Row], width: int) -> list[tuple[Row, list[str]]]:
     return [(each, each.lines(width, widest(shown))) for each in shown]
 
 
-def _display(broken: list[tuple[Row, list[str]]]) -> str:
-    """Return rows as left &= right, a long sum broken into lines."""
-    equations = " \\\\\n".join(
-        f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) + row.margin for row, lines in broken
-    )
-    return f"\\begin{{align*}}\n{equations}\n\\end{{align*}}\n"
+def _display(broken: list[tuple[Row, list[str]]], width: int) -> str:
+    """Return rows as left &= right, a long sum broken into lines; an operation without room behind stands below."""
+    equations = []
+    for row, lines in broken:
+        below = " \\\\\n  &" if extent(lines[-1] + row.margin) > width else ""
+        equations.append(f"  {row.left} &= " + " \\\\\n  &\\quad ".join(lines) + below + row.margin)
+    return "\\begin{align*}\n" + " \\\\\n".join(equations) + "\n\\end{align*}\n"
 
 
 def _markdown_section(number: int, step: Step, numbers: Numbers | None) -> str:
