@@ -15,6 +15,7 @@ English. The pseudo-language shows what no catalogue could reach: the same sente
 import gettext
 import os
 import re
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -81,6 +82,7 @@ class Offered(NamedTuple):
     spoken: bool
 
 
+@cache
 def offered() -> list[Offered]:
     """Return the languages that RAMANUJAN_LANGUAGES names with the places of their servers, such as en:/,hu:/hu/."""
     named = [each.split(":", 1) for each in filter(None, os.environ.get("RAMANUJAN_LANGUAGES", "").split(","))]

@@ -17,6 +17,7 @@ import sympy as sp
 from ramanujan.answers.formulas import is_number, leaves, replaced, weights
 from ramanujan.answers.spelling import Token, UnreadableError, plain, tokens
 from ramanujan.derivation.printers import latex
+from ramanujan.numerals import in_latex
 from ramanujan.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_EXPONENT, MAX_WEIGHT = 320, 20, 12, 120
@@ -187,7 +188,7 @@ class _Reader:
         if is_number(token):
             if is_number(self.next):
                 raise UnreadableError(_("Two numbers follow each other. Write a sign between them."))
-            return _Part(token, str(token) if isinstance(token, sp.Symbol) else latex(token))
+            return _Part(token, in_latex(str(token)) if isinstance(token, sp.Symbol) else latex(token))
         if token == "sqrt":
             return self.root()
         if token == "frac":

@@ -9,7 +9,6 @@ import streamlit as st
 from ramanujan.answers import QUESTIONS, question
 from ramanujan.answers.questions import EQUATION
 from ramanujan.browser import stage
-from ramanujan.numerals import in_latex
 from ramanujan.pages.derivation import cache
 from ramanujan.shell import address, sidebar, stages, widgets
 from ramanujan.translation import _
@@ -126,7 +125,7 @@ def pose(name: str, with_step: bool, place: str = "") -> None:
         verdict, read = cache.verdict(name, text), cache.as_read(text, asked.kind == EQUATION)
         box, icon = VERDICTS[verdict.kind]
         if read:
-            st.latex(in_latex(read))
+            st.latex(read)
         box(widgets.plain(verdict.message), icon=icon)
     if not place and widgets.hints(name, asked.hints, _("Show me this step") if with_step else ""):
         st.latex(cache.step_to_answer(name))
