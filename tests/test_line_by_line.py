@@ -4,6 +4,7 @@ A function with the name of a step repeats its operation by plain SymPy, on the 
 what must vanish. That the equations of all routes are true is for test_my_numbers.
 """
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -74,9 +75,10 @@ def elimination(at: Lines) -> list[sp.Expr]:
 
 
 def insertion(at: Lines) -> list[sp.Expr]:
-    with_block, *divided = at("insertion")
+    with_block, collected, *divided = at("insertion")
     return [
         difference(with_block) - difference(at("motion")[1]).subs(known(at("elimination"))),
+        difference(collected) - difference(with_block),
         *(same_zero(e, with_block) for e in divided),
         *(difference(e).diff(phi_ddot) - 1 for e in divided),
     ]
@@ -114,7 +116,7 @@ def root(at: Lines) -> list[sp.Expr]:
 
 def ratio(at: Lines) -> list[sp.Expr]:
     definition, in_parts, together = at("ratio")
-    denominator = at("insertion")[1].lhs.diff(phi)
+    denominator = at("insertion")[2].lhs.diff(phi)
     return [
         definition.rhs - m_prime / m,
         (in_parts.rhs.subs(epsilon, definition.rhs) - denominator * m / k),
@@ -141,21 +143,41 @@ def lines(masses: str, key: str = "", place: int = 0) -> Lines:
 
 
 FACTORS = {
-    ("motion", 1): ("rates", 1, r"\text{cancel $%s$}"),
-    ("motion", 2): ("rates", 2, r"\text{cancel $%s$}"),
-    ("elimination", 1): ("motion", 0, r"\times %s"),
-    ("unit", 2): ("unit", 1, r"\times \left(%s\right)"),
-    ("root", 1): ("root", 0, r"\times %s"),
+    ("euler_lagrange", "motion", 1): ("rates", 1),
+    ("euler_lagrange", "motion", 2): ("rates", 2),
+    ("euler_lagrange", "elimination", 1): ("motion", 0),
+    ("euler_lagrange", "ratio", 1): ("frequency", 1),
+    ("euler_lagrange", "unit", 2): ("unit", 1),
+    ("euler_lagrange", "root", 1): ("root", 0),
+    ("hamilton", "frequency", 2): ("reduction", 1),
+    ("newton", "friction", 4): ("torques", 2),
+    ("energy", "quotient", 0): ("energies", 2),
+    ("energy", "quotient", 1): ("energies", 1),
+    ("energy", "frequency", 1): ("quotient", 0),
+    ("energy", "spring_mass", 0): ("frequency", 0),
+    ("energy", "bound", 1): ("quotient", 0),
 }
-"""Step and place of a line → the line before it, and how its operation names their quotient."""
+"""Route, step and place of a line whose operation names a factor → step and place of the line that it changes."""
+NAMED = re.compile(r"\\(times|div) (.+)|\\text\{cancel \$(?!8)(.+)\$\}")
 
 
-@pytest.mark.parametrize(("key", "place"), FACTORS)
-def test_a_factor_that_is_named_is_the_one_between_two_lines(key, place):
-    (before, at, named), route = FACTORS[key, place], ROUTES["euler_lagrange"]
-    one, other = difference(route[before].equations[at]), difference(route[key].equations[place])
-    quotient = one / other if "cancel" in named else other / one
-    assert route[key].operations[place] == named % latex(sp.factor(quotient))
+def test_every_factor_that_is_named_is_the_one_between_two_lines():
+    steps = {(name, step.key): step for name in ROUTES for step in ROUTES[name].steps}
+    named = {
+        (*key, place): match for key, step in steps.items() for place, said in enumerate(step.operations)
+        if (match := NAMED.fullmatch(said))
+    }  # fmt: skip
+    assert named.keys() == FACTORS.keys()
+    for (name, key, place), match in named.items():
+        one, other = steps[name, FACTORS[name, key, place][0]], steps[name, key].equations[place]
+        one = one.equations[FACTORS[name, key, place][1]]
+        quotients = [
+            sp.factor(before / after if match[1] != "times" else after / before)
+            for before, after in ((difference(one), difference(other)), *zip(one.args, other.args, strict=True))
+            if before != 0 != after
+        ]
+        said = (match[2] or match[3]).removeprefix(r"\left(").removesuffix(r"\right)")
+        assert said.replace(r"\tfrac12", "") in {latex(q * (2 if "tfrac12" in said else 1)) for q in quotients}, said
 
 
 @pytest.mark.parametrize(("masses", "key"), STEPS)

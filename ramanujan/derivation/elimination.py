@@ -17,8 +17,8 @@ class Elimination:
 
     `momenta` are p = ∂ℒ/∂q̇ and `forces` ∂ℒ/∂q by coordinate; `motion` is ṗ − ∂ℒ/∂q (left side of … = 0), divided by
     the `common` factor of its terms. `merged` are the three lines that eliminate Φ̈: `times` the X equation has a term
-    that the first line replaces, `replaced` are that term and what comes in its place. The others are Φ̈ in terms of
-    Ẍ, Ẍ and Φ̈ in terms of φ̈, the φ equation as it is after insertion and with like terms gathered, and Ω².
+    that the first line replaces. The others are Φ̈ in terms of Ẍ, Ẍ and Φ̈ in terms of φ̈, the φ equation as it is
+    after insertion and with like terms gathered, and Ω².
     """
 
     lagrangian: sp.Expr
@@ -27,7 +27,6 @@ class Elimination:
     common: dict[sp.Expr, sp.Expr]
     motion: dict[sp.Expr, sp.Expr]
     times: sp.Rational
-    replaced: tuple[sp.Expr, sp.Expr]
     merged: tuple[sp.Eq, ...]
     Phi_from_X: sp.Expr
     X_from_phi: sp.Expr
@@ -80,10 +79,8 @@ def eliminate(bodies: Machine) -> Elimination:
     )
 
 
-def _merged(
-    motion: dict[sp.Expr, sp.Expr],
-) -> tuple[sp.Rational, tuple[sp.Expr, sp.Expr], tuple[sp.Eq, ...]]:
-    """Return the factor of the X equation, the term that goes and the one that comes, and three lines.
+def _merged(motion: dict[sp.Expr, sp.Expr]) -> tuple[sp.Rational, tuple[sp.Eq, ...]]:
+    """Return the factor of the X equation, and three lines.
 
     These are the Φ equation solved for its term in Φ̈, that multiple of the X equation, and it with the term replaced.
     """
@@ -91,13 +88,12 @@ def _merged(
     by_X = of_Phi - motion[Phi]
     times, share = (-motion[Phi].coeff(Phi_ddot) / motion[X].coeff(Phi_ddot)).as_coeff_Mul()
     block, rollers = (sp.factor(times * motion[X].coeff(a)) * a for a in (X_ddot, phi_ddot))
-    goes, comes = -of_Phi / share, -sp.cancel(by_X / share)
     lines = (
         equation(of_Phi, by_X),
-        equation(in_order(block, goes), -rollers),
-        equation(in_order(block, comes), -rollers),
+        equation(in_order(block, -of_Phi / share), -rollers),
+        equation(in_order(block, -sp.cancel(by_X / share)), -rollers),
     )
-    return times, (goes, comes), lines
+    return times, lines
 
 
 @dataclass(frozen=True)

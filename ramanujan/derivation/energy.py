@@ -57,6 +57,8 @@ def build(bodies: Machine) -> Route:
     frequency = sp.factor(stiffness / least)
     curvature = sp.ImmutableMatrix(sp.hessian(inertia, (xi, eta)))
     path, speed = R * phi, R * phi.diff(t)
+    by_xi, by_eta = (gather(inertia.diff(share), (xi, eta)) for share in (xi, eta))
+    (eta_from_xi,) = sp.solve(by_eta, eta)
     steps = (
         energies_step(
             bodies,
@@ -88,12 +90,19 @@ def build(bodies: Machine) -> Route:
                 "positive definite, since its upper left entry and its determinant are positive. So the inertia is "
                 "least there."
             ),
-            *(equation(gather(inertia.diff(share), (xi, eta)), sp.S.Zero) for share in (xi, eta)),
+            equation(by_eta, sp.S.Zero),
+            equation(eta, eta_from_xi),
+            equation(by_xi, sp.S.Zero),
+            equation(gather(by_xi.subs(eta, eta_from_xi), (xi,)), sp.S.Zero),
             *(equation(share, shares[share]) for share in (xi, eta)),
             equation(sp.Determinant(curvature), sp.factor(curvature.det())),
             operations=(
-                *(rf"\partial/\partial {latex(share)}" for share in (xi, eta)),
-                *(solve_for(share) for share in (xi, eta)),
+                rf"\partial/\partial {latex(eta)}",
+                solve_for(eta),
+                rf"\partial/\partial {latex(xi)}",
+                insert(eta),
+                solve_for(xi),
+                insert(xi),
                 blackboard(_("second derivatives")),
             ),
         ),

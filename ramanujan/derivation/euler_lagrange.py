@@ -29,9 +29,8 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the steps from ℒ to Ω²."""
     zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
     above, below = sp.fraction(result.merged[0].lhs)
-    before_and_after = zip(result.motion[phi].as_ordered_terms(), result.inserted.args, strict=True)
     oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
-    numerator, terms = result.quotient
+    (numerator, terms), spring = result.quotient, result.motion[phi].coeff(phi)
     return (
         step(
             "lagrangian",
@@ -71,7 +70,6 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             operations=tuple(
                 "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
             ),
-            marks=tuple(-sp.cancel(force / result.common[q]) for q, force in result.forces.items() if force != 0),
         ),
         step(
             "elimination",
@@ -91,17 +89,21 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
                 solve_for(X_ddot),
                 insert(X_ddot),
             ),
-            marks=result.replaced,
         ),
         step(
             "insertion",
             _("Insert the block’s acceleration"),
             _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
             equation(result.inserted, zero),
+            equation(in_order(spring * phi, spring / numerator * in_order(*terms) * phi_ddot), zero),
             equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
-            operations=(insert(X_ddot), blackboard(_("collect {what}"), phi_ddot), blackboard(_("one fraction"))),
-            marks=tuple(after for before, after in before_and_after if before.has(X_ddot)),
+            operations=(
+                insert(X_ddot),
+                blackboard(_("collect {what}"), phi_ddot),
+                blackboard(_("divide by the factor of {what}"), phi_ddot),
+                blackboard(_("one fraction")),
+            ),
         ),
         step(
             "frequency",

@@ -79,7 +79,6 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
             rf"\times \left({latex(below)}\right)",
             blackboard(_("collect {what}"), epsilon),
         ),
-        marks=(numerator,),
     )
     (a, b, c), square = unit.quadratic.all_coeffs(), unit.completed_square
     sums = sums_of_two_cubes(int(unit.discriminant))
@@ -128,7 +127,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
                 "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
                 "too small, and your machine oscillates faster than a plain mass."
             )
-        return replace(exactly_one, reason=reason, equations=leaves, operations=(insert(epsilon),) * 2, marks=())
+        return replace(exactly_one, reason=reason, equations=leaves, operations=(insert(epsilon),) * 2)
 
     distance = replace(
         root,

@@ -198,7 +198,8 @@ def build(bodies: Machine) -> Route:
     X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
     both = gather(-(block + slab))
     (Phi_from_X,) = sp.solve(top, Phi_ddot)
-    (X_from_phi,) = sp.solve(both.subs(Phi_ddot, Phi_from_X), X_ddot)
+    without_Phi = gather(both.subs(Phi_ddot, Phi_from_X))
+    (X_from_phi,) = sp.solve(without_Phi, X_ddot)
     steps = (
         step(
             "rolling",
@@ -283,15 +284,16 @@ def build(bodies: Machine) -> Route:
             ),
             equation(Phi_ddot, Phi_from_X),
             equation(both, sp.S.Zero),
+            equation(without_Phi, sp.S.Zero),
             equation(X_ddot, sp.factor(X_from_phi)),
             equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
             operations=(
                 solve_for(Phi_ddot),
                 blackboard(_("add both")),
                 insert(Phi_ddot),
+                solve_for(X_ddot),
                 insert(X_ddot),
             ),
-            marks=tuple(term for term in both.as_ordered_terms() if term.has(Phi_ddot)),
         ),
         step(
             "contact",

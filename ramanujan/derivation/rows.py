@@ -5,7 +5,7 @@ A row is its left side, its sign, the terms of its right side, and the decimal o
 
 import math
 import re
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -104,8 +104,10 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     # An operation that leads to several lines stands at the first of them.
     once = ("" if above == each else each for above, each in pairwise(("", *(said.operations or none))))
     found = {}
-    for equation, label, operation in zip(said.equations, said.labels or none, once, strict=True):
-        dress = _underlined(equation, said.marks)
+    for equation, label, operation, places in zip(
+        said.equations, said.labels or none, once, said.marks or none, strict=True
+    ):
+        dress = tuple((*place, r"\underline") for place in sorted(places))
         made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
         found.setdefault(made, replace(made, operation=operation))
     return list(found.values())
@@ -130,16 +132,6 @@ def row(
         sides[side][place] = rf"{sign}{command}{{{term}}}"
     labelled = [rf"{label}:\ ", *left] if label else left
     return Row("".join(labelled), tuple(right), _value(equation, numbers) if numbers else "")
-
-
-def _underlined(equation: sp.Eq, marks: Collection[sp.Expr]) -> Dress:
-    """Return the dress of the terms of an equation that are marked."""
-    return tuple(
-        (side, place, r"\underline")
-        for side, expression in enumerate(equation.args if marks else ())
-        for place, term in enumerate(template(expression, with_slots=False).terms)
-        if term in marks
-    )
 
 
 def side_terms(side: sp.Basic, numbers: Numbers | None = None, highlight: Highlight = ()) -> list[str]:

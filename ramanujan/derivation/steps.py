@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from ramanujan.derivation.marks import Places, marks
 from ramanujan.derivation.model import Machine, m, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
@@ -31,7 +32,7 @@ class Step:
         condition. None where numbers can be put into the equations themselves.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     operations : LaTeX in the margin of each equation: what leads to it, in the words of a blackboard; or none
-    marks : the terms that an operation takes out or brings in
+    marks : the terms of each equation that an operation takes out, brings in or moves; its route finds them
     """
 
     key: str
@@ -41,7 +42,7 @@ class Step:
     special: Callable[[Numbers], "Step"] | None = None
     labels: tuple[str, ...] = ()
     operations: tuple[str, ...] = ()
-    marks: tuple[sp.Expr, ...] = ()
+    marks: tuple[Places, ...] = ()
 
     def about(self, numbers: Numbers | None) -> "Step":
         """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
@@ -121,8 +122,14 @@ class Routes(UserDict[str, Route]):
         """Return a decorator that enters a function, which derives a route from the bodies, under a name."""
 
         def enter(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
-            self.data[name] = cache(build)
+            self.data[name] = cache(lambda bodies: with_marks(build(bodies)))
             return build
+
+        def with_marks(route: Route) -> Route:
+            found = marks([step.equations for step in route.steps])
+            return replace(
+                route, steps=tuple(replace(step, marks=own) for step, own in zip(route.steps, found, strict=True))
+            )
 
         return enter
 

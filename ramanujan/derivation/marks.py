@@ -1,0 +1,114 @@
+"""Which terms of an equation its operation takes out, brings in or moves to the other side: SymPy compares the lines.
+
+A line comes from the one above it or from one of an earlier step. That is proved: what the changed terms differ by is
+zero, perhaps after what the step defines is inserted, or a multiple of another line.
+"""
+
+from collections.abc import Collection, Sequence
+from functools import cache
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from ramanujan.derivation.model import R
+from ramanujan.derivation.templates import GIVEN, template
+
+_CONSTANTS = {*GIVEN, R}
+_FEW = 2
+"""Terms that an operation changes; one that changes more concerns the whole line, and marks nothing."""
+
+Equations = Sequence[sp.Eq]
+Places = frozenset[tuple[int, int]]
+"""Terms of an equation, each by its side, 0 or 1, and its place on it."""
+
+
+def marks(steps: Sequence[Equations]) -> tuple[tuple[Places, ...], ...]:
+    """Return, for each equation of each step of a route, the terms that change.
+
+    >>> x, y, z = (sp.Function(name)(sp.Symbol("t")) for name in "xyz")
+    >>> lines = [sp.Eq(y, z), sp.Eq(x + y, 1), sp.Eq(x + z, 1)]
+    >>> [[sorted(places) for places in found] for found in marks([lines])]
+    [[[], [(0, 1)], [(0, 1)]]]
+    """
+    found = [[frozenset() for _line in step] for step in steps]
+    for n, step in enumerate(steps):
+        before = [line for earlier in steps[:n] for line in earlier]
+        for at, line in enumerate(step):
+            above = step[max(at - 1, 0) : at]
+            for source in (*above, *reversed(before)):
+                changed = _changed(source, line, step, (*before, *step))
+                if changed:
+                    found[n][at] |= changed[1]
+                    if source in above and found[n][at - 1] | changed[0] < _terms(source).keys():
+                        found[n][at - 1] |= changed[0]
+                    break
+    return tuple(map(tuple, found))
+
+
+def _changed(source: sp.Eq, line: sp.Eq, step: Equations, known: Equations) -> tuple[Places, Places] | None:
+    """Return which terms of the source change and which of the line, or None if the line does not come from it."""
+    old, new = _terms(source), _terms(line)
+    factor = _factor(source, line)
+    times = (lambda term, factor: term) if factor == 1 else (lambda term, factor: sp.factor(factor * term))
+    expected = {place: times(term, factor) for place, term in old.items()}
+    kept: dict[tuple[int, int], tuple[int, int]] = {}
+    for place, term in new.items():
+        same = [each for each in old.keys() - kept.values() if expected[each] == times(term, 1)]
+        if same:
+            kept[place] = min(same, key=lambda each: (each[0] != place[0], each))
+    alone = {side for side in (0, 1) if sum(place[0] == side for place in new) == 1}
+    goes, comes = old.keys() - kept.values(), new.keys() - kept.keys()
+    if all(side in alone for side, _place in kept) or len(comes) > _FEW:
+        return None
+    gained = sp.Add(*(new[place] for place in comes), *(-factor * old[place] for place in goes))
+    if not _vanishes(gained, [each for each in step if each not in (source, line)], known):
+        return None
+    moved = {place for place, before in kept.items() if place[0] != before[0]}
+    return frozenset(goes if len(goes) <= _FEW else ()), frozenset(comes if goes or comes else moved)
+
+
+def _factor(source: sp.Eq, line: sp.Eq) -> sp.Expr:
+    """Return what a line is times its source, or 1 if it is no multiple of it."""
+    is_like = _unknowns(source) == _unknowns(line) and source.free_symbols >= line.free_symbols
+    return _ratio(_difference(line), _difference(source)) or sp.S.One if is_like else sp.S.One
+
+
+def _vanishes(gained: sp.Expr, step: Equations, known: Equations) -> bool:
+    """Tell whether an expression is zero because of a known equation, or of what the step defines."""
+    defined = {each.lhs: each.rhs for each in step if each.lhs.is_Symbol}
+    return sp.cancel(gained.subs(defined)) == 0 or any(
+        _unknowns(each) == _unknowns(gained) and _ratio(gained, _difference(each)) for each in known
+    )
+
+
+def _ratio(one: sp.Expr, other: sp.Expr) -> sp.Expr | None:
+    """Return the quotient of two expressions if all unknowns cancel from it."""
+    quotient = sp.cancel(one / other) if other != 0 else sp.nan
+    return quotient if quotient != sp.nan and quotient.free_symbols <= _CONSTANTS else None
+
+
+@cache
+def _terms(equation: sp.Eq) -> dict[tuple[int, int], sp.Expr]:
+    """Return the terms by their places, those of the right side with the sign that they get on the left."""
+    sides = zip((1, -1), equation.args if _is_scalar(equation) else (), strict=False)
+    return {
+        (side, place): sign * term
+        for side, (sign, expression) in enumerate(sides)
+        for place, term in enumerate(template(expression, with_slots=False).terms)
+        if term != 0
+    }
+
+
+@cache
+def _difference(equation: sp.Eq) -> sp.Expr:
+    return sp.Add(*_terms(equation).values())
+
+
+def _is_scalar(equation: sp.Eq) -> bool:
+    return all(isinstance(side, sp.Expr) and not side.is_Matrix for side in equation.args)
+
+
+@cache
+def _unknowns(expression: sp.Basic) -> Collection[sp.Basic]:
+    """Return what is no constant of the machine."""
+    return expression.atoms(AppliedUndef, sp.Derivative, sp.Symbol) - _CONSTANTS
