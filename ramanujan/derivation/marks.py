@@ -36,7 +36,7 @@ def marks(steps: Sequence[Equations]) -> tuple[tuple[Places, ...], ...]:
         for at, line in enumerate(step):
             above = step[max(at - 1, 0) : at]
             for source in (*above, *reversed(before)):
-                changed = _changed(source, line, step, (*before, *step))
+                changed = _changed(source, line, step, (*before, *step[:at]))
                 if changed:
                     found[n][at] |= changed[1]
                     if source in above and found[n][at - 1] | changed[0] < _terms(source).keys():
