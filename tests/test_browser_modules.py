@@ -69,6 +69,26 @@ def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(
     assert seen == [2, 2, "ended", 3]
 
 
+def test_what_a_component_published_stays_when_its_double_ends(page):
+    """A view that changes holds a component twice for a moment; a stage that begins after it still hears of its machine."""
+    heard = run(
+        page,
+        "begin",
+        """
+        const { bus } = await BUS;
+        const begin = () => it.begin({
+          name: "components/publish", parentElement: document.createElement("div"), data: { machine: 1 },
+        });
+        const first = await begin(), double = await begin();
+        double();
+        const stayed = bus.last("machine");
+        first();
+        return [stayed, bus.last("machine") ?? "forgotten"];
+        """.replace("BUS", module("components/bus")),
+    )
+    assert heard == [1, "forgotten"]
+
+
 def test_a_listener_that_fails_keeps_the_news_from_nobody(page):
     heard = run(
         page,

@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser import STAGE, next_frame, script, settle
+from tests.browser import MOUNTED, STAGE, next_frame, script, settle, until
 from tests.test_browser_language import OVERLAPS
 from tests.test_worksheet import key_of, name_of
 
@@ -211,6 +211,7 @@ def check_switched_on(page) -> None:
     page.wait_for_url("**view=projector*")
     page.wait_for_selector(PLACE, state="attached")
     settle(page)
+    until(page, MOUNTED)
     page.keyboard.press("PageDown")
     expect(page.locator(PLACE)).to_have_text(re.compile(r"^2 /"))
 

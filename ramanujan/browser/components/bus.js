@@ -2,10 +2,12 @@
 // still called.
 
 class Bus extends EventTarget {
-  #values = new Map(); // topic → last value
+  #values = new Map(); // topic → owner → value; the last one holds
 
-  publish(topic, value) {
-    this.#values.set(topic, value);
+  publish(topic, value, owner = this) {
+    const values = this.#values.get(topic) ?? new Map();
+    values.delete(owner);
+    this.#values.set(topic, values.set(owner, value));
     this.dispatchEvent(new CustomEvent(topic, { detail: value }));
   }
 
@@ -17,11 +19,14 @@ class Bus extends EventTarget {
   }
 
   last(topic) {
-    return this.#values.get(topic);
+    return [...(this.#values.get(topic)?.values() ?? [])].at(-1);
   }
 
-  forget(topic) {
-    this.#values.delete(topic);
+  /** Forget what an owner published. A page can hold one component twice for a moment, so the value of the other one stays. */
+  forget(topic, owner = this) {
+    const values = this.#values.get(topic);
+    values?.delete(owner);
+    if (!values?.size) this.#values.delete(topic);
   }
 }
 

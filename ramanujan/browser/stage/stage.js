@@ -47,7 +47,11 @@ class Stage {
     // A slider may move, and may be drawn after the stage.
     observe(document.body, { childList: true, subtree: true, attributeFilter: ["value"] }, wake, signal);
     this.keeper = makeKeeper(this, options, (seen) => component.data.tells && component.setTriggerValue("seen", seen), signal);
-    signal.addEventListener("abort", () => ["time", "drawn", "seek"].forEach((topic) => bus.forget(`${topic}/${stage}`)));
+    signal.addEventListener("abort", () => {
+      bus.forget(`seek/${stage}`);
+      bus.forget(`time/${stage}`, this);
+      bus.forget(`drawn/${stage}`, this);
+    });
     bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
     bus.subscribe(`story/${stage}`, (pace) => this.tell(pace), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
@@ -121,7 +125,7 @@ class Stage {
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
-    bus.publish(`drawn/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters });
+    bus.publish(`drawn/${this.name}`, { ratio: FORMULAS.mass_ratio(parameters), normalized, parameters }, this);
     this.slab.show();
     if (!Object.keys(set).length || this.hand.isHolding) this.voice.describe(description(solution));
     this.showSlowing();
@@ -259,7 +263,7 @@ class Stage {
     if (dirty && this.still && !this.parts.hides("motion")) this.picture.ghosts(exposures(this.parameters, this.solution));
     this.scrubber.value = (((phase / TURN) % 1) + 1) % 1;
     if (write) this.scrubber.setAttribute("aria-valuetext", moment(phase, time, this.parts));
-    bus.publish(`time/${this.name}`, { time, phase, periods, playing: this.clock.playing });
+    bus.publish(`time/${this.name}`, { time, phase, periods, playing: this.clock.playing }, this);
     if (dirty && !this.clock.playing) this.keeper.update();
   }
 
