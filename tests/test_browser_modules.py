@@ -70,7 +70,7 @@ def test_a_component_begins_once_hears_of_every_call_and_ends_with_the_last_one(
 
 
 def test_what_a_component_published_stays_when_its_double_ends(page):
-    """A view that changes holds a component twice for a moment; a stage that begins later still hears of its machine."""
+    """A view that changes holds a component twice for a moment; a stage that begins later hears of its machine."""
     heard = run(
         page,
         "begin",
