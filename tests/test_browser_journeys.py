@@ -42,9 +42,9 @@ class Visitor:
         self.page.wait_for_function(f"Boolean({condition})", timeout=60_000)
 
     def click(self, selector: str, name: str = "") -> None:
-        """Click on an element that has come to rest."""
+        """Click on an element that has come to rest, and that nothing covers."""
         before = None
-        while (place := self.until(selector, name)) != before:
+        while (place := self.until(selector, name)) != before or not place["rests"]:
             before = place
             next_frame(self.page)
         self.page.mouse.click(place["x"], place["y"])

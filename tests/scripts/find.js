@@ -9,5 +9,8 @@
   if (!node) return null;
   if (!node.closest("svg")) node.scrollIntoView({ block: "nearest", behavior: "instant" });
   const text = node.innerText ?? node.textContent, { x, y, width, height } = node.getBoundingClientRect();
-  return { x: x + width / 2, y: y + height / 2, width, height, text };
+  const place = { x: x + width / 2, y: y + height / 2 }, top = node.getRootNode().elementFromPoint(place.x, place.y);
+  // What Streamlit still loads takes its place from what stands below it.
+  const rests = node.contains(top) && !document.querySelector("[data-testid=stSkeleton]");
+  return { ...place, width, height, text, rests };
 }

@@ -106,9 +106,10 @@ def _for_lecturers() -> None:
             st.markdown(f"{icon} {sentence}")
     days = {seconds: round(seconds / DAY) for seconds in LIFETIMES}
     words = {seconds: ngettext("{n} day", "{n} days", n).format(n=n) for seconds, n in days.items()}
-    kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
-    opened = class_session.open_class, kept
-    st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=opened)
+    with st.container(horizontal=True, vertical_alignment="bottom"):
+        kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
+        opened = class_session.open_class, kept
+        st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=opened)
 
 
 def panel(stop: Stop, phase: Phase) -> None:
