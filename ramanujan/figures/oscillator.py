@@ -102,7 +102,8 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     box = {"mirror": True, "showgrid": False, "fixedrange": True}
     more["xaxis2"] = box | {"range": [least, most], "domain": [left, right], "anchor": "y2", "dtick": 0.2}
     more["yaxis2"] = box | {"range": [low, high], "domain": [bottom, top], "anchor": "x2", "tickvals": []}
-    return over_ratios(traces, ends, highest, hover, colors, meta={"ring": colors["primary"]}, **more)
+    along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1}
+    return over_ratios(traces, highest, hover, colors, along, meta={"ring": colors["primary"]}, **more)
 
 
 def _lens(ends: list[float], highest: float, unit: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:
@@ -129,20 +130,20 @@ def _lens(ends: list[float], highest: float, unit: float, colors: Mapping[str, s
 
 def over_ratios(
     traces: list[dict[str, Any]],
-    ends: tuple[float, float],
     highest: float,
     hover: str,
     colors: Mapping[str, str],
+    along: Mapping[str, Any],
     **more: Any,
 ) -> Drawn:
-    """Return a figure of Ω²m/k: the mass ratio between two ends, logarithmic, and Ω²m/k from 0 on."""
-    along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1, "title": {"text": MASS_RATIO}}
+    """Return a figure of Ω²m/k from 0 on against the mass ratio, on an axis as Plotly describes it."""
     upward = {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True}
-    return figure(traces, colors, 384, hover, xaxis={**along, "fixedrange": True}, yaxis=upward, **more)
+    across = {"title": {"text": MASS_RATIO}, "fixedrange": True, **along}
+    return figure(traces, colors, 384, hover, xaxis=across, yaxis=upward, **more)
 
 
 def pointed(mark: Mark, to: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:
     """Return the label of a mark with an arrow to it; `to` is how far it stands to the right and below [px]."""
     words = {"text": mark.label, "xanchor": side, "align": "left"}
     arrow = {"ax": to[0], "ay": to[1], "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
-    return {"x": float(np.log10(mark.ratio)), "y": mark.value, **words, **arrow}
+    return {"x": mark.ratio, "y": mark.value, **words, **arrow}

@@ -43,10 +43,10 @@ def level_crossing(
         ring | {"hovertemplate": f"{yours}<br>{hover}"},
         marks([root], [level], "star", 16, colors["top"]),
     ]
-    left, at, right = np.log10([ratios[0], root, ratios[-1]])
+    left, right = ends = float(ratios[0]), float(ratios[-1])
     # The label avoids the falling curve: to the right above its flat start, to the left above its flat end, else to
     # the left below it.
-    at_start = at < left + 0.4 * (right - left)
+    at_start = root < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
     to, side, other = ((22, -34), "left", "right") if at_start else ((-22, -34 if above else 40), "right", "left")
     beside = {"xanchor": other, "yanchor": "bottom", "xshift": -6 if at_start else 6}
@@ -54,7 +54,7 @@ def level_crossing(
         pointed(Mark(root, level, root_label), to, side, colors),
         note(level_label, None, right if at_start else left, level) | beside,
     ]
-    return over_ratios(traces, (ratios[0], ratios[-1]), 1.3 * float(values[0]), hover, colors, annotations=notes)
+    return over_ratios(traces, 1.3 * float(values[0]), hover, colors, {"range": ends}, annotations=notes)
 
 
 def machine_grid(

@@ -75,7 +75,7 @@ def the_curve() -> None:
     present = machine.mass_ratio, machine.normalized_frequency_squared
     level, ratio = f"Ω²m/k = {target}", number(story.ratio, 10)
     figure = figures.level_crossing(
-        *cache.curve(min(0.01, story.ratio / 3), max(30.0, 3 * story.ratio)),
+        *cache.curve(min(story.ratio / 2, 0.9 * machine.mass_ratio), max(2 * story.ratio, 1.1 * machine.mass_ratio)),
         level=float(target),
         level_label=_("in step: {level}").format(level=level) if target == 1 else level,
         root=story.ratio,
