@@ -6,6 +6,7 @@ tab, a cookie or a stored value of another one. All workers of a run share one s
 """
 
 import os
+import re
 from collections.abc import Callable, Iterator
 from functools import cache
 
@@ -18,6 +19,8 @@ from tests.browser import CHROMIUM, FLAGS, ROOT, leave_out_figures, open_address
 from tests.engines import bare, bare_address, browsers, engine, missing, playwright, some, window  # noqa: F401
 
 IN_A_BROWSER = ("test_browser", "test_deployment")
+SHARED = re.compile(r"firefox|webkit|notebook_|test_(accuracy|browser_files|class_postgres|deployment|rooms)\.py")
+"""In the names of tests, what those have in common that share a browser, a kernel or a server."""
 
 
 # In CI the same cases each time: a case that nobody has met yet is looked for on the machines of developers.
@@ -28,12 +31,24 @@ if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put first what takes longest: what needs a browser, and the larger files; one worker has Firefox, one WebKit."""
+    """Put first what takes longest: what needs a browser, and the larger files."""
     items.sort(key=lambda item: (not item.path.stem.startswith(IN_A_BROWSER), -item.path.stat().st_size, item.path))
-    for item in items:
-        name = item.callspec.params.get("engine") if hasattr(item, "callspec") else None
-        if name in ("firefox", "webkit"):
-            item.add_marker(pytest.mark.xdist_group(name))
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
+    """Give any worker any test, but those that start the same processes to one: pytest-xdist 3.8 loses its own groups.
+
+    It writes them into the names of tests, where pytest does not look for them from 9.2 on.
+    """
+    from xdist.scheduler import LoadGroupScheduling
+
+    class Scheduling(LoadGroupScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            shared = SHARED.search(nodeid)
+            return shared[0] if shared else super()._split_scope(nodeid)
+
+    return Scheduling(config, log)
 
 
 @pytest.fixture

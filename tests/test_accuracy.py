@@ -20,8 +20,6 @@ from ramanujan.accuracy.runs import error_history
 from ramanujan.accuracy.work_precision import cheapest, timed, work_precision
 from ramanujan.integrators import METHODS, trajectory
 
-pytestmark = pytest.mark.xdist_group("accuracy")
-
 MACHINE = Oscillator(m=1.3, m_prime=0.7, k=40.0)
 
 

@@ -18,8 +18,6 @@ import streamlit
 from ramanujan.browser import modules
 from tests.browser import get, running
 
-pytestmark = pytest.mark.xdist_group("browser_files")
-
 FOLDER = Path(streamlit.__file__).parent / "static"
 FILES = [f"/{path.relative_to(FOLDER).as_posix()}" for path in FOLDER.glob("static/**/*.[jc]s*")]
 UNPACK = {"gzip": gzip.decompress, "br": brotli.decompress, "identity": bytes}

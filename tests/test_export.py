@@ -164,7 +164,6 @@ def result(notebook: object, key: str) -> str:
     return cell.outputs[0].data["text/plain"]
 
 
-@pytest.mark.xdist_group("kernel")
 @pytest.mark.parametrize(("name", "numbers"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
 def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     """In symbols and for a machine: what the button hands over ends in the Ω² that the page shows."""
@@ -179,7 +178,6 @@ def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     assert ("'Omega^2 m/k': 1," in distance) == (numbers == IN_STEP)
 
 
-@pytest.mark.xdist_group("kernel")
 def test_a_notebook_refuses_a_wrong_frequency(kernel):
     """Negative control."""
     notebook = json.loads(to_notebook(ROUTES["energy"]))

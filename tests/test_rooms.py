@@ -14,8 +14,6 @@ import ramanujan.pages
 from ramanujan.shell import navigation, server
 from tests.browser import ROOT
 
-pytestmark = pytest.mark.xdist_group("rooms")
-
 LANGUAGE = {"translation", "numerals"}
 """What every room may import."""
 
