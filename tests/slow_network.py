@@ -1,6 +1,7 @@
 """A slow or broken network between the browser and the app: a small proxy on the loopback address.
 
-    with network(server, 0.1) as way:
+    with Network(server) as way:
+        way.seconds = 0.1
         page.goto(way.address)
 
 Only websockets are delayed: a page's scripts would otherwise take a minute to load, and they decide nothing.
@@ -10,7 +11,7 @@ import asyncio
 import contextlib
 import re
 import threading
-from collections.abc import Iterator
+from typing import Self
 from urllib.parse import urlsplit
 
 _HEAD = 65536
@@ -20,27 +21,29 @@ _SESSION = re.compile(rb"(?i)(sec-websocket-protocol:[^,\r]*,[^,\r]*),[^\r]*")
 
 
 class Network:
-    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`."""
+    """The way to one server, which can be slow and can break: `seconds` of delay each way, `down()` and `up()`.
 
-    def __init__(self, server: str, seconds: float) -> None:
+    It listens on a free port, at `address`, for as long as the block lasts.
+    """
+
+    seconds = 0.0
+
+    def __init__(self, server: str) -> None:
         parts = urlsplit(server)
         self.target = (parts.hostname, parts.port)
-        self.seconds = seconds
-        self.address = ""
         self._up, self._killed = True, False
         self._connections: set[asyncio.Task] = set()
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
 
-    def start(self) -> None:
-        """Begin to listen on a free port, at `address`."""
+    def __enter__(self) -> Self:
         self._thread.start()
         self._listener = self._call(self._listen())
         host, port = self._listener.sockets[0].getsockname()
         self.address = f"http://{host}:{port}"
+        return self
 
-    def stop(self) -> None:
-        """Close every connection and stop listening."""
+    def __exit__(self, *_: object) -> None:
         self._call(self._close())
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join()
@@ -120,14 +123,3 @@ class Network:
             await sender
         finally:
             sender.cancel()
-
-
-@contextlib.contextmanager
-def network(server: str, seconds: float = 0.0) -> Iterator[Network]:
-    """Yield a network before the server for as long as the block lasts, with `seconds` of delay each way."""
-    way = Network(server, seconds)
-    way.start()
-    try:
-        yield way
-    finally:
-        way.stop()

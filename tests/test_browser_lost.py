@@ -15,7 +15,7 @@ from playwright.sync_api import expect
 from ramanujan import Oscillator
 from ramanujan.shell import navigation
 from tests.browser import inside, next_frame, press_preset, settle, thumb
-from tests.slow_network import network
+from tests.slow_network import Network
 from tests.test_browser_class import ASK_WHEN_TOLD
 from tests.test_browser_controls import hold, normalized
 
@@ -43,7 +43,7 @@ def take_slab(page, centimetres: float) -> None:
 @pytest.fixture
 def late(visit, server) -> Iterator[Callable]:
     """Open a page over a network; `late.by(seconds)` makes each way so slow, with the machine as it was at first."""
-    with network(server) as way:
+    with Network(server) as way:
         pages = []
 
         def open_page(link: str = "?hide=curve,steps", *scripts: str, **options: object):

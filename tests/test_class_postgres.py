@@ -5,13 +5,10 @@ skipped, unless RAMANUJAN_REQUIRE_POSTGRES is set.
 """
 
 import inspect
-import multiprocessing
 import os
-import random
 import shutil
 import socket
 import subprocess
-import time
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -70,32 +67,15 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     shutil.rmtree(folder)
 
 
-def answer(address: str, code: str, students: range, votes: multiprocessing.Queue) -> None:
-    """Be some students, in a process of their own; whoever is refused tries again until the answer counts."""
-    school, chance = classes.Classes(address, Clock()), random.Random(students.start)
-
-    def insist(act, *values):
-        while True:
-            try:
-                return act(*values)
-            except ClassError:
-                time.sleep(0.05)
-
-    seats = [insist(school.join, code) for _ in students]
-    for _ in range(5):
-        for seat in seats:
-            option = chance.choice(OPTIONS)
-            insist(school.vote, seat, "faster", option)
-            votes.put((seat.voter, option))
-
-
 def test_two_processes_share_a_class_and_a_server_that_dies_loses_no_vote(server: Server) -> None:
     school = classes.Classes(server.address, Clock())
     opened = school.open_class()
     school.ask(opened.key, "faster", OPTIONS)
     votes = NEW_PROCESS.Queue()
     others = [
-        NEW_PROCESS.Process(target=answer, args=(server.address, opened.code, range(start, start + 30), votes))
+        NEW_PROCESS.Process(
+            target=in_a_file.answer_as, args=(server.address, opened.code, range(start, start + 30), votes, True)
+        )
         for start in (0, 30)
     ]
     for process in others:

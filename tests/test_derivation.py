@@ -13,7 +13,6 @@ from ramanujan.derivation.export import to_latex, to_markdown, to_notebook
 from ramanujan.derivation.model import Machine, Omega_squared, equation, k, m, m_prime
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.rows import row
 from ramanujan.derivation.templates import template
 from ramanujan.pages.derivation import cache
 
@@ -108,13 +107,3 @@ def test_the_condition_says_on_which_side_a_machine_is(roller_mass, word):
     residuals = [template(relation.rhs) for relation in said.equations]
     signs = {residual.evaluated(numbers)[0].numerator.compare(0) for residual in residuals}
     assert signs == {{"faster": -1, "in step": 0, "more slowly": 1}[word]}
-
-
-@pytest.mark.parametrize("name", ROUTES)
-def test_at_the_unit_ratio_alone_the_frequency_is_that_of_the_plain_mass(name):
-    for mass, stiffness in ((2 / 3, 2.25), (5.0, 1 / 7)):
-        numbers = Numbers(mass, UNIT_MASS_RATIO * mass, stiffness)
-        frequency = equation(Omega_squared, ROUTES[name].natural_frequency_squared)
-        plain = row(equation(Omega_squared, k / m), numbers).latex
-        assert row(frequency, numbers).latex == plain
-        assert row(frequency, replace(numbers, m_prime=numbers.m_prime * 0.999)).latex != plain

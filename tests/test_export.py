@@ -1,4 +1,7 @@
-"""What a student takes home: LaTeX that compiles, Markdown, and notebooks that derive Ω² again by themselves."""
+"""What a student takes home: LaTeX that compiles, Markdown, and notebooks that derive Ω² again by themselves.
+
+That every file has the equations of its route is for test_my_numbers, which reads them back.
+"""
 
 import itertools
 import json
@@ -16,7 +19,6 @@ from ramanujan.derivation.export import prose_to_latex, to_beamer, to_latex, to_
 from ramanujan.derivation.model import k, m, m_prime
 from ramanujan.derivation.nomenclature import nomenclature
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.rows import rows
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.pages.derivation import cache as page
 from ramanujan.shell import theme
@@ -69,8 +71,6 @@ def test_latex_is_a_whole_document_in_ascii(name, numbers):
     assert document.rstrip().endswith(r"\end{document}")
     assert environments_nest(document)
     assert document.count(r"\section{") == len(route.steps)
-    equations = [row for step in route.steps for row in rows(step, values_if(numbers))]
-    assert document.count(" &= ") == len(equations)
 
 
 @pytest.mark.parametrize("numbers", [False, True])
@@ -87,9 +87,6 @@ def test_slides_hold_the_whole_route_and_no_frame_is_overfull(name, numbers):
     assert len(set(labels)) == len(labels)
     assert [label for label in labels if "-" not in label] == ["title", "machine", *(step.key for step in route.steps)]
     assert all(len(re.findall(r"\\\\\n", text)) < 9 for _, text in frames)
-    equations = [row for step in route.steps for row in rows(step, values_if(numbers))]
-    assert document.count(" &= ") == len(equations)
-    assert all(row.left in document for row in equations)
     assert PICTURE in document
     # One step alone has its own frames, and the machine.
     alone = to_beamer(route, values_if(numbers), PICTURE, 2)

@@ -3,7 +3,7 @@
 import dataclasses
 import math
 import random
-from collections import defaultdict
+from collections import Counter, defaultdict
 from fractions import Fraction
 from functools import cache
 from itertools import product
@@ -145,15 +145,9 @@ def test_only_three_discriminants_are_sums_of_two_cubes():
 def test_one_change_away():
     changed = {m.bodies: m.discriminant for m in nt.one_change_away()}
     assert len(changed) == 9  # three places, three other bodies in each
+    *paper, top = nt.BodyChoice().bodies
+    assert all((Counter(paper) - Counter(lower)).total() + (top != other) == 1 for *lower, other in changed)
     assert 1729 not in changed.values()
-    expected = {
-        ("hoop", "hoop", "cylinder"): 37,
-        ("cylinder", "cylinder", "cylinder"): 33,
-        ("hoop", "cylinder", "sphere"): 48,
-        ("hoop", "cylinder", "hoop"): 777,
-        ("hoop", "cylinder", "shell"): 1204,
-    }
-    assert expected.items() <= changed.items()
 
 
 def test_discriminants_of_ordinary_targets_can_be_factored():

@@ -6,12 +6,12 @@ The error of a run is the largest one at any step (`runs`): the state error, or 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ramanujan.accuracy.measurement import Timing
-from ramanujan.accuracy.runs import blocks, evaluations_of, seconds_per_step
+from ramanujan.accuracy.runs import blocks, evaluations_of
 from ramanujan.integrators import METHODS
 
 STEPS_PER_PERIOD = tuple(range(3, 193))
@@ -119,23 +119,6 @@ def work_precision(
     lost = ~np.isfinite(ends).all(axis=(0, 1))
     error[lost], ends[..., lost] = np.inf, 0
     return WorkPrecision(method, dtype, periods, steps, error, evaluations_of(method, steps * periods), tuple(ends))
-
-
-def timed(curve: WorkPrecision) -> WorkPrecision:
-    """Return the runs with the seconds of a step, measured now.
-
-    Parameters
-    ----------
-    curve : a result of `work_precision`
-
-    Returns
-    -------
-    the same runs with their seconds
-
-    >>> timed(work_precision("rk4", periods=1, steps_per_period=[20])).seconds > 0
-    array([ True])
-    """
-    return replace(curve, step=seconds_per_step(curve.method, curve.dtype))
 
 
 def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[Choice]:
