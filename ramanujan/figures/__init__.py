@@ -130,8 +130,10 @@ _LEAST = 400
 """Pixels: the height that a figure has at least; where a slide has more room, it takes it."""
 _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
-_ABOVE = 44
-"""Pixels above the panels for a line of words, which is 38 px high on a screen of 1080."""
+_ABOVE = 54
+"""Pixels above the panels for a line of words, whose letters are 48 px high on a screen of 2160."""
+_LETTERS = 26
+"""Pixels: how large Plotly takes the letters of an axis for; projector.css sets them from 24 to 48 px."""
 
 
 def in_large_print(figure: BaseFigure) -> Drawn:
@@ -154,13 +156,13 @@ def in_large_print(figure: BaseFigure) -> Drawn:
 
 def _roomy_axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
     # The first label of one axis must not touch that of the other.
-    axis = {**axis, "ticklabelstandoff": 6}
+    axis = {**axis, "ticklabelstandoff": 6, "tickfont": {"size": _LETTERS}}
     if text := axis.get("title", {}).get("text", ""):
         lines = _in_lines(text) if upright else text
         # Plotly measures a power of ten as if its exponent were not there, and a second line as small.
         powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
-        standoff = 12 + (18 if upright and powers else 0) + (20 if "<br>" in lines else 0)
-        axis["title"] = {**axis["title"], "text": lines, "standoff": standoff}
+        standoff = 12 + (18 if upright and powers else 0) + (28 if "<br>" in lines else 0)
+        axis["title"] = {**axis["title"], "text": lines, "standoff": standoff, "font": {"size": _LETTERS}}
     return axis
 
 

@@ -63,7 +63,7 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
         exponent = logarithm(values)
         return np.where(exponent < low, low + (exponent - low) / _SQUEEZED, exponent).astype(np.float32)
 
-    bottom = float(place(np.array([10.0**least]))[0])
+    bottom = min(low, float(place(np.array([10.0**least]))[0]))
     step = max(1, round((high - low) / 3))
     below = [int(least)] if least < low - 3 else []
     decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]

@@ -21,7 +21,7 @@ _BOUNDLESS = 1e30
 """The value that stands for larger errors, which single precision cannot hold."""
 _HIGH = 560
 """Height [px] of two panels with the gap between them."""
-_STRIP, _HALF_STRIP = 62, 0.28
+_STRIP, _HALF_STRIP = 62, 0.24
 """Height [px] of the strip of a form with its name above it, and half of that without, in these."""
 _MARGIN = {"l": 60, "r": 12, "t": 12, "b": 48}
 
@@ -147,7 +147,7 @@ def work_precision(
     named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
     y_axis = log_axis(titles[1], shown)
     x_axis = axis(titles[0], x_range, type="log", dtick=1)
-    notes = beside(Area(named, x_range, tuple(y_axis["range"]), 420))
+    notes = beside(Area(named, x_range, tuple(y_axis["range"]), 420, width=22))
     return figure(traces, colors, 480, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
 
 

@@ -12,7 +12,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.numerals import number, percent
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
-from ramanujan.shell.display_mode import columns
+from ramanujan.shell.display_mode import columns, is_projector, picture_and_words
 from ramanujan.translation import _, ngettext
 
 COST = address.Choice("cost", {"evaluations": _("evaluations"), "seconds": _("seconds")}, "evaluations")
@@ -29,7 +29,7 @@ _AT_ONCE = 0.2
 def costs(periods: int) -> Callable[[], None]:
     """Draw the section as far as it takes no time; return what measures and draws the rest."""
     st.header(_("What accuracy costs on this server"), anchor=False)
-    asked = st.session_state.get(_ASKED, False)
+    asked = st.session_state.get(_ASKED, is_projector())  # a slide has its diagram when it is reached
     by, tolerance = costs_controls(asked)
     if not asked:
         what_is_measured()
@@ -87,14 +87,11 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     """Draw the work-precision diagram, the cheapest run, and how both were measured."""
     curves, closed = cache.diagram(periods), cache.closed(periods)
     ranked = cheapest(curves, tolerance, by)
-    best = ranked[0] if ranked else None
     sentence = verdicts.what_to_take(ranked, tolerance, by, closed)
-    words, figure = columns("costs")
+    figure, words = picture_and_words() if is_projector() else reversed(columns("costs"))
     with words:
         st.markdown(sentence)
-    singled = {}
-    if best:
-        singled[_("cheapest")] = getattr(best, by), best.error, "circle-open", 22, "primary"
+    singled = {_("cheapest"): (getattr(best, by), best.error, "circle-open", 22, "primary") for best in ranked[:1]}
     if by == "seconds":
         singled[_("closed form")] = closed.seconds.median, closed.phase_error, "star", 15, "ink"
     drawn = figures.work_precision(
@@ -111,6 +108,9 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
     with words:
         if steeper := verdicts.order_and_slope(curves, cache.run):
             st.markdown(steeper)
+    if is_projector():
+        return
+    with words:
         st.caption(_how_measured(periods, spread))
     with st.expander(_("The cheapest run of each method")):
         if ranked:

@@ -50,15 +50,12 @@ def show() -> None:
 
 
 def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[list[tuple[int, Question]]]:
-    """Yield the numbered questions that fit on one slide; calculations begin a new one."""
+    """Yield the numbered questions that fit on one slide."""
     drawn, used = [], 0.0
     for number, question in asked:
         lines = [line for text in written(question, with_key) for line in text.splitlines() if line]
         height = sum(1.5 * (1 + len(each) // _ROW) if "$$" in each else 1 + len(each) // _WIDTH for each in lines)
-        if drawn and (
-            used + height > _LINES["key" if with_key else "questions"]
-            or bool(question.working) != bool(drawn[-1][1].working)
-        ):
+        if drawn and used + height > _LINES["key" if with_key else "questions"]:
             yield drawn
             drawn, used = [], 0.0
         drawn.append((number, question))
