@@ -85,14 +85,11 @@ export function roundBelow(value) {
   return factor * power;
 }
 
-/** Where a contact lies over its roller's centre, in radii. */
-export const CONTACTS = {
-  hoop_slab: ["hoop", 1],
-  cylinder_slab: ["cylinder", 1],
-  hoop_block: ["hoop", -1],
-  cylinder_block: ["cylinder", -1],
-  top_block: ["top", -1],
-};
+/** Of each contact its roller, where it lies over the roller's centre, in radii, and the other body. */
+export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
+  const [roller, other] = contact.split("_");
+  return [roller, other === "slab" ? 1 : -1, other];
+});
 
 const ASIDE = 1.5; // cm, how far beside its contact or the spring a force is drawn at most, so that opposite arrows keep apart
 
@@ -103,8 +100,8 @@ const ASIDE = 1.5; // cm, how far beside its contact or the spring a force is dr
 export function forcesOn(known, g, shift) {
   const over = moved(known, shift), beside = 0.22 * g.R, aside = Math.min(beside, ASIDE), forces = {}, upright = {};
   const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
-  for (const [contact, [roller, side]] of Object.entries(CONTACTS)) {
-    const other = contact.split("_")[1], x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
+  for (const [contact, [roller, side, other]] of Object.entries(CONTACTS)) {
+    const x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
     const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
     forces[`${contact} ${roller}`] = [roller, x, y - side * aside, friction];
     forces[`${contact} ${other}`] = [other, x, y + side * aside, -friction];
