@@ -25,7 +25,7 @@ LEVEL = address.Choice("level", LEVEL_WORDS, 1)
 URL_PARAMETERS = (PAPER, SEED, LEVEL, KEY)
 # The lines of a slide, letters in a line, and letters of LaTeX in a row of formulas.
 _LINES, _WIDTH, _ROW = {"questions": 15, "key": 11}, 105, 330
-_LINE = "<span style='display:inline-block;width:22%;border-bottom:1px solid'></span>"
+_LINE = "<span style='flex:1;border-bottom:1px solid'></span>"
 
 
 def show() -> None:
@@ -126,7 +126,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
     st.title(titles[paper].format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
         lines = _("Name {line} Date {line} Points {line} of {points}")
-        st.html(f"<p class='name'>{lines.format(line=_LINE, points=points)}</p>")
+        st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
     picture, words = picture_and_words()
     values = ", ".join(each.equation(each.value) for each in PARAMETERS.values())
     with picture, st.container(key="worksheet_picture"):
