@@ -98,8 +98,8 @@ def build(bodies: Machine) -> Route:
                 "Solve the last line for $\\dot\\varphi$, then go back to $\\dot X$ and $\\dot\\Phi$. This always "
                 "works, because $T$ is positive for every motion."
             ),
-            *(equation(velocity, value) for velocity, value in velocities.items()),
-            operations=(insert(phi_dot), solve_for(phi_dot), insert(X_dot)),
+            *(equation(velocity, velocities[velocity]) for velocity in (phi_dot, X_dot, Phi_dot)),
+            operations=(solve_for(phi_dot), insert(phi_dot), insert(X_dot)),
         ),
         step(
             "hamiltonian",

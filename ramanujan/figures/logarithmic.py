@@ -68,7 +68,7 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     below = [int(least)] if least < low - 3 else []
     decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]
     ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
-    return axis(title, (bottom - 0.2, high + 0.2), **ticks), place, low
+    return axis(title, (bottom - 0.2 if bottom < low else low, high + 0.2), **ticks), place, low
 
 
 def _powers(exponents: Iterable[int]) -> list[str]:

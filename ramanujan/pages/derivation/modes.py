@@ -59,8 +59,9 @@ def three_modes(numbers: Numbers | None) -> None:
     for column, (key, title, words), shape in zip(st.columns(3), shown, shapes, strict=True):
         with column:
             stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, kept="modes_")
+            # As high as the highest, so that all stand on one line.
+            st.latex(rf"\mathllap{{\phantom{{{shapes[0]}}}}}{shape}")
             st.markdown(words)
-            st.latex(shape)
     tell_modes()
 
 
