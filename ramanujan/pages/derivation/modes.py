@@ -59,8 +59,7 @@ def three_modes(numbers: Numbers | None) -> None:
     for column, (key, title, words), shape in zip(st.columns(3), shown, shapes, strict=True):
         with column:
             stages.mount(None, key=f"mode_{key}", clock="modes", layers=(), compact=True, label=title, kept="modes_")
-            # As high as the highest, so that all stand on one line.
-            st.latex(rf"\mathllap{{\phantom{{{shapes[0]}}}}}{shape}")
+            st.latex(shape)
             st.markdown(words)
     tell_modes()
 

@@ -23,8 +23,8 @@ OPENING = 2
 """Scenes before the first at ε*; those that follow are the same in every story."""
 PACE = 0.6
 """Seconds that a period of the plain mass lasts in the story."""
-_OVER = 2 * UNIT_MASS_RATIO - 1
-"""A mass ratio as far above ε* as equal masses are below."""
+_OVER = 1.25
+"""A mass ratio about as far above ε* as equal masses are below, to which the slider has a step."""
 STILL_PERIODS = 2
 """Periods of the plain mass after which the still clocks are drawn."""
 _KNOTS = 10
@@ -65,7 +65,7 @@ def story(start: float) -> tuple[Scene, ...]:
     wait = (turns + turns_in(lighter)) / -float(gained(start))
     heavy = _("Heavy rollers: in {periods} periods the machine falls one full turn behind.")
     ahead = (
-        Scene(_("Still lighter: now the machine runs ahead."), _moved(UNIT_MASS_RATIO, 1.0), 1.2),
+        Scene(_("Still lighter: now the machine is faster."), _moved(UNIT_MASS_RATIO, 1.0), 1.2),
         _stay(_("Equal masses: in {periods} periods the machine gains one full turn."), 1.0, 3),
         Scene(_("Heavier again: the machine slows down."), _moved(1.0, _OVER), 1.5),
     )
