@@ -177,7 +177,7 @@ def pick(figure: str, on_picked: Callable[[dict[str, float]], None]) -> Any:
     return asks("components/pick", f"{figure}_pick", {"figure": figure}, "picked", on_picked, {"x": 0.0, "y": 0.0})
 
 
-def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None]) -> Any:
+def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], None], onward: bool) -> Any:
     """Show one step of a lecture at a time: the containers with the keys `step_1`, `step_2`, … inside `lecture`.
 
     The lecture begins at the step that the address names, every further route at its first step.
@@ -187,8 +187,10 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     route : name of the route
     headings : of the steps in their order, for screen readers
     on_turned : called with the route and the step, some time after the last change
+    onward : whether the last step leads on to a link, in the container with this key
     """
-    data = {"route": route, "headings": list(headings), "place": _("Step {now} of {count}: {heading}")}
+    data = {"route": route, "headings": list(headings), "onward": onward}
+    data["place"] = _("Step {now} of {count}: {heading}")
     example = {"route": route, "step": 1}
 
     def act(at: dict[str, Any]) -> None:

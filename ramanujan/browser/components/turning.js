@@ -16,9 +16,9 @@ export class Turner {
 
   /**
    * `moves`: the slider's event that turns; `turns(event, by)`: whether a key may turn that far; `turned(to)` hears of it;
-   * `onward()`: the link to which the last one leads, if there is one.
+   * `onward()`: the link to which the last one leads, where the component's data say so.
    */
-  constructor(component, signal, { moves, turns, turned, onward = () => null }) {
+  constructor(component, signal, { moves, turns, turned, onward }) {
     const root = component.parentElement;
     const [slider, output] = root.querySelectorAll("input, output");
     Object.assign(this, { component, turned, onward, slider, output });
@@ -38,7 +38,7 @@ export class Turner {
   go(wanted) {
     const to = Math.min(Math.max(wanted, 1), this.component.data.headings.length);
     if (to === this.now) {
-      if (wanted > to) this.onward()?.click();
+      if (wanted > to) this.onward?.()?.click();
       return false;
     }
     this.show(to);
@@ -49,13 +49,13 @@ export class Turner {
 
   /** Show where one is. */
   show(now) {
-    const { headings, place } = this.component.data, count = headings.length;
+    const { headings, place, onward } = this.component.data, count = headings.length;
     this.now = now;
     const ariaValueText = fill(place, { now, count, heading: headings[now - 1] });
     Object.assign(this.slider, { max: count, value: now, ariaValueText });
     this.output.textContent = `${now}/${count}`;
     const [back, next] = this.buttons;
     back.ariaDisabled = now === 1;
-    next.ariaDisabled = now === count && !this.onward();
+    next.ariaDisabled = now === count && !onward;
   }
 }

@@ -154,8 +154,9 @@ def turn_pages(setting: Setting) -> None:
     address.keep(STEP)
     machine = sidebar.oscillator()
     if setting.is_lecture:
-        components.steps(setting.route, [step.heading for step in setting.steps], turned)
-        if setting.steps[min(address.held(STEP), len(setting.steps)) - 1].key == "root":
+        keys = [step.key for step in setting.steps]
+        components.steps(setting.route, [step.heading for step in setting.steps], turned, keys[-1] == "root")
+        if keys[min(address.held(STEP), len(keys)) - 1] == "root":
             machine = replace(machine, m_prime=UNIT_MASS_RATIO * machine.m)
     stages.tell(stage.payload(machine, sidebar.compression()), key="beside", more=sidebar.followed())
 
