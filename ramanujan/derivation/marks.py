@@ -90,7 +90,8 @@ def _ratio(one: sp.Expr, other: sp.Expr) -> sp.Expr | None:
 @cache
 def _terms(equation: sp.Eq) -> dict[tuple[int, int], sp.Expr]:
     """Return the terms by their places, those of the right side with the sign that they get on the left."""
-    sides = zip((1, -1), equation.args if _is_scalar(equation) else (), strict=False)
+    is_scalar = all(isinstance(side, sp.Expr) and not side.is_Matrix for side in equation.args)
+    sides = zip((1, -1), equation.args if is_scalar else (), strict=False)
     return {
         (side, place): sign * term
         for side, (sign, expression) in enumerate(sides)
@@ -102,10 +103,6 @@ def _terms(equation: sp.Eq) -> dict[tuple[int, int], sp.Expr]:
 @cache
 def _difference(equation: sp.Eq) -> sp.Expr:
     return sp.Add(*_terms(equation).values())
-
-
-def _is_scalar(equation: sp.Eq) -> bool:
-    return all(isinstance(side, sp.Expr) and not side.is_Matrix for side in equation.args)
 
 
 @cache

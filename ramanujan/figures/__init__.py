@@ -130,8 +130,9 @@ _LEAST = 400
 """Pixels: the height that a figure has at least; where a slide has more room, it takes it."""
 _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
-_ABOVE = 54
-"""Pixels above the panels for a line of words, whose letters are 48 px high on a screen of 2160."""
+_ABOVE = (24, 54)
+"""Pixels above the panels: for a number at the end of an axis, which Plotly leaves out where it has no room, and for a
+line of words, whose letters are 48 px high on a screen of 2160."""
 _LETTERS = 26
 """Pixels: how large Plotly takes the letters of an axis for; projector.css sets them from 24 to 48 px."""
 
@@ -149,8 +150,8 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
     for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
         layout[name] = _roomy_axis(layout[name], upright=name.startswith("yaxis"))
-    if any(note.get("yref") == "paper" and note["y"] == 1 for note in layout.get("annotations", ())):
-        layout["margin"] = {**layout.get("margin", {}), "t": _ABOVE}
+    is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in layout.get("annotations", ()))
+    layout["margin"] = {**layout.get("margin", {}), "t": _ABOVE[is_above]}
     return Drawn({**sent, "layout": layout})
 
 

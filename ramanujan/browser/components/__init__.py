@@ -191,12 +191,11 @@ def steps(route: str, headings: Sequence[str], on_turned: Callable[[str, int], N
     """
     data = {"route": route, "headings": list(headings), "onward": onward}
     data["place"] = _("Step {now} of {count}: {heading}")
-    example = {"route": route, "step": 1}
 
     def act(at: dict[str, Any]) -> None:
         on_turned(at["route"], min(max(at["step"], 1), len(headings)))
 
-    return asks("components/steps", "lecture_turn", data, "at", act, example)
+    return asks("components/steps", "lecture_turn", data, "at", act, {"route": route, "step": 1})
 
 
 def turn(

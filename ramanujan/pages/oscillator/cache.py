@@ -91,7 +91,7 @@ class SummaryStep:
     Parameters
     ----------
     heading : what is done
-    results : the equations that are seen while the line is folded
+    results : the equations that are seen while the line is folded, without the marks of an operation
     ways : the steps of the route that lead to them
     numbers : the equations of the last one, and the other results, with the present numbers
     """
@@ -137,7 +137,7 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
     numbers = [row for key, part in in_full.items() for row in rows(steps[key][0], given)[part]]
     return SummaryStep(
         steps[last][0].heading,
-        tuple(row.latex for row in results),
+        tuple(row.latex.replace(r"\underline", "") for row in results),
         tuple(
             Way(
                 step.heading,

@@ -210,12 +210,8 @@ def compared(machine: Oscillator) -> str:
 def take_clicked(point: dict[str, float]) -> None:
     """Take the mass ratio of the clicked point: exactly that of a mark if one lies there, else with round masses."""
     base = cache.curve()
-    marks = (base.equal.ratio, base.unit.ratio)
-    mark = next((mark for mark in marks if math.isclose(point["x"], mark, rel_tol=0.02)), None)
-    if mark is None:
-        sidebar.take_ratio(point["x"], digits=3)
-    else:
-        sidebar.take_ratio(mark)
+    near = [mark for mark in (base.equal.ratio, base.unit.ratio) if math.isclose(point["x"], mark, rel_tol=0.02)]
+    sidebar.take_ratio(*near or (point["x"], 3))
 
 
 @st.fragment(key="steps")
@@ -250,7 +246,8 @@ def with_numbers(formula: str, stated: str = "") -> None:
     """Draw equations with the present numbers, if there are any."""
     if formula:
         heading = _("Your machine")
-        st.markdown(f"### {heading}\n{stated}{in_display(formula)}")
+        unmarked = formula.replace(r"\underline", "")
+        st.markdown(f"### {heading}\n{stated}{in_display(unmarked)}")
 
 
 def in_display(formula: str) -> str:
