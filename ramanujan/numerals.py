@@ -10,6 +10,7 @@ own digits, in `derivation.printers`. Files for programs keep Python's way to wr
 """
 
 import math
+import re
 import string
 from decimal import Decimal
 from numbers import Integral
@@ -165,6 +166,11 @@ class _Sentences(string.Formatter):
 
 
 _SENTENCES = _Sentences()
+
+
+def unbroken(formulas: str) -> str:
+    """Return formulas for a text, whose lines break between two of them at most."""
+    return re.sub("(?<![,:;]) ", "\u00a0", formulas)
 
 
 def power_of_ten(exponent: int) -> str:

@@ -10,7 +10,7 @@ from ramanujan.accuracy.extremes import FORMS
 from ramanujan.accuracy.runs import History, error_history
 from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import EQUAL, Onward, Run, Stop
-from ramanujan.numerals import power_of_ten
+from ramanujan.numerals import power_of_ten, unbroken
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
@@ -133,10 +133,10 @@ STOPS = (
         id="huge-ratio",
         heading=_("A mass ratio of {ratio}"),
         question=_(
-            "A program in JavaScript evaluates the paper’s formula, Ω² = {formula}, in double precision. Someone "
-            "enters m = 1, k = 1 and m′ = {ratio}. What does the program return?"
+            "A program in JavaScript evaluates the paper’s formula, Ω²\u00a0=\u00a0{formula}, in double precision. "
+            "Someone enters m\u00a0=\u00a01, k\u00a0=\u00a01 and m′\u00a0=\u00a0{ratio}. What does the program return?"
         ),
-        given={"formula": FORMS["paper"].formula, "ratio": _RATIO, "largest": _LARGEST},
+        given={"formula": unbroken(FORMS["paper"].formula), "ratio": _RATIO, "largest": _LARGEST},
         options=dict(
             message=_("Infinity or an error."), right=_("The right value."), zero=_("Zero."), wrong=_("Another number.")
         ),

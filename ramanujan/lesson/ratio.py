@@ -10,7 +10,7 @@ from ramanujan.derivation.printers import latex
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.number_theory import BodyChoice
-from ramanujan.numerals import filled, number
+from ramanujan.numerals import filled, number, unbroken
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
@@ -33,7 +33,7 @@ OTHER = BodyChoice(top="sphere")
 
 A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
 """The coefficients of the condition aε² + bε + c = 0."""
-_QUADRATIC = f"{A}ε² + {'' if B == 1 else B}ε − {-C} = 0"
+_QUADRATIC = unbroken(f"{A}ε² + {'' if B == 1 else B}ε − {-C} = 0")
 _NUMBER = int(unit_frequency_condition().discriminant)
 _NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
 """The condition and its coefficients, as sentences name them."""
@@ -116,8 +116,8 @@ STOPS = (
         id="by-hand",
         heading=_("In step, by hand"),
         question=_(
-            "The machine is in step with the plain mass where Ω² = k/m. This happens at only one mass ratio ε = m′/m. "
-            "Between which two ratios is it?"
+            "The machine is in step with the plain mass where Ω²\u00a0=\u00a0k/m. This happens at only one mass ratio "
+            "ε\u00a0=\u00a0m′/m. Between which two ratios is it?"
         ),
         options={name: filled(_("Between {low} and {high}"), **_between(name)) for name in BRACKETS},
         replies={name: _outside(name) for name in BRACKETS if name != _by_hand()},
@@ -175,8 +175,9 @@ STOPS = (
         id="1729",
         heading=_("Why 1729?"),
         question=_(
-            "The machine is in step where {quadratic}. The number under the root is {number} = {first} = {second}. "
-            "Which of these two sums can you read off the coefficients as b² plus −4ac?"
+            "The machine is in step where {quadratic}. The number under the root is "
+            "{number}\u00a0=\u00a0{first}\u00a0=\u00a0{second}. Which of these two sums can you read off the "
+            "coefficients as b² plus −4ac?"
         ),
         options=dict(second="{second}", both=_("Both"), neither=_("Neither"), first="{first}"),
         replies={
@@ -194,8 +195,8 @@ STOPS = (
         given={
             **_NAMED,
             "number": _NUMBER,
-            "first": "{}³ + {}³".format(*_SUMS[0]),
-            "second": "{}³ + {}³".format(*_SUMS[1]),
+            "first": unbroken("{}³ + {}³".format(*_SUMS[0])),
+            "second": unbroken("{}³ + {}³".format(*_SUMS[1])),
             "pairs": _SUMS,
             "terms": [x**3 for x in _SUMS[1]],
             "norm": number_theory.norm_form(),

@@ -83,13 +83,13 @@ def verdict(friction: Friction, compression: float) -> None:
     holds = compression <= friction.largest
     sentence = (
         _(
-            ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ = {mu} this is true up "
-            "to x₀\u00a0=\u00a0{largest}. Beyond that, the contact between **{contact}** slips first."
+            ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ\u00a0=\u00a0{mu} this is "
+            "true up to x₀\u00a0=\u00a0{largest}. Beyond that, the contact between **{contact}** slips first."
         )
         if holds
         else _(
-            ":red[:material/error: **The model no longer holds.**] With μ = {mu}, the contact between **{contact}** "
-            "slips from x₀\u00a0=\u00a0{largest} on. The picture still shows rolling."
+            ":red[:material/error: **The model no longer holds.**] With μ\u00a0=\u00a0{mu}, the contact between "
+            "**{contact}** slips from x₀\u00a0=\u00a0{largest} on. The picture still shows rolling."
         )
     )
     # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.

@@ -10,7 +10,7 @@ from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATES
 from ramanujan.accuracy.extremes import FORMS, RIGHT, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.figures import speed as figures
-from ramanujan.numerals import duration, filled, number
+from ramanujan.numerals import duration, filled, number, unbroken
 from ramanujan.pages.speed import cache, verdicts
 from ramanujan.pages.speed.downsampling import SCREEN_HEIGHT
 from ramanujan.shell import address, drawings, theme, widgets
@@ -29,9 +29,9 @@ SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 
 _CHOICES = (
     _(
-        "**Motion, stage and figures**: the closed form. For equal masses of 1 kg and k = 1 N/m its phase error is at "
-        "most {phase_error:2} rad from {first} to {last:2} periods. A state takes {state}, however long after the "
-        "release."
+        "**Motion, stage and figures**: the closed form. For equal masses of 1\u202fkg and k\u00a0=\u00a01\u202fN/m "
+        "its phase error is at most {phase_error:2 rad} from {first} to {last:2} periods. A state takes {state}, "
+        "however long after the release."
     ),
     _(
         "**Ω² of a machine**: {machine_formula}. For {machines:2} random machines over the whole range of float64, the "
@@ -100,7 +100,7 @@ def where_forms_fail(shown: Sequence[Sweep]) -> None:
     """Say where each form fails, and which formulas they are."""
     widgets.table(verdicts.failure_table(shown, cache.ALONG[shown[0].along][0]), "forms")
     item = _("- **{name}**: Ω² = {formula}")
-    st.markdown("\n".join(item.format(name=form.title, formula=form.formula) for form in FORMS.values()))
+    st.markdown("\n".join(item.format(name=form.title, formula=unbroken(form.formula)) for form in FORMS.values()))
 
 
 def many_periods(machine: Oscillator) -> None:
@@ -144,9 +144,9 @@ def what_the_app_uses() -> None:
         phase_error=max(each.phase_error for each in states),
         state=duration(float(np.median([each.seconds.median for each in states]))),
         machines=machine.x.size,
-        machine_formula=FORMS[machine.form].formula,
+        machine_formula=unbroken(FORMS[machine.form].formula),
         machine_error=machine.worst_right_ulp,
-        curve_formula=FORMS[curve.form].formula,
+        curve_formula=unbroken(FORMS[curve.form].formula),
         curve_error=curve.worst_right_ulp,
         failed=int(np.count_nonzero(curve.verdict != RIGHT)),
         **{kind: duration(seconds) for kind, seconds in kinds.items() if kind not in DIGITS},

@@ -69,9 +69,9 @@ def errors_of(run: Run) -> str:
     off = (_("{turns} full turns") if turns > 1 else _("{turns} of a full turn")).format(turns=number(turns))
     phase = (
         # TRANSLATORS: {off} is 3 full turns, or 0.2 of a full turn.
-        _("At the end the computed machine is **{off} ahead** ({phase} rad).")
+        _("At the end the computed machine is **{off} ahead** ({phase}\u202frad).")
         if run.phase_at_end > 0
-        else _("At the end the computed machine is **{off} behind** ({phase} rad).")
+        else _("At the end the computed machine is **{off} behind** ({phase}\u202frad).")
     ).format(off=off, phase=number(abs(run.phase_at_end)))
     if worst > 1:
         energy = grown.format(factor=number(1 + worst))
@@ -88,7 +88,7 @@ def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: Cl
     """Name the cheapest run within the tolerance, its cost, and the closed form's."""
     said = [_cheapest(choices[0], tolerance, by) if choices else _none_reaches(tolerance)]
     if exact is not None:
-        sentence = _("The closed form takes {time} for the last state, and its phase error is {error} rad.")
+        sentence = _("The closed form takes {time} for the last state, and its phase error is {error}\u202frad.")
         said.append(sentence.format(time=duration(exact.seconds.median), error=number(exact.phase_error)))
     return " ".join(said)
 
@@ -207,15 +207,15 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
     """Say when each way to compute the phase has lost it, and how small the reduced one's error stays."""
     said = [
         _(
-            "In float32 the error of the plain product Ω·t reaches 1 rad between {before} and {after} periods. From "
-            "there on the phase is meaningless and the curve is flat."
+            "In float32 the error of the plain product Ω·t reaches 1\u202frad between {before} and {after} periods. "
+            "From there on the phase is meaningless and the curve is flat."
         ).format(before=number(before.periods), after=number(after.periods))
         for before, after in pairwise(errors)
         if before.float32 <= 1 < after.float32
     ][:1]
     reduced = _(
-        "In float64 the error is {last.float64:2} rad after {last.periods:2} periods. If Ω/2π is stored in two "
-        "floating-point numbers and whole turns are subtracted first, the error never exceeds **{least:2} rad**."
+        "In float64 the error is {last.float64:2 rad} after {last.periods:2} periods. If Ω/2π is stored in two "
+        "floating-point numbers and whole turns are subtracted first, the error never exceeds **{least:2 rad}**."
     )
     said.append(filled(reduced, last=errors[-1], least=max(each.reduced for each in errors)))
     return " ".join(said)

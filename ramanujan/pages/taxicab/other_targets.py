@@ -26,7 +26,7 @@ FOLLOWERS = ("unit_curve",)
 def another_target() -> None:
     """Ask for another target of the paper's machine, and say what it leads to."""
     asked = address.held(P), address.held(Q)
-    with st.expander(_("Another frequency, another number: choose Ω²m/k = p/q"), expanded=asked != (1, 1)):
+    with st.expander(_("Another frequency, another number: choose $\\Omega^2m/k=p/q$"), expanded=asked != (1, 1)):
         with st.container(horizontal=True):
             p = widgets.count(P, _("p"), width=130)
             q = widgets.count(Q, _("q"), width=130)

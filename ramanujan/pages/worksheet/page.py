@@ -119,11 +119,8 @@ def make_worksheet() -> None:
 
 def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], points: int) -> None:
     """Draw the title with the name, by which worksheet and key find each other, and the machine of the calculations."""
-    titles = {
-        "questions": _("Ramanujan’s oscillator: worksheet {seed}"),
-        "key": _("Ramanujan’s oscillator: key {seed}"),
-    }
-    st.title(titles[paper].format(seed=spaced(seed)), anchor=False)
+    title = _("Ramanujan’s oscillator: key {seed}") if paper == "key" else _("Ramanujan’s oscillator: worksheet {seed}")
+    st.title(title.format(seed=spaced(seed)), anchor=False)
     if paper == "questions" and not is_projector():
         lines = _("Name {line} Date {line} Points {line} of {points}")
         st.html(f"<p class='name' style='display:flex;gap:.4em'>{lines.format(line=_LINE, points=points)}</p>")
@@ -139,9 +136,9 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
         _(
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
             "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is "
-            "ε\u00a0=\u00a0m′/m. “Plain mass” means a mass m that oscillates on an equal spring, with the angular "
-            "frequency √(k/m). The block is displaced by X to the left. The lower rollers turn clockwise by φ, the top "
-            "cylinder by Φ."
+            "$\\varepsilon=m'/m$. “Plain mass” means a mass m that oscillates on an equal spring, with the angular "
+            "frequency $\\sqrt{k/m}$. The block is displaced by X to the left. The lower rollers turn clockwise by φ, "
+            "the top cylinder by Φ."
         ),
         _("The machine of questions {first} to {last}: {values}.").format(
             first=calculations[0], last=calculations[-1], values=values
