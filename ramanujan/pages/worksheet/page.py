@@ -137,9 +137,9 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
             "Model: the bodies are rigid and the spring is ideal. The three rollers roll without slipping, and the "
             "floor has no friction. The machine oscillates with one angular frequency, Ω. The mass ratio is "
             "$\\varepsilon=m'/m$. “Plain mass” means a mass m that oscillates on an equal spring, with the angular "
-            "frequency $\\sqrt{k/m}$. The block is displaced by X to the left. The lower rollers turn clockwise by φ, "
+            "frequency {frequency}. The block is displaced by X to the left. The lower rollers turn clockwise by φ, "
             "the top cylinder by Φ."
-        ),
+        ).format(frequency="$\\sqrt{k/m}$"),
         _("The machine of questions {first} to {last}: {values}.").format(
             first=calculations[0], last=calculations[-1], values=values
         ),
