@@ -225,7 +225,7 @@ def test_questions_show_no_answer_and_the_key_shows_all():
         assert question.answer in key
         assert question.answer not in blank
         assert all(line in key for line in question.working)
-    assert "mass ratio is ε\u00a0=\u00a0m′/m" in blank
+    assert "mass ratio is $\\varepsilon=m'/m$" in blank
     # Only its own key leads to a sheet's answers.
     typed = f" {name_of(6)[:5].lower()}-{name_of(6)[5:]}"
     other = app.text_input(key="worksheet_name").set_value(typed).run()
