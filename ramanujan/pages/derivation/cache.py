@@ -92,9 +92,8 @@ def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     found = _modes()
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
-    shapes = [row(equation("v", shape), numbers) for shape in (found.mode_shape, *found.zero_modes)]
-    # Each as high as the first, which has fractions, so that all stand on one line.
-    return [rf"\mathllap{{\phantom{{{shapes[0].right}}}}}{each.latex}" for each in shapes], _aligned(momenta)
+    shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
+    return shapes, _aligned(momenta)
 
 
 @st.cache_data(show_spinner=False)
