@@ -89,15 +89,14 @@ class Page:
         time.sleep(ms / 1000)
 
     def set_viewport_size(self, size: dict[str, int]) -> None:
-        """Make the window so large that its page has this size."""
-        outer = dict(size)
-        for _ in range(2):
-            self.driver.set_window_rect(0, 0, **outer)
-            width, height = self.evaluate("[innerWidth, innerHeight]")
-            outer = {
-                "width": outer["width"] + size["width"] - width,
-                "height": outer["height"] + size["height"] - height,
-            }
+        """Make the window so large that its page has this size, and wait for it: a window has a least width."""
+        for _ in range(40):
+            rect, inner = self.driver.get_window_rect(), self.evaluate("[innerWidth, innerHeight]")
+            if inner == [size["width"], size["height"]]:
+                break
+            width, height = (size[name] + rect[name] - part for name, part in zip(size, inner, strict=True))
+            self.driver.set_window_rect(0, 0, width, height)
+            self.wait_for_timeout(50)
 
     def screenshot(self) -> bytes:
         return self.driver.get_screenshot_as_png()
