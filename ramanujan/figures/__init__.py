@@ -132,9 +132,9 @@ _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
 _ABOVE = (24, 54)
 """Pixels above the panels: for a number at the end of an axis, which Plotly leaves out where it has no room, and for a
-line of words, whose letters are 48 px high on a screen of 2160."""
+line of words, whose letters are up to 39 px high."""
 _LETTERS = 26
-"""Pixels: how large Plotly takes the letters of an axis for; projector.css sets them from 24 to 48 px."""
+"""Pixels: how large Plotly takes the letters of an axis for; projector.css sets them from 24 to 39 px."""
 
 
 def in_large_print(figure: BaseFigure) -> Drawn:

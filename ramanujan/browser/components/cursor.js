@@ -75,9 +75,8 @@ class Cursor {
   // ---- the pointer on a figure over time
 
   press(event) {
-    const graph = dom.graphOf(event.target);
+    const graph = dom.graphOf(event.target), line = event.target.matches?.(`.${CURSOR}`);
     if (event.button !== 0 || !event.isPrimary || graph?.layout?.meta?.cursor !== "time") return;
-    const line = event.target.matches(`.${CURSOR}`);
     if (!line && !dom.isPanel(event.target)) return;
     this.pressed = { graph, line, id: event.pointerId, x: event.clientX, y: event.clientY };
     if (!line) return;
@@ -97,15 +96,16 @@ class Cursor {
   }
 
   shareAt({ clientX }) {
-    const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number), { left, width } = area(graph);
-    return (from + ((clientX - graph.getBoundingClientRect().left - left) / width) * (to - from)) / this.span;
+    const { graph } = this.pressed, [from, to] = graph.layout.xaxis.range.map(Number);
+    const { left, width } = dom.panels(graph)[0].getBoundingClientRect();
+    return (from + ((clientX - left) / width) * (to - from)) / this.span;
   }
 }
 
 function mark(graph, share) {
   const { xaxis, yaxis, meta } = graph.layout;
   if (meta.cursor === "time") {
-    draw(graph, CURSOR, 0, along(xaxis, share * meta.period * meta.periods), 0.5).style.height = `${area(graph).height}px`;
+    draw(graph, CURSOR, 0, along(xaxis, share * meta.period * meta.periods), 0.5).style.height = `${100 * area(graph).height}%`;
     return;
   }
   dom.curves(graph).forEach(({ x, y, visible, line }, i) => {
@@ -117,7 +117,6 @@ function mark(graph, share) {
 }
 
 function between(values, share) {
-  const at = share * (values.length - 1);
-  const i = Math.min(Math.floor(at), values.length - 2);
+  const at = share * (values.length - 1), i = Math.min(Math.floor(at), values.length - 2);
   return values[i] + (at - i) * (values[i + 1] - values[i]);
 }
