@@ -8,6 +8,7 @@ Every screen asks every few seconds what is new: one read by keys.
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 from datetime import UTC, datetime
 from functools import partial
 
@@ -21,7 +22,7 @@ from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, progress
 from ramanujan.shell import address, class_session, widgets
-from ramanujan.shell.class_session import attempt, key_held, leave, seat_held
+from ramanujan.shell.class_session import attempt, key_held, leave, open_class, seat_held
 from ramanujan.translation import _, ngettext
 
 DESK_EVERY, PHONE_EVERY = 2.0, 2.5
@@ -50,24 +51,22 @@ def guests(show: Callable[..., None]) -> None:
         _waiting()
         st.stop()
     if seat := seat_held():
-        st.session_state[_DRAWN] = seen = _seen(_question(seat))
+        st.session_state[_DRAWN] = seen = None
+        with suppress(ClassError):
+            st.session_state[_DRAWN] = seen = _seen(shared().question(seat.code))
         with st.container(key="class_phone"):
             st.html(NOTHING_TO_SET)
-            if seen:
-                class_session.take_settings(shared().machine(seat.code))
-                stop, running = lesson.stop(seen[0]), seen[1]
+            above = st.container()
+            # First of all, as on the wall.
+            _phone()
+        if seen:
+            class_session.take_settings(shared().machine(seat.code))
+            stop, running = lesson.stop(seen[0]), seen[1]
+            with above:
                 st.title(stop.heading, anchor=False)
                 st.markdown(stop.question)
                 show(stop, running, fixed=True)
-            _phone()
         st.stop()
-
-
-def _question(seat: Seat) -> Question | None:
-    try:
-        return shared().question(seat.code)
-    except ClassError:
-        return None
 
 
 def door() -> None:
@@ -108,8 +107,7 @@ def _for_lecturers() -> None:
     words = {seconds: ngettext("{n} day", "{n} days", n).format(n=n) for seconds, n in days.items()}
     with st.container(horizontal=True, vertical_alignment="bottom"):
         kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
-        opened = class_session.open_class, kept
-        st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=opened)
+        st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
 
 
 def panel(stop: Stop, phase: Phase) -> None:
@@ -283,18 +281,17 @@ def _votes(key: str, name: str, **more: str) -> None:
 
 def _seats(key: str) -> None:
     """Draw who sits in the class, and the controls against somebody who fills it with seats."""
-    classes = shared()
-    seats = classes.seats(key)
+    seats = shared().seats(key)
     st.markdown(class_results.taken(seats))
     label = _("Let nobody else join") if seats.is_open else _("Let students join again")
-    st.button(label, key="class_bar", on_click=attempt, args=(classes.let_join, key, not seats.is_open))
+    st.button(label, key="class_bar", on_click=attempt, args=(shared().let_join, key, not seats.is_open))
     st.markdown(
         _(
             "A seat is empty if its student’s page is closed. With the seat, the answer to the present question is "
             "removed, unless its result is shown. A student who comes back gets a new seat."
         )
     )
-    st.button(_("Remove the empty seats"), key="class_clear", on_click=attempt, args=(classes.remove_absent, key))
+    st.button(_("Remove the empty seats"), key="class_clear", on_click=attempt, args=(shared().remove_absent, key))
 
 
 def _ending(key: str) -> None:

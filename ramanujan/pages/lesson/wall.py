@@ -23,6 +23,9 @@ NOTHING_TO_TURN = (
 """Words are as large as both sides of a wall allow; address and code stand in the bar of pages. A rule for all pages
 would need :has(), 2 s of Motion’s load."""
 
+_LOOKS, _AGAIN = "wall_looks", 6
+"""Session state: how often the wall has seen the present view of the class. After so many looks it is drawn again: a
+busy server can lose what a run has drawn if the page has asked for the next run meanwhile (Streamlit issue 9921)."""
 _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
 
@@ -37,20 +40,22 @@ def _draw(code: str) -> None:
     """Draw the wall of the class with this code."""
     try:
         question = shared().question(code)
-    except ClassError as error:
-        st.warning(str(error))
+    except ClassError:
+        st.session_state.pop(_LOOKS, None)
+        _watch(code)
         st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
         return
     with st.container(key="class_wall"):
         st.html(NOTHING_TO_TURN)
+        class_session.take_settings(shared().machine(code))
+        # Before the rest: what keeps the wall looking must not be lost with the end of a run.
+        _watch(code)
         if question.stop is None:
             _how_to_join(code)
         elif question.stop == END:
             _look_back(code)
         else:
-            class_session.take_settings(shared().machine(code))
             _show(code, lesson.stop(question.stop), question)
-        _watch(code, question)
 
 
 def _show(code: str, stop: Stop, question: Question) -> None:
@@ -76,15 +81,17 @@ def _show(code: str, stop: Stop, question: Question) -> None:
 
 
 @st.fragment(run_every=class_session.FOLLOWED_EVERY)
-def _watch(code: str, drawn: Question) -> None:
-    """Draw what changes all the time, and run the whole page where the class has gone on."""
+def _watch(code: str) -> None:
+    """Draw what changes all the time, and run the whole page where the class has gone on, and once more after that."""
     try:
         now = shared().question(code)
     except ClassError as error:
         st.warning(str(error))
         return
-    gone_on = (now.stop, now.vote, now.phase) != (drawn.stop, drawn.vote, drawn.phase)
-    if gone_on or (now.stop not in (None, END) and class_session.settings_differ(shared().machine(code))):
+    view = (now.stop, now.vote, now.phase)
+    looks = st.session_state.get(_LOOKS, {}).get(view, -1) + 1
+    st.session_state[_LOOKS] = {view: looks}
+    if looks in (0, _AGAIN) or class_session.settings_differ(shared().machine(code)):
         st.rerun()
     class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
@@ -119,12 +126,10 @@ def _how_to_join(code: str) -> None:
     with words, st.container(key="class_invitation"):
         st.title(_("Join the class"), anchor=False)
         st.markdown(_("On your phone, open"))
-        with st.container(key="class_address"):
-            # As plain text: an address is whatever the browser says it is.
-            st.text(f"{here.netloc}{here.path}")
+        # As plain text: an address is whatever the browser says it is.
+        st.container(key="class_address").text(f"{here.netloc}{here.path}")
         st.markdown(_("then choose **Class** and type"))
-        with st.container(key="class_letters"):
-            st.text(spaced(code))
+        st.container(key="class_letters").text(spaced(code))
         if here.hostname in _ONLY_HERE:
             st.warning(
                 _(
