@@ -141,13 +141,13 @@ FORMS: dict[str, Form] = {
         "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); r = m/m′ < 1: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
         _scaled,
     ),
-    "effective_mass": Form(_("effective mass"), "k/M_x, M_x = 3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′))", _effective_mass),
+    "effective_mass": Form(_("effective mass"), "k/(3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′)))", _effective_mass),
     "partial_fractions": Form(
         _("partial fractions"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _partial_fractions
     ),
     "integers": Form(
         _("exact integers"),
-        _("{formula} in integers of any length, rounded once").format(formula="8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)"),
+        _("{formula}, in integers of any length, rounded once").format(formula="8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)"),
         _integers,
     ),
 }

@@ -46,6 +46,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "title": {"standoff": 6},
         "automargin": True,
     }
+    around = ("2px 0", "-2px 0", "0 2px", "0 -2px")
     layout = {
         "font": {"color": colors["ink"], "size": 14, "family": _FAMILY},
         # The page's own ground, so that a figure that is saved in the dark theme can be read.
@@ -57,8 +58,8 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "modebar": {"bgcolor": colors["paper"], "color": colors["ink"], "activecolor": colors["primary"]},
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
         "separators": DECIMAL + THIN,
-        # A line that passes behind a name leaves its letters free, on paper and in a saved file as well.
-        "annotationdefaults": {"font": {"shadow": ", ".join([f"0 0 3px {colors['paper']}"] * 4)}},
+        # Lines leave the letters of a name free, in a saved file as well; a blurred shadow is darker than dark paper.
+        "annotationdefaults": {"font": {"shadow": ", ".join(f"{by} {colors['paper']}" for by in around)}},
     }
     return {"layout": layout, "data": {"scatter": [{"type": "scatter"} | ({"hovertemplate": hover} if hover else {})]}}
 

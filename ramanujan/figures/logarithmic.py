@@ -24,7 +24,7 @@ def look_of(index: int, colors: Colors) -> tuple[str, str]:
 def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
     """Return an axis in the common look: its title, and what its ends show, as Plotly counts it."""
     title_look = {"text": title, "standoff": 8, "font": {"size": 14}}
-    look = {"tickfont": {"size": 12}, "exponentformat": "power", "fixedrange": True}
+    look = {"tickfont": {"size": 12}, "ticklabelstandoff": 3, "exponentformat": "power", "fixedrange": True}
     return {"title": title_look, "range": list(ends), **look, **more}
 
 

@@ -44,7 +44,7 @@ class Curve:
 
 _LENS = (0.8, 1.4), (0.78, 1.2)
 """The part of ε and of Ω²m/k that the inset enlarges: there the marked ratios keep apart, on a phone as well."""
-_PLACE = (0.04, 0.5), (0.12, 0.59)
+_PLACE = (0.04, 0.5), (0.16, 0.59)
 """The place of the inset, below the curve, in shares of the panel."""
 
 
@@ -94,7 +94,7 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
         note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside,
         note(_("in step"), colors["primary"], most, curve.unit.value) | in_lens | at_end,
         note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_lens | {"xshift": 10, "yshift": 6},
-        note(curve.unit.label, colors["top"], least, low) | in_lens,
+        note(curve.unit.label, colors["top"], least, low) | in_lens | {"yshift": 4},
     ]
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"
     more = {"shapes": _lens(ends, highest, curve.unit.value, colors), "annotations": notes}

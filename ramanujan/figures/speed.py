@@ -23,7 +23,7 @@ _HIGH = 560
 """Height [px] of two panels with the gap between them."""
 _STRIP, _HALF_STRIP = 62, 0.24
 """Height [px] of the strip of a form with its name above it, and half of that without, in these."""
-_MARGIN = {"l": 60, "r": 12, "t": 12, "b": 48}
+_MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 
 
 Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -179,13 +179,14 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
         "textposition": "inside",
         "insidetextanchor": "middle",
         "textangle": 0,
+        "constraintext": "none",
         "textfont": {"color": colors["paper"], "size": 13},
         "hovertemplate": "%{customdata}<extra></extra>",
     }
-    above = {"xanchor": "left", "yanchor": "bottom"}
+    above = {"xanchor": "left", "yanchor": "bottom", "yshift": 3}
     notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
-    x_axis = logarithmic.power_axis(quantity, start, end)
+    x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
     layout = {"margin": _MARGIN, "xaxis": x_axis, "yaxis": hidden, "annotations": notes}
     return figure([bars], colors, 76 + _STRIP * len(strips), **layout)
 

@@ -156,11 +156,11 @@ STOPS = (
             "without": _("In the equation this ratio leaves {without:3} instead of 0. Where is −b?"),
             "double": _("In the equation this ratio leaves {double:3} instead of 0. By what is the root divided?"),
         },
-        given={**_NAMED, "root": _NUMBER, "twice": 2 * A},
+        given={**_NAMED, "root": unbroken(f"(√{_NUMBER} − {B})/{2 * A}")},
         answer=_exactly,
         why=_(
-            "Ω² = k/m leads to {quadratic}. With a = {a}, b = {b} and c = −{c}, the positive root is (√{root} − "
-            "{b})/{twice}, about {value:7}. A mass ratio cannot be negative, so the other root does not count."
+            "Ω² = k/m leads to {quadratic}. With a = {a}, b = {b} and c = −{c}, the positive root is {root}, about "
+            "{value:7}. A mass ratio cannot be negative, so the other root does not count."
         ),
         numbers=_remainders,
         hints=(_("The roots of a·ε² + b·ε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),),

@@ -65,6 +65,7 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
     return [sides, svg];
   });
   const draw = () => {
+    const high = Math.max(...sums.map((sides) => tallest(sides, box.checked, widest + APART)));
     for (const [sides, svg] of pictures) {
       const layers = new Map();
       for (const { cube, face, outline, grid, layers: count, rise } of faces(sides, box.checked, Number(slider.value)))
@@ -77,7 +78,6 @@ export default function ({ data: { sums, sees, captions, words }, parentElement:
         }
       svg.replaceChildren(...layers.values());
       const { x, y, width, height } = svg.getBBox(), room = EDGE * (widest + APART + 2);
-      const high = tallest(sides, box.checked, widest + APART);
       set(svg, { viewBox: `${x + (width - room) / 2} ${y + (height - high) / 2} ${room} ${high}` });
     }
     slider.ariaValueText = fill(words.degrees, { angle: slider.value });

@@ -224,8 +224,8 @@ def explain(setting: Setting) -> None:
     """Say whose numbers the steps show, and what their symbols mean."""
     if setting.numbers:
         st.caption(stated(setting.numbers))
-    meanings = "; ".join(symbols(setting.route))
-    st.expander(_("What the symbols of this route mean")).caption(f"{meanings}. {DOTS}")
+    meanings = "\n".join(f"- {meaning}" for meaning in symbols(setting.route))
+    st.expander(_("What the symbols of this route mean"), key="meanings").caption(f"{meanings}\n\n{DOTS}")
 
 
 @st.fragment

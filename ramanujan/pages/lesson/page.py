@@ -9,7 +9,7 @@ from ramanujan import lesson
 from ramanujan.browser import components
 from ramanujan.pages.lesson import classroom, exercise, progress, stops, tasks, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
-from ramanujan.shell.display_mode import is_projector, slide
+from ramanujan.shell.display_mode import columns, is_projector, slide
 from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _, ngettext
 
@@ -146,9 +146,10 @@ def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     label = _("Show the notes on all stops. They name the right answers.")
     if not (class_session.key_held() or st.toggle(label, key="notes_shown")):
         return
+    halves = columns("notes")
     for start in range(0, len(lesson.STOPS), _NOTES):
         numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]
-        with slide(f"notes_{start}", numbered[0][1].heading):
+        with halves[2 * start >= len(lesson.STOPS)], slide(f"notes_{start}", numbered[0][1].heading):
             for number, stop in numbered:
                 _note(number, stop)
     with slide("sources", _("Sources")):

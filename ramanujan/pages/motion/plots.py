@@ -71,7 +71,7 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
         )
         sentences.append(filled(sentence, block=block, top=top))
     plane, *modes = sentences
-    for place, said in zip(columns("displacements"), (plane, " ".join(modes)), strict=True):
+    for place, said in zip(columns("displacements"), (" ".join(modes), plane), strict=True):
         with place:
             st.caption(said)
 
@@ -166,7 +166,7 @@ def friction_needed(motion: Record, friction: Friction) -> None:
     )
     sees = _("Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}.")
     chart(bars, "friction_needed", sees.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
-    st.metric(_("Largest compression without slip"), centimetres(friction.largest))
+    st.markdown(_("Largest compression without slip: **{length}**").format(length=centimetres(friction.largest)))
 
 
 def chart(figure: object, name: str, alt: str) -> None:

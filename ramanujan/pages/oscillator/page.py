@@ -268,9 +268,7 @@ def on_slides(steps: list[cache.SummaryStep]) -> None:
                 words.markdown(f"### {title}\n{way.reason}")
                 words.latex(way.equations)
                 with picture:
-                    drawings.draw(
-                        machine, alt=_("The machine with its coordinates."), style="width:100%;background:#fff"
-                    )
+                    drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
                     if way == step.ways[-1]:
                         with_numbers(aligned(step.numbers, 24))
 

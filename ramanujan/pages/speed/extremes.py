@@ -39,9 +39,9 @@ _CHOICES = (
         "{fraction}."
     ),
     _(
-        "**The curve of Ω²m/k**: {curve_formula}, for k = m. It computes whole arrays: a value takes {array} in an "
-        "array and {float64} by itself. For the same machines its error is up to {curve_error:2} ulp, and it fails for "
-        "{failed} of them."
+        "**The curve of Ω²m/k**: {curve_formula}, for k\u00a0=\u00a0m. It computes whole arrays: a value takes "
+        "{array} in an array and {float64} by itself. For the same machines its error is up to {curve_error:2} ulp, "
+        "and it fails for {failed} of them."
     ),
     _(
         "**Formulas and steps of the derivation**: exact fractions. One value of Ω² takes {fraction} and has no "
@@ -77,13 +77,12 @@ def forms_at_extremes() -> list[Sweep]:
         st.markdown(sentence.format(double=double, single=single))
     with figure, st.skeleton(height=480):
         swept, _solvers = cache.sweeps()
-    with words:
-        name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
-    along, _between, dtype = name.partition("_")
-    shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
-    sees = _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.")
-    findings = "; ".join(map(verdicts.in_words, shown))
     with figure:
+        name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
+        along, _between, dtype = name.partition("_")
+        shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
+        sees = _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.")
+        findings = "; ".join(map(verdicts.in_words, shown))
         strips = {FORMS[each.form].title: verdicts.strip(each) for each in shown}
         drawn = figures.forms(strips, quantity=cache.ALONG[along][1], colors=theme.colors())
         drawings.plot(drawn, "forms", sees.format(count=len(FORMS), findings=findings))

@@ -85,7 +85,7 @@ def choose() -> tuple[str, str, int]:
         name_of_worksheet()
         level = widgets.selectbox(LEVEL, _("Guidance"), width=280)
         if not is_projector():
-            st.button(_("New worksheet with its key"), on_click=make_worksheet)
+            st.button(_("New worksheet with its key"), width="stretch", on_click=make_worksheet)
         st.caption(_("Another name makes another worksheet. Print this page with Ctrl+P or Cmd+P, on A4 or Letter."))
         if has_key and not is_projector():
             st.caption(
@@ -130,7 +130,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
         drawings.draw(
             machine_svg(machine, sidebar.compression(), theme.on_paper()),
             alt=_("The machine, drawn to scale: block, hoop, lower cylinder, slab, spring and top cylinder."),
-            style=f"width:{'100%' if is_projector() else '560px'};max-width:100%;background:#fff",
+            style=f"width:{'100%' if is_projector() else '35rem'};max-width:100%",
         )
     said = [
         _(
