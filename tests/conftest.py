@@ -9,6 +9,7 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from functools import cache
+from tempfile import TemporaryDirectory
 
 import pytest
 from hypothesis import settings
@@ -22,6 +23,9 @@ IN_A_BROWSER = ("test_browser", "test_deployment")
 SHARED = re.compile(r"firefox|webkit|notebook_|test_(accuracy|browser_files|class_postgres|deployment|rooms)\.py")
 """In the names of tests, what those have in common that share a browser, a kernel or a server."""
 
+# The classes that tests open are not among those of this machine's own app, which keeps 200 at most.
+_CLASSES = TemporaryDirectory()
+os.environ.setdefault("RAMANUJAN_CLASSES", f"{_CLASSES.name}/classes.sqlite")
 
 # In CI the same cases each time: a case that nobody has met yet is looked for on the machines of developers.
 settings.register_profile("ci", derandomize=True)
