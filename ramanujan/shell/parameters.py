@@ -57,7 +57,7 @@ class Parameter(URLParameter):
     @property
     def label(self) -> str:
         """The name of the slider for screen readers."""
-        unit = f" [{self.unit}]" if self.unit else ""
+        unit = f"\u00a0[{self.unit}]" if self.unit else ""
         return f"{self.meaning}, {self.symbol}{unit}"
 
     @property

@@ -46,7 +46,7 @@ def _choice(draw: Callable, key: Choice, label: str, words: Words | None, **more
 
 def beside(widths: int | Sequence[float], *draw: Callable[[], Any], alignment: str = "top") -> list[Any]:
     """Draw widgets beside each other in columns, or below each other in a single one, and return their values."""
-    columns = st.columns(widths, gap="medium", vertical_alignment=alignment)
+    columns = st.columns(widths, vertical_alignment=alignment)
     values = []
     for column, each in zip(columns if len(columns) > 1 else columns * len(draw), draw, strict=True):
         with column:

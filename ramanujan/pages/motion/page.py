@@ -94,7 +94,7 @@ def verdict(friction: Friction, compression: float) -> None:
     )
     # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
     said = {"mu": fixed(friction.coefficient, 2), "largest": centimetres(friction.largest)}
-    st.container(border=True).markdown(sentence.format(**said, contact=cache.CONTACTS[friction.first]))
+    st.container(border=True, width="content").markdown(sentence.format(**said, contact=cache.CONTACTS[friction.first]))
 
 
 def freeze(motion: Record) -> None:

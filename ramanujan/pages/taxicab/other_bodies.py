@@ -190,13 +190,13 @@ def pair(left: str, right: str) -> str:
 
 def legend(color: str) -> str:
     """Return all bodies with their names and shape factors β, as HTML."""
-    figures = (
-        f'<figure style="margin:0;display:flex;gap:.4rem;align-items:center">'
-        f'<img width="38" height="38" alt="" src="{_address(body, color)}">'
-        f"<figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>"
+    figures = [
+        f'<figure style="margin:0;min-width:98px;display:flex;gap:.4rem;align-items:center"><img width="38" height="38"'
+        f' alt="" src="{_address(body, color)}"><figcaption>{WORDS[body]}<br>β = {beta}</figcaption></figure>'
         for body, beta in BODIES.items()
-    )
-    return f'<div style="display:flex;flex-wrap:wrap;gap:.6rem 1rem">{"".join(figures)}</div>'
+    ]
+    row = "<div style='display:flex;flex-wrap:wrap;gap:.6rem 1rem'>{}</div>"  # four in a row, or two and two
+    return row.format(row.format("".join(figures[:2])) + row.format("".join(figures[2:])))
 
 
 def _address(body: str, color: str) -> str:
