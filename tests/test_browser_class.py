@@ -35,8 +35,12 @@ ASK_WHEN_TOLD = """(() => {
   };
   globalThis.clearInterval = (id) => (asks.delete(id), end(id));
   globalThis.hear = () => asks.forEach((ask) => ask());
+  const later = setTimeout;
+  globalThis.setTimeout = (act, pause, ...more) => (pause > 10_000 ? 0 : later(act, pause, ...more));
 })()"""
-"""What a page does by itself every few seconds it does when the test says so: nine pages would ask all the time."""
+"""What a page does by itself every few seconds it does when the test says so: nine pages would ask all the time.
+
+Nor does a screen that hears nothing for long load itself anew."""
 
 
 def hear(*pages: Page) -> None:

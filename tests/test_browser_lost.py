@@ -12,7 +12,8 @@ from urllib.parse import parse_qs, urlsplit
 import pytest
 from playwright.sync_api import expect
 
-from ramanujan import Oscillator
+from ramanujan import Oscillator, lesson
+from ramanujan.lesson.classes import shared
 from ramanujan.shell import navigation
 from tests.browser import inside, next_frame, press_preset, settle, thumb
 from tests.slow_network import Network
@@ -342,6 +343,22 @@ def test_one_visit_is_one_entry_of_the_history_and_back_and_forward_go_through_t
     seen("Ramanujan’s oscillator")
     page.go_forward()
     seen("Many ways to one frequency")
+
+
+DEAF = """if (!sessionStorage.wasDeaf) {
+  sessionStorage.wasDeaf = true;
+  globalThis.setInterval = () => 0;
+  const later = setTimeout;
+  globalThis.setTimeout = (act, pause, ...more) => later(act, pause === 20_000 ? 3_000 : pause, ...more);
+}"""
+"""A page that does not look for news, as when the end of a run was lost, until it is loaded anew, here sooner."""
+
+
+def test_a_wall_that_has_stopped_looking_for_news_follows_its_class_again(visit):
+    opened, stop = shared().open_class(), lesson.STOPS[0]
+    wall = visit(f"lesson?class={opened.code}&wall=on&view=projector", DEAF)
+    shared().ask(opened.key, stop.id, list(stop.options))
+    expect(wall.locator("h1")).to_have_text([stop.heading])
 
 
 def test_a_wall_keeps_its_question_and_one_small_notice_while_the_server_is_away(late, visit):

@@ -17,9 +17,9 @@
       "a finger on a slider scrolls the page, unless it moves sideways",
       () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
     ],
-    "stApp tells the state of the connection": [
-      "the notice that the page reconnects",
-      () => one("[data-testid=stApp][data-test-connection-state]"),
+    "stApp tells the state of the connection, and of a run": [
+      "the notice that the page reconnects; a screen of a class that hears nothing is loaded anew",
+      () => one("[data-testid=stApp][data-test-connection-state][data-test-script-state]"),
     ],
     "a component has the colour scheme of the page": [
       "figures follow a switch of the theme",

@@ -107,11 +107,14 @@ export const dom = {
     };
   },
 
-  /** Tell a listener, at every change, whether the page can reach its server. */
+  /** Whether this page is a screen of a class: a wall, a phone or a desk. */
+  isClass: () => Boolean(document.querySelector(".st-key-class_wall, .st-key-class_phone, .st-key-class_desk")),
+
+  /** Tell a listener, at every change and every run, whether the page can reach its server. */
   watchConnection(listener, signal) {
     const app = document.querySelector("[data-testid=stApp]");
     const tell = () => listener(app.dataset.testConnectionState === "CONNECTED");
-    if (app) observe(app, { attributeFilter: ["data-test-connection-state"] }, tell, signal);
+    if (app) observe(app, { attributeFilter: ["data-test-connection-state", "data-test-script-state"] }, tell, signal);
   },
 
   /** A colour of the theme, as Streamlit gives it to a component. */
