@@ -66,7 +66,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             names = self.ports.keys() - OTHERS.keys()
             for name in names:
                 self.start(name)
-            self._wait(names)
+            self.wait(names)
         except BaseException:
             self.__exit__()
             raise
@@ -80,7 +80,7 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
             process.wait()
         self.state.cleanup()
 
-    def _wait(self, names: set[str], seconds: float = 90) -> None:
+    def wait(self, names: set[str], seconds: float = 90) -> None:
         """Wait until the proxy sends visitors to these processes."""
         seen, end = set(), time.monotonic() + seconds
         while seen < names:

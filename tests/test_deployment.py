@@ -85,7 +85,8 @@ def test_the_app_knows_a_visitor_by_the_address_that_the_proxy_has_seen(hall: de
 
     def networks() -> Counter[str]:
         with sqlite3.connect(f"{hall.state.name}/classes.sqlite") as file:
-            return Counter(network for (network,) in file.execute("SELECT network FROM voter"))
+            found = file.execute("SELECT network FROM voter WHERE code = ?", (opened.code,))
+            return Counter(network for (network,) in found)
 
     # A thread has no event loop, where Playwright may have left one.
     with ThreadPoolExecutor(1) as thread:
@@ -208,6 +209,8 @@ def check_killed_process(hall: deployed, tab: object, other: object) -> None:
     assert process_of(tab) == "second"
     assert slider(tab).input_value() == moved
     assert other.url == other_address
+    hall.start("first")
+    hall.wait({"first"})
 
 
 def slider(tab: object) -> object:
