@@ -100,7 +100,7 @@ def verdict(friction: Friction, compression: float) -> None:
 def freeze(motion: Record) -> None:
     """Offer to stop at the instant at which a contact needs the most friction."""
     instant, contact = greatest_friction(motion)
-    label = _("Pause at the greatest friction ({contact}, t = {time})").format(
+    label = _("Pause at the greatest friction ({contact}, t\u00a0=\u00a0{time})").format(
         contact=cache.CONTACTS[contact], time=quantity(instant, "s", 3)
     )
     components.moment("motion", instant, label)
