@@ -40,7 +40,7 @@ ASK_WHEN_TOLD = """(() => {
 })()"""
 """What a page does by itself every few seconds it does when the test says so: nine pages would ask all the time.
 
-Nor does a screen that hears nothing for long load itself anew."""
+Nor does a wall that hears nothing for long load itself anew."""
 
 
 def hear(*pages: Page) -> None:

@@ -18,8 +18,8 @@
       () => each(".stSlider", (slider) => slider.querySelector("[role=group]")),
     ],
     "stApp tells the state of the connection, and of a run": [
-      "the notice that the page reconnects; a screen of a class that hears nothing is loaded anew",
-      () => one("[data-testid=stApp][data-test-connection-state][data-test-script-state]"),
+      "the notice that the page reconnects; a wall that hears nothing is loaded anew",
+      () => one("[data-testid=stApp][data-test-connection-state][data-test-script-state=notRunning]"),
     ],
     "a component has the colour scheme of the page": [
       "figures follow a switch of the theme",

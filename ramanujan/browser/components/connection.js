@@ -1,8 +1,8 @@
 // Says at once that the server is away and that nothing is lost. Streamlit itself only disables its widgets until the server
 // is back, or covers the page with a box that asks for the internet (page.css hides it).
 //
-// A class's screens look for news every few seconds. A busy server can lose what makes Streamlit's page look again
-// (streamlit#9921): a screen on which nothing has run for LONGEST ms is loaded anew.
+// A class's wall looks for news twice a second. A busy server can lose what makes Streamlit's page look again
+// (streamlit#9921), and nobody stands at a wall to reload it: one on which nothing has run for LONGEST ms is loaded anew.
 
 import { bus } from "./bus.js";
 import { atRest } from "./lasting.js";
@@ -14,7 +14,7 @@ export default function ({ data, parentElement }, signal) {
   const notice = parentElement.querySelector(".away");
   notice.textContent = data.away;
   let connected = true;
-  const stalled = atRest(LONGEST, () => (connected && dom.isClass() && !document.hidden ? location.reload() : stalled()), signal);
+  const stalled = atRest(LONGEST, () => (connected && dom.isIdleWall() && !document.hidden ? location.reload() : stalled()), signal);
   stalled();
   dom.watchConnection((isConnected) => {
     connected = isConnected;

@@ -107,8 +107,8 @@ export const dom = {
     };
   },
 
-  /** Whether this page is a screen of a class: a wall, a phone or a desk. */
-  isClass: () => Boolean(document.querySelector(".st-key-class_wall, .st-key-class_phone, .st-key-class_desk")),
+  /** Whether this page is a class's wall, on which nothing runs. */
+  isIdleWall: () => Boolean(document.querySelector("[data-test-script-state=notRunning] .st-key-class_wall")),
 
   /** Tell a listener, at every change and every run, whether the page can reach its server. */
   watchConnection(listener, signal) {
