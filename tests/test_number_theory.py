@@ -148,6 +148,14 @@ def test_one_change_away():
     *paper, top = nt.BodyChoice().bodies
     assert all((Counter(paper) - Counter(lower)).total() + (top != other) == 1 for *lower, other in changed)
     assert 1729 not in changed.values()
+    expected = {
+        ("hoop", "hoop", "cylinder"): 37,
+        ("cylinder", "cylinder", "cylinder"): 33,
+        ("hoop", "cylinder", "sphere"): 48,
+        ("hoop", "cylinder", "hoop"): 777,
+        ("hoop", "cylinder", "shell"): 1204,
+    }
+    assert expected.items() <= changed.items()
 
 
 def test_discriminants_of_ordinary_targets_can_be_factored():

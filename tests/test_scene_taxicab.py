@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from fractions import Fraction
+from itertools import combinations
 
 import mpmath
 import numpy as np
@@ -198,6 +199,7 @@ def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
     assert np.sum(np.array(table.z) == 1) == 2
     # A click returns the index of the point: it must be that of the machine.
     assert [int(re.sub("</?b>", "", text)) for text in numbers.text] == [machine.discriminant for machine in every]
+    assert all(a.discriminant != b.discriminant for a, b in combinations(every, 2))
 
 
 def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Self
 
 import sympy as sp
 
@@ -26,6 +27,7 @@ _UNITS = {
 }
 """The unit of a left side whose right side may become a number."""
 
+_MARK = r"\underline"
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _SHORT, _SHORTEST = 8, 20
 """Characters of a left side that take no room from the right one, and of the shortest line of a right side."""
@@ -60,6 +62,12 @@ class Row:
     def latex(self) -> str:
         """The equation in one line."""
         return f"{self.left} = {self.right}"
+
+    @property
+    def unmarked(self) -> Self:
+        """The equation without its operation and the marks of that."""
+        left, *terms = (part.replace(_MARK, "") for part in (self.left, *self.terms))
+        return replace(self, left=left, terms=tuple(terms), operation="")
 
     @property
     def margin(self) -> str:
@@ -107,7 +115,7 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     for equation, label, operation, places in zip(
         said.equations, said.labels or none, once, said.marks or none, strict=True
     ):
-        dress = tuple((*place, r"\underline") for place in sorted(places))
+        dress = tuple((*place, _MARK) for place in sorted(places))
         made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
         found.setdefault(made, replace(made, operation=operation))
     return list(found.values())

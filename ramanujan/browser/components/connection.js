@@ -14,7 +14,8 @@ export default function ({ data, parentElement }, signal) {
   const notice = parentElement.querySelector(".away");
   notice.textContent = data.away;
   let connected = true;
-  const stalled = atRest(LONGEST, () => (connected && dom.isIdleWall() && !document.hidden ? location.reload() : stalled()), signal);
+  const act = () => (connected && dom.isIdleWall() && !document.hidden ? location.reload() : stalled());
+  const stalled = atRest(LONGEST, act, signal);
   stalled();
   dom.watchConnection((isConnected) => {
     connected = isConnected;

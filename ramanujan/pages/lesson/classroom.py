@@ -51,9 +51,10 @@ def guests(show: Callable[..., None]) -> None:
         _waiting()
         st.stop()
     if seat := seat_held():
-        st.session_state[_DRAWN] = seen = None
+        seen = None
         with suppress(ClassError):
-            st.session_state[_DRAWN] = seen = _seen(shared().question(seat.code))
+            seen = _seen(shared().question(seat.code))
+        st.session_state[_DRAWN] = seen
         with st.container(key="class_phone"):
             st.html(NOTHING_TO_SET)
             above = st.container()

@@ -1,7 +1,7 @@
 """What page 1 keeps: the fixed part of its curve, and the six steps for the masses that were asked for."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import streamlit as st
@@ -137,7 +137,7 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
     numbers = [row for key, part in in_full.items() for row in rows(steps[key][0], given)[part]]
     return SummaryStep(
         steps[last][0].heading,
-        tuple(row.latex.replace(r"\underline", "") for row in results),
+        tuple(row.unmarked.latex for row in results),
         tuple(
             Way(
                 step.heading,
@@ -147,5 +147,5 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
             )
             for step, found in steps.values()
         ),
-        tuple(replace(row, operation="") for row in numbers if row not in symbols),
+        tuple(row.unmarked for row in numbers if row not in symbols),
     )

@@ -246,8 +246,7 @@ def with_numbers(formula: str, stated: str = "") -> None:
     """Draw equations with the present numbers, if there are any."""
     if formula:
         heading = _("Your machine")
-        unmarked = formula.replace(r"\underline", "")
-        st.markdown(f"### {heading}\n{stated}{in_display(unmarked)}")
+        st.markdown(f"### {heading}\n{stated}{in_display(formula)}")
 
 
 def in_display(formula: str) -> str:
