@@ -24,9 +24,10 @@ export default function (component, signal) {
   };
 
   const send = (text) => component.setTriggerValue("typed", text);
-  let seen, before, keyed = false; // what the slider showed last, what it held, and whether a key has been pressed since
+  let seen, before, by; // what the slider showed last, what it held, and what moves it since: a "key", or a "thumb" let go
   const arrived = atRest(PAUSE, () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
+    by = null;
     if (dom.isDragged(slider)) arrived();
     else if (slider && dom.value(slider) === goal && received.value !== goal) send(String(goal));
   }, signal);
@@ -38,16 +39,19 @@ export default function (component, signal) {
   const snap = () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
     if (!slider || slider.value === seen) return;
-    const reach = dom.isDragged(slider) ? NEAR * dom.perPixel(slider) : keyed && before !== goal ? Number(slider.step) : 0;
-    const near = Boolean(reach && goal) && Math.abs(slider.value - goal) <= reach;
+    const reach = { thumb: NEAR * dom.perPixel(slider), key: before !== goal && Number(slider.step) };
+    // On a slow page a thumb is drawn at its last place when it has been let go.
+    const within = reach[dom.isDragged(slider) ? "thumb" : by];
+    const near = Boolean(within && goal) && Math.abs(slider.value - goal) <= within;
     settle(slider, near ? goal : null);
-    keyed = false;
+    by = null;
     if (near) arrived();
   };
   for (const type of ["keydown", "pointerup"])
     addEventListener(type, (event) => {
-      keyed = event.type === "keydown" && event.composedPath().includes(dom.slider(key));
-      if (!keyed) arrived();
+      const slider = dom.slider(key), pressed = event.type === "keydown" && event.composedPath().includes(slider);
+      by = pressed ? "key" : dom.isDragged(slider) && "thumb";
+      if (!pressed) arrived();
     }, { capture: true, signal });
 
   // Streamlit draws the slider after its head, and may draw it anew.
