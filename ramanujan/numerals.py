@@ -170,7 +170,7 @@ _SENTENCES = _Sentences()
 
 def unbroken(formulas: str) -> str:
     """Return formulas for a text, whose lines break between two of them at most."""
-    return re.sub("(?<![,:;]) ", "\u00a0", formulas)
+    return re.sub("(?<![,:;]) ", "\u00a0", formulas).replace("/", "/\u2060")
 
 
 def power_of_ten(exponent: int) -> str:

@@ -158,4 +158,4 @@ def _written(name: str, font: dict[str, str], places: _Places, best: int, area: 
     (across, up), shares = places.side[best], zip(places.at[best], (area.x_range, area.y_range), strict=True)
     words = note(name, font.get("color"), *(low + share * (high - low) for share, (low, high) in shares), area.axis)
     anchors = {"xanchor": ("center", "left", "right")[across], "yanchor": ("middle", "bottom", "top")[up]}
-    return words | anchors | {"yshift": 2 * int(up)}
+    return words | anchors | {"yshift": 4 * int(up)}

@@ -68,9 +68,9 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     below = [int(least)] if least < low - 3 else []
     decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]
     ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
-    # Of few decades the last one is named, too.
+    # Of few decades the last one is named, too; all are as large as Plotly draws the powers of a logarithmic axis.
     top = high + 0.2 if step > 1 else np.ceil(high) + 0.05
-    return axis(title, (bottom - 0.2 if bottom < low else low, top), **ticks), place, low
+    return axis(title, (bottom - 0.2 if bottom < low else low, top), tickfont={"size": 15}, **ticks), place, low
 
 
 def _powers(exponents: Iterable[int]) -> list[str]:

@@ -87,13 +87,13 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     there = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
     light = _("light rollers: {value}").format(value=curve.light)
     heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy)
-    beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "align": "left"}
+    beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "yshift": 3, "align": "left"}
     in_lens, at_end = beside | {"xref": "x2", "yref": "y2"}, {"xanchor": "right", "xshift": -6}
     notes = [
         note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
         note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside,
         note(_("in step"), colors["primary"], most, curve.unit.value) | in_lens | at_end,
-        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_lens | {"xshift": 10, "yshift": 6},
+        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_lens | {"xshift": 8, "yshift": 5},
         note(curve.unit.label, colors["top"], least, low) | in_lens | {"yshift": 4},
     ]
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"

@@ -187,7 +187,7 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
     notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
     x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}
-    layout = {"margin": _MARGIN, "xaxis": x_axis, "yaxis": hidden, "annotations": notes}
+    layout = {"margin": _MARGIN | {"l": 28}, "xaxis": x_axis, "yaxis": hidden, "annotations": notes}
     return figure([bars], colors, 76 + _STRIP * len(strips), **layout)
 
 

@@ -178,7 +178,7 @@ def take_clicked(point: dict[str, float]) -> None:
 
 def name(machine: BodyChoice) -> str:
     """Return the bodies in words."""
-    return _("Lower rollers: {left} and {right}; on top: {top}").format(
+    return _("Lower rollers: {left} and {right}; on\u00a0top: {top}").format(
         **{place: WORDS[body] for place, body in zip(PAPER, machine.bodies, strict=True)}
     )
 
