@@ -43,7 +43,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "showline": True,
         "linecolor": colors["ink"],
         "ticks": "outside",
-        "title": {"standoff": 6},
+        "title": {"standoff": 6, "font": {"size": 14}},
         "automargin": True,
     }
     around = ("2px 0", "-2px 0", "0 2px", "0 -2px")

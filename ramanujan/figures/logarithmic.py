@@ -23,9 +23,8 @@ def look_of(index: int, colors: Colors) -> tuple[str, str]:
 
 def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
     """Return an axis in the common look: its title, and what its ends show, as Plotly counts it."""
-    title_look = {"text": title, "standoff": 8, "font": {"size": 14}}
     look = {"tickfont": {"size": 12}, "ticklabelstandoff": 3, "exponentformat": "power", "fixedrange": True}
-    return {"title": title_look, "range": list(ends), **look, **more}
+    return {"title": {"text": title, "standoff": 8}, "range": list(ends), **look, **more}
 
 
 def log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:

@@ -108,11 +108,11 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
     ]
     conserved = {
         _("all together: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
-        "<i>p</i><sub>Φ</sub>/<i>R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
+        "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
     }
     for name, (values, color, dash) in conserved.items():
         curves.append(Curve(name, values, colors[color], name, colors[color], width=4, dash=dash))
-    return _over_time(motion, [_panel(_("momentum"), "kg m/s", curves)], colors)
+    return _over_time(motion, [_panel(_("momentum"), "kg·m/s", curves)], colors)
 
 
 def _contacts(motion: Record, colors: Mapping[str, str]) -> Drawn:

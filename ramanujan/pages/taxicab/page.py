@@ -65,7 +65,7 @@ def in_step() -> None:
 
 def digits_and_fractions() -> None:
     """The exact ratio in any number of digits, and as fractions for the workshop."""
-    decimals, fractions = st.columns([2, 3], gap="medium")
+    decimals, fractions = st.columns([2, 3], gap="medium") if is_projector() else columns("ratios")
     with decimals:
         count = widgets.count(DIGITS, _("Digits of ε after the decimal point"), step=10, width=330)
         digits = number_theory.positive_root_digits(*PAPER.quadratic, count)
