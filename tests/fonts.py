@@ -141,14 +141,14 @@ def set_symbols(font: TTFont, italic: TTFont, upright: TTFont) -> None:
         _put(font, f"{names[code]}.italic", italic, italics[code])
     for greek, source, known in ((small, italic, italics), (capital, upright, uprights)):
         for code in names.keys() & known.keys() & set(greek):
-            _put(font, names[code], source, known[code])
+            _put(font, "mu.symbol" if code == 0x3BC else names[code], source, known[code])
     _put(font, names[PRIME], upright, uprights[PRIME], *RAISED)
     dotted = [("Phi", "Phi", 0), ("X", "X.italic", SLOPE)] if 0x307 in names else []
     for base, letter, slope in dotted:
         _put_dot(font, f"{base}.dot", letter, names[0x307], slope)
     for table in font["cmap"].tables:
-        # Firefox looks for the one character before it looks for two.
-        table.cmap |= {code: "X.dot" for code in (0x1E8A,) if code in table.cmap}
+        # Firefox looks for the one character before it looks for two. The sign of a millionth is not the symbol μ.
+        table.cmap |= {code: own for code, own in ((0x1E8A, "X.dot"), (0x3BC, "mu.symbol")) if code in table.cmap}
     letters = {code: name for code, name in names.items() if chr(code).isalpha() and code < 0x370}
     classes = {
         "letters": letters.values(),

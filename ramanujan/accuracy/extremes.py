@@ -138,7 +138,7 @@ FORMS: dict[str, Form] = {
     "polynomial": Form(_("two polynomials"), "8k(7m + 6m′)/(32m² + 49mm′ + 18m′²)", frequency_squared),
     "scaled": Form(
         _("scaled by the larger mass"),
-        "r = m′/m ≤ 1: (k/m)·8(7 + 6r)/(32 + r(49 + 18r)); r = m/m′ < 1: (k/m′)·8(6 + 7r)/(18 + r(49 + 32r))",
+        "(k/m)·8(7 + 6x)/(32 + x(49 + 18x)), x = m′/m ≤ 1; (k/m′)·8(6 + 7x)/(18 + x(49 + 32x)), x = m/m′ < 1",
         _scaled,
     ),
     "effective_mass": Form(_("effective mass"), "k/(3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′)))", _effective_mass),
