@@ -95,7 +95,8 @@ export const drawCoordinates = (root, known, place, shift) =>
   put((name) => root.querySelector(`[data-mark=${name}]`) ?? makeMark(name, root), coordinateMarks(known, place, shift));
 
 function makeMark(name, root) {
-  const [body, kind] = name.split("_"), data = { "data-mark": name, "data-of": body };
+  const [of, kind] = name.split("_"), body = { X: "block", x0: "spring" }[of] ?? of;
+  const data = { "data-mark": name, "data-of": of, style: `--of: var(--${body}-ink, var(--ink))` };
   if (kind !== "label") return element("path", { class: kind, ...data }, root);
   return Object.assign(element("text", data, root), { textContent: LABELS[name] });
 }
