@@ -124,7 +124,7 @@ def horizontal_bars(
 ) -> dict[str, Any]:
     """Return a trace of bars that begin at the left, each with words at its end."""
     bars = {"type": "bar", "orientation": "h", "x": list(lengths), "y": list(places), "marker": marker}
-    return bars | {"text": list(words), "textposition": "outside", "cliponaxis": False}
+    return bars | {"text": list(words), "textposition": "outside", "constraintext": "none", "cliponaxis": False}
 
 
 _LEAST = 400

@@ -42,9 +42,9 @@ class Curve:
     unit: Mark
 
 
-_LENS = (0.8, 1.4), (0.78, 1.2)
+_LENS = (0.8, 1.4), (0.77, 1.24)
 """The part of ε and of Ω²m/k that the inset enlarges: there the marked ratios keep apart, on a phone as well."""
-_PLACE = (0.04, 0.5), (0.16, 0.59)
+_PLACE = (0.04, 0.5), (0.16, 0.61)
 """The place of the inset, below the curve, in shares of the panel."""
 
 
@@ -93,7 +93,7 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
         note(light, None, np.log10(ends[0]), curve.light_limit) | beside,
         note(heavy, None, np.log10(ratios[there]), heavy_limit[there]) | beside,
         note(_("in step"), colors["primary"], most, curve.unit.value) | in_lens | at_end,
-        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_lens | {"xshift": 8, "yshift": 5},
+        note(curve.equal.label, None, curve.equal.ratio, curve.equal.value) | in_lens | {"xshift": 8, "yshift": 3},
         note(curve.unit.label, colors["top"], least, low) | in_lens | {"yshift": 4},
     ]
     hover = f"<i>ε</i> = %{{x:.5g}}<br>{NORMALIZED} = %{{y:.5g}}<extra>%{{fullData.name}}</extra>"

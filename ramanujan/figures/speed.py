@@ -183,7 +183,7 @@ def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors
         "textfont": {"color": colors["paper"], "size": 13},
         "hovertemplate": "%{customdata}<extra></extra>",
     }
-    above = {"xanchor": "left", "yanchor": "bottom", "yshift": 3}
+    above = {"xanchor": "left", "yanchor": "bottom"}
     notes = [note(name, colors["ink"], start, row - _HALF_STRIP) | above for row, name in enumerate(strips)]
     hidden = {"visible": False, "range": [len(strips) - 0.65, -0.8], "fixedrange": True}
     x_axis = logarithmic.power_axis(quantity, start, end) | {"showgrid": False}

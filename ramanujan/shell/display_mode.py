@@ -70,9 +70,9 @@ def columns(name: str) -> Sequence[AbstractContextManager]:
     return row.container(), row.container()
 
 
-def picture_and_words() -> Sequence[AbstractContextManager]:
-    """Return the places of a slide's picture, to the left, and of its words; on another screen they are as drawn."""
-    return st.columns([3, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
+def picture_and_words(wide: int = 3) -> Sequence[AbstractContextManager]:
+    """Return the places of a slide's picture, so wide, and to its right of words, 2 wide; elsewhere all is as drawn."""
+    return st.columns([wide, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
 
 
 @st.fragment

@@ -54,7 +54,7 @@ def beside(widths: int | Sequence[float], *draw: Callable[[], Any], alignment: s
     return values
 
 
-def count(key: Count, label: str, *, step: int = 1, width: int | str) -> int:
+def count(key: Count, label: str, *, step: int = 1, width: int | str = "stretch") -> int:
     """Draw a box for a whole number, with the range that Streamlit's own box keeps to itself until it is left."""
     label = _("{label} ({least}\u00a0to\u00a0{most})").format(label=label, least=key.least, most=key.most)
     st.number_input(label, key.least, key.most, key.default, step, key=key.name, persist_state="session", width=width)

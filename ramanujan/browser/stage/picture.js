@@ -63,7 +63,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     moving.style.setProperty("--R", place.R);
     put(find, scenery(place));
     put(inMoving, outlines(place, parameters));
-    drawRuler(svg, place.floor);
+    drawRuler(svg, place);
     layers.geometry(place, parameters);
     // Its size is told anew with the next layout, so that none is made for it alone.
     sizes.unobserve(svg);
@@ -137,14 +137,14 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
 }
 
 /** The marks of the ruler, and its labels without their words. */
-function drawRuler(root, [from, to]) {
+function drawRuler(root, { floor: [from, to], view }) {
   const ruler = root.querySelector(".ruler");
   ruler.replaceChildren();
   delete ruler.dataset.at;
   let ticks = "";
   for (let x = from; x <= to; x += 10) ticks += `M${x} 0V${x % STRETCH ? 1.6 : 2.8}`;
   element("path", { d: ticks }, ruler);
-  for (let x = from; x <= to; x += STRETCH) element("text", { x, y: 5.9 }, ruler);
+  for (let x = from; x <= to; x += STRETCH) element("text", { x, y: -0.69 * view.bottom }, ruler);
 }
 
 /** Slide the ruler under a view that has moved; the labels between the ends say where on the floor one looks. */

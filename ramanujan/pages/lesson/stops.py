@@ -105,7 +105,7 @@ def draw(stop: Stop, number: int) -> None:
         phase = {Phase.RUNNING: progress.MISSED, Phase.SOLVED: progress.ANSWERED}.get(seen, progress.ASKED)
     running = runs(phase)
     # On a projector the machine has a slide of its own with the reason, once it runs.
-    apart = display_mode.is_projector() and (running or seen is not None) and not stop.exhibit
+    apart = display_mode.is_projector() and (running or (seen is not None and not stop.exhibit))
     with slide("question", stop.heading):
         # On a projector the question needs all of the width, but an exhibit all of the height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
@@ -156,7 +156,7 @@ def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, D
     if _arrangement(stop, running) in _SEVERAL.values():
         return st.container(), st.container(), st.container()
     if display_mode.is_projector():
-        picture, words = display_mode.picture_and_words()
+        picture, words = display_mode.picture_and_words(2 if stop.exhibit and not running else 3)
     else:
         words, picture = st.container(key=None if stop.exhibit else "beside").columns(2, gap="medium")
     return words, picture, words

@@ -28,7 +28,6 @@ WORDS = {body: BODY_WORDS[body] for body in BODIES}
 PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in other_bodies.PAPER.items()]
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 _EXAMPLE = _("For example {entry}")
-_WIDTH = 160
 
 
 def draw(task: Task) -> Verdict:
@@ -47,12 +46,14 @@ def draw(task: Task) -> Verdict:
             setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
             if not task.fields:
                 st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
+        if task.stage:
+            with picture:
+                machine(task, setting)
+        # On a projector there is room for it below a machine without clocks.
+        with picture if is_projector() and task.fields else words:
             with st.container(key="task_verdict"):
                 judged = verdict(task, setting)
             widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
-    if task.stage:
-        with picture:
-            machine(task, setting)
     return judged
 
 
@@ -70,12 +71,11 @@ def verdict(task: Task, setting: Setting) -> Verdict:
 
 def machine(task: Task, setting: Setting) -> None:
     """Draw the machine as it was set."""
-    layers = ("coordinates",) if "formula" in task.fields else ()
-    shown = {"key": f"stage_task_{task.id}", "layers": layers, "narrow": True, "hide": task.hides}
+    shown = {"key": f"stage_task_{task.id}", "narrow": True, "hide": task.hides, "compact": "formula" in task.fields}
+    shown["layers"] = ("coordinates",) if shown["compact"] else ()
     with st.container(key="observed_part"):
         if "release" not in task.fields:
-            payload = stage.payload(setting.machine, setting.compression)
-            stages.mount(payload, **shown)
+            stages.mount(stage.payload(setting.machine, setting.compression), **shown)
             return
         # How this machine starts is set beside it, and not with the slab.
         initial = with_initial_velocities(setting.machine, setting.release, setting.glide, setting.spin)
@@ -100,10 +100,10 @@ FIELDS = {
         st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
     ),
     "seconds": lambda: components.stopwatch("task_stopwatch"),
-    "periods": lambda: widgets.count(PERIODS, _("For how many periods?"), width=_WIDTH),
+    "periods": lambda: widgets.count(PERIODS, _("For how many periods?")),
     "formula": lambda: st.text_input("ε =", key="task_formula", placeholder=_EXAMPLE.format(entry="(sqrt(5) − 1)/2")),
     "method": lambda: widgets.selectbox(METHOD, _("Method")),
-    "steps": lambda: widgets.count(STEPS, _("Steps per period"), width=_WIDTH),
+    "steps": lambda: widgets.count(STEPS, _("Steps per period")),
     "bodies": _bodies,
 }
 """What draws a part of a `Setting` and returns it."""

@@ -107,7 +107,7 @@ def _momentum(motion: Record, colors: Mapping[str, str]) -> Drawn:
         for body, values in motion.body_momenta.items()
     ]
     conserved = {
-        _("all together: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
+        _("total: −<i>p</i><sub>X</sub>"): (-motion.momenta["p_X"], "ink", "solid"),
         "<i>p</i><sub>Φ</sub><i>/R</i>": (motion.momenta["p_Phi"] / motion.oscillator.radius, "primary", "10px 6px"),
     }
     for name, (values, color, dash) in conserved.items():

@@ -36,7 +36,7 @@ def draw() -> None:
     projector = display_mode.is_projector()
     if projector:
         introduce()
-    words, picture = st.container(key="beside").columns([4, 5], gap="small")
+    words, picture = st.container(key="beside").columns(2 if projector else [4, 5], gap="small")
     with words:
         with st.container(key="posed"):
             if not projector:

@@ -124,11 +124,11 @@ def two_stacks() -> None:
 
 
 def stacks() -> None:
-    """Draw the two stacks."""
+    """Draw the two stacks, each with its sum, which a line breaks before a sign of equality alone."""
     components.cubes(
         [(larger, smaller) for smaller, larger in PAPER.cubes],
         [in_words(*cubes) for cubes in PAPER.cubes],
-        [f"{x}³ + {y}³ = {x**3} + {y**3} = {PAPER.discriminant}" for x, y in PAPER.cubes],
+        [f"{x}³ + {y}³ =\u00a0{x**3}\u00a0+\u00a0{y**3} =\u00a0{PAPER.discriminant}" for x, y in PAPER.cubes],
     )
 
 
