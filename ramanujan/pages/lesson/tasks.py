@@ -45,7 +45,7 @@ def draw(task: Task) -> Verdict:
             typed = {field: FIELDS[field]() for field in task.fields}
             setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
             if not task.fields:
-                st.markdown(_(":small[Set the machine with the sliders in the sidebar.]"))
+                st.markdown(_(":small[Set the machine with its sliders.]"))
         if task.stage:
             with picture:
                 machine(task, setting)
