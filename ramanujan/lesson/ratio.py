@@ -65,9 +65,9 @@ def _outside(name: str) -> str:
     """Return what to say to whoever chose a bracket that the ratio in step is not in."""
     at = _between(name)
     return filled(
-        _("At ε = {low} Ω²m/k is {fast:4}, at ε = {high} it is {slow:4}: too fast at both. Which way must ε go?")
+        _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too fast at both. Which way must ε go?")
         if at["slow"] >= 1
-        else _("At ε = {low} Ω²m/k is {fast:4}, at ε = {high} it is {slow:4}: too slow at both. Which way must ε go?"),
+        else _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too slow at both. Which way must ε go?"),
         **at,
     )
 

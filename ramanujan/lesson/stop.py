@@ -152,8 +152,8 @@ class Stop:
         return self.numbers()
 
     def explanation(self) -> str:
-        """Return why the right option is right, with the numbers of this machine; no line breaks at a =."""
-        return self._filled(self.why, **self._found).replace(" = ", "\u00a0=\u00a0")
+        """Return why the right option is right, with the numbers of this machine; no line breaks at = or +."""
+        return self._filled(self.why, **self._found).replace(" = ", "\u00a0=\u00a0").replace(" + ", "\u00a0+\u00a0")
 
     def reply(self, option: str) -> str:
         """Return what to say to whoever chose this wrong option, with the numbers of this machine."""

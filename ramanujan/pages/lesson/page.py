@@ -140,12 +140,12 @@ def work(head: st.delta_generator.DeltaGenerator) -> None:
 
 def notes(_head: st.delta_generator.DeltaGenerator) -> None:
     """Draw the lecturer's notes, and the choice between all stops and a few."""
-    with slide("notes", _("Lecturer’s notes")):
-        _begin_notes()
     # At the desk of a class the notes are open; a reader is told first what they contain.
     label = _("Show the notes on all stops. They name the right answers.")
-    if not (class_session.key_held() or st.toggle(label, key="notes_shown")):
-        return
+    with slide("notes", _("Lecturer’s notes")):
+        _begin_notes()
+        if not (class_session.key_held() or st.toggle(label, key="notes_shown")):
+            return
     halves = columns("notes")
     for start in range(0, len(lesson.STOPS), _NOTES):
         numbered = list(enumerate(lesson.STOPS, start=1))[start : start + _NOTES]
