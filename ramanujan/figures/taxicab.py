@@ -48,7 +48,7 @@ def level_crossing(
     # the left below it.
     at_start = root < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
-    to, side, other = ((22, -34), "left", "right") if at_start else ((-22, -34 if above else 40), "right", "left")
+    to, side, other = ((22, -50), "left", "right") if at_start else ((-22, -50 if above else 40), "right", "left")
     beside = {"xanchor": other, "yanchor": "bottom", "xshift": -6 if at_start else 6, "yshift": 3}
     notes = [
         pointed(Mark(root, level, root_label), to, side, colors),
