@@ -132,10 +132,9 @@ _LEAST = 400
 _LINE = 16
 """Letters of an axis title that fit beside one of two panels."""
 _ABOVE = (24, 54)
-"""Pixels above the panels: for a number at the end of an axis, which Plotly leaves out where it has no room, and for a
-line of words, whose letters are up to 39 px high."""
+"""Pixels above the panels: for a number at an axis' end, left out by Plotly without room, and for a line of words."""
 _LETTERS = 26
-"""Pixels: how large Plotly takes the letters of an axis for; projector.css sets them from 24 to 39 px."""
+"""Pixels: how large Plotly takes the letters for, which type.css leaves alone; projector.css sets 20 to 39 px."""
 
 
 def in_large_print(figure: BaseFigure) -> Drawn:
@@ -151,8 +150,10 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
     for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
         layout[name] = _roomy_axis(layout[name], upright=name.startswith("yaxis"))
-    is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in layout.get("annotations", ()))
-    layout["margin"] = {**layout.get("margin", {}), "t": _ABOVE[is_above]}
+    # Plotly does not measure a word again in the same size, and the switch to a projector finds figures drawn small.
+    notes = [{**note, "font": {**note.get("font", {}), "size": _LETTERS}} for note in layout.get("annotations", ())]
+    is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
+    layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": _ABOVE[is_above]}}
     return Drawn({**sent, "layout": layout})
 
 

@@ -44,8 +44,7 @@ def level_crossing(
         marks([root], [level], "star", 16, colors["top"]),
     ]
     left, right = ends = float(ratios[0]), float(ratios[-1])
-    # The label avoids the falling curve: to the right above its flat start, to the left above its flat end, else to
-    # the left below it.
+    # The label avoids the falling curve: right above its flat start, left above its flat end, else left below it.
     at_start = root < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
     to, side, other = ((22, -50), "left", "right") if at_start else ((-22, -50 if above else 40), "right", "left")
