@@ -93,9 +93,7 @@ def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
     shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
-    # All are as high as the first, so that the words below them share a line.
-    height = shapes[0].removeprefix("v =")
-    return [f"\\mathllap{{\\phantom{{{height}}}}}{shape}" for shape in shapes], _aligned(momenta)
+    return shapes, _aligned(momenta)
 
 
 @st.cache_data(show_spinner=False)
