@@ -86,7 +86,7 @@ def test_who_leaves_early_takes_nothing_away_from_the_others(fresh, chromium):
         list(pool.map(lambda each: leave(*each, chance.uniform(0, 0.03)), chosen))
         for _ in range(5):
             page = chromium.new_page()
-            page.goto(address, wait_until="commit")
+            page.goto(address, wait_until="commit", timeout=60_000)
             page.wait_for_timeout(chance.uniform(0, 300))
             page.close()
         answers = list(pool.map(lambda each: compare(*each), asked))
