@@ -29,7 +29,8 @@ export function layout({ radius }, [, largest]) {
   const top = riser + R + roll + gap;
   const right = top + R + gap + 2;
   const shelf = upper + R * 0.45; // the top of the bench for the plain mass
-  const view = fitted({ left: -9, right: right + travel + 2, bottom: -Math.max(8.5, 3.5 + R / 2), top: Math.max(upper + 2 * R + 3, shelf + 14) });
+  const bottom = -Math.max(8.5, 3.5 + R / 2); // room for the numbers of the ruler, whose letters grow with the picture
+  const view = fitted({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
   const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
   const block = [low * riser + high * (riser + right), low * deck + high * upper].map((sum) => sum / (low + high) / 2);
