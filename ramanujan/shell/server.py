@@ -11,9 +11,8 @@ from ramanujan.browser import modules
 from ramanujan.shell import navigation
 from ramanujan.shell.browser_cookie import NamedBrowser
 from ramanujan.shell.page_files import PageFiles
-from ramanujan.shell.widget_states import CheckedStates
 
-MIDDLEWARE = [Middleware(CheckedStates), Middleware(NamedBrowser), Middleware(PageFiles)]
+MIDDLEWARE = [Middleware(NamedBrowser), Middleware(PageFiles)]
 
 
 @asynccontextmanager
