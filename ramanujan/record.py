@@ -41,7 +41,7 @@ MOST_POINTS = 10**7
 class Record:
     """A motion at the times t: arrays in SI units, right positive, with the keys of the functions they come from.
 
-    Only q = (X, φ, Φ), q̇ and the momentum p_X follow the paper, in which X counts to the LEFT.
+    Only X, Ẋ and the momentum p_X are positive to the LEFT, as in the paper.
     `body_momenta` are m v of each body relative to the ground [kg·m/s].
     """
 
@@ -206,7 +206,7 @@ def table(motion: Record, friction_coefficient: float) -> str:
         (_("largest compression without slip"), largest, "m"),
         *((friction.format(contact=contact), value, "") for contact, value in needed.items()),
     )
-    said = _("Ramanujan’s oscillator in SI units: positive to the right. Only X and p_X are positive to the left.")
+    said = _("Ramanujan’s oscillator in SI units: positive to the right. X, X_dot and p_X are positive to the left.")
     skipped = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows")
     comments = [said, *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters)]
     series, text = columns(motion), io.StringIO()

@@ -1,5 +1,6 @@
 """Which room may import which, and what the first page may load: the table of the README, held."""
 
+import ast
 import asyncio
 import gc
 import re
@@ -119,3 +120,15 @@ def test_what_all_pages_share_imports_no_page(graph):
     importers = {module for module in graph.modules if module.startswith("ramanujan.shell")}
     imported = {each for module in importers for each in graph.find_modules_directly_imported_by(module)}
     assert not any(each.startswith("ramanujan.pages") for each in imported)
+
+
+@pytest.mark.parametrize("script", ["app.py", *(page.file for page in navigation.PAGES.values())])
+def test_no_script_has_an_expression_that_streamlit_draws(script):
+    """Streamlit's magic writes bare expressions to the page, except docstrings, calls, yields and awaits."""
+    tree = ast.parse((ROOT / script).read_text(encoding="utf-8"))
+    functions = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Module)
+    documented = [node for node in ast.walk(tree) if isinstance(node, functions) and ast.get_docstring(node)]
+    docstrings = {node.body[0] for node in documented}
+    undrawn = (ast.Call, ast.Yield, ast.YieldFrom, ast.Await)
+    expressions = [node for node in ast.walk(tree) if isinstance(node, ast.Expr) and node not in docstrings]
+    assert [node.lineno for node in expressions if not isinstance(node.value, undrawn)] == []

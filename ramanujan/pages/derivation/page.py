@@ -30,8 +30,8 @@ STEP = address.Count("step", LONGEST_ROUTE)
 URL_PARAMETERS = (ROUTE, VIEW, VALUES, MASSES, STEP, QUESTION, *MODES)
 
 ASIDE = ("compression",)
+# The height of a step in a lecture [px], as in page.css.
 _STEP_HEIGHT = 368
-"""The height of a step in a lecture [px], as page.css has it."""
 
 FILES = {
     "latex": ("LaTeX", "tex", "application/x-tex"),

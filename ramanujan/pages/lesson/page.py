@@ -14,8 +14,8 @@ from ramanujan.shell.navigation import PAGES
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)
+# The numbers of stops whose notes, and whose results, fill a slide of a projector.
 _NOTES, _LINES = 3, 9
-"""Stops whose notes, and whose results, fill a slide of a projector."""
 ENDING = _("What you have seen")
 _ONWARDS = {
     "oscillator": _("Look for the ratio in step yourself, on the page Oscillator"),
@@ -83,10 +83,12 @@ def walk(head: st.delta_generator.DeltaGenerator) -> None:
             clicker=not class_session.key_held(),
             held=stops.asked_about(),
         )
-    if number > len(path):
-        classroom.closing() if class_session.key_held() else ending(path)
-    else:
+    if number <= len(path):
         stops.draw(path[number - 1], number)
+    elif class_session.key_held():
+        classroom.closing()
+    else:
+        ending(path)
 
 
 def turn(place: str) -> None:

@@ -16,11 +16,11 @@ from ramanujan.shell import address, display_mode, drawings, first_run, navigati
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
+# With "on", the slider of m′ marks the unit ratio before the visitor has found it.
 FOUND = address.Choice("found", ("on",))
-"""Whether the slider of m′ marks the ratio before it has been found."""
 URL_PARAMETERS = (FOUND,)
+# Frequencies with a smaller relative difference are equal except for rounding.
 _SAME = 1e-12
-"""Frequencies that differ by a smaller share are the same but for rounding."""
 
 
 def warm_up() -> None:
