@@ -1,0 +1,58 @@
+"""The start page: Streamlit's own page, with the app's fonts, style sheets and first modules.
+
+Streamlit would load these seconds later on a slow machine, after the first headings are drawn, and the page would jump.
+"""
+
+import re
+from base64 import b64encode
+from hashlib import sha256
+from pathlib import Path
+
+import streamlit as st
+
+from ramanujan.browser import modules
+from ramanujan.translation import LANGUAGE
+
+_STREAMLIT = Path(st.__file__).parent / "static"
+_FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
+"""Streamlit's preload of a font; page.css brings a smaller one."""
+_FIRST = ("begin", "components/services", "components/publish", "stage/stage")
+"""Modules that draw the machine; they import the rest. To preload all modules at once would delay these."""
+
+
+def content_security_policy() -> str:
+    """Return the content security policy: the page loads files of its own server, and blobs that its scripts make.
+
+    Streamlit imports the scripts of components from blobs and computes with WebAssembly; it and Plotly write rules of
+    style into the page. Of the scripts in the page itself only those of Streamlit's start page may run.
+    """
+    inline = re.findall(rb"<script>(.*?)</script>", (_STREAMLIT / "index.html").read_bytes(), re.DOTALL)
+    hashes = " ".join(f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
+    return (
+        f"default-src 'self' blob: data:; script-src 'self' blob: 'wasm-unsafe-eval' {hashes}; "
+        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'self'; form-action 'self'"
+    )
+
+
+def html(*, has_formulas: bool) -> bytes:
+    """Return the page; one without formulas loads fewer fonts."""
+    place = f"./{modules.place()}"
+    fonts = [f"{place}/{name}" for name in sorted(modules.contents()) if "fonts/" in name]
+    if has_formulas:
+        # KaTeX measures formulas with these letters: if they came late, lines would change their length.
+        letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
+        media = sorted(path.name for path in _STREAMLIT.glob("static/media/*"))
+        fonts += [f"./static/media/{name}" for name in media if letters.match(name)]
+    preloads = [f'<link rel="preload" as="font" crossorigin href="{name}">' for name in fonts]
+
+    # pager.js switches the projector's style sheet on.
+    media = {"components/print.css": "print", "components/projector.css": "not all"}
+    sheets = [name for name in sorted(modules.contents()) if name.endswith(".css")]
+    links = [f'<link rel="stylesheet" href="{place}/{name}" media="{media.get(name, "all")}">' for name in sheets]
+    scripts = [f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST]
+
+    page = (_STREAMLIT / "index.html").read_bytes()
+    page = page.replace(b'<html lang="en"', f'<html lang="{LANGUAGE}"'.encode(), 1)
+    page = _FONT.sub("".join(preloads).encode(), page, count=1)
+    # At the end of the body: Streamlit adds its own rules to the head, and the later of two equal rules counts.
+    return page.replace(b"</body>", "".join([*links, *scripts, "</body>"]).encode(), 1)
