@@ -1,8 +1,12 @@
 """The worksheet: its answers on an independent way, its picture, and the key that fits the questions."""
 
 import hashlib
+import os
 import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
+from ast import literal_eval
 from fractions import Fraction
 
 import mpmath
@@ -15,6 +19,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson, normalized_frequency_
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import questions
 from ramanujan.shell import address, theme, worksheet_keys
+from ramanujan.translation import known
 from tests.browser import ROOT
 from tests.latex import Formula
 
@@ -123,9 +128,10 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
         last = a.answer.rsplit("$$", 2)[1]
         assert last not in a.text + a.blanks
         assert last not in b.text + b.blanks
-    # Whoever writes more has more room, and earns more points.
+    # A longer answer has more lines, and earns more points.
+    for question in none[:steps]:
+        assert 0 <= question.space - len(question.answer) / 90 <= 2
     for question in none:
-        assert 0 <= question.space - len(question.answer + "".join(question.working)) / 90 <= 2
         assert question.points == question.space // 2
     assert sum(question.space for question in few) < sum(question.space for question in many)
     for sheet in (few, many, none):
@@ -136,6 +142,30 @@ def test_the_derivation_leads_less_from_level_to_level_and_its_key_is_whole():
     assert float(number_of(right, **{"m'": m_prime, "m": m, "k": k})) == pytest.approx(
         Oscillator(m, m_prime, k).natural_frequency_squared, rel=1e-12
     )
+
+
+SPACES = """
+from tests.test_worksheet import MACHINES
+from ramanujan.lesson.worksheet import questions
+sheets = [questions(machine, seed, level) for level in (1, 2, 3) for machine in MACHINES for seed in "12"]
+print([[question.space for question in sheet] for sheet in sheets])
+"""
+
+
+def test_points_and_lines_are_the_same_in_every_language_and_for_every_machine():
+    sheets = set()
+    for language in known():
+        spoken = os.environ | {"RAMANUJAN_LANGUAGE": language}
+        done = subprocess.run([sys.executable, "-c", SPACES], cwd=ROOT, env=spoken, capture_output=True, check=True)
+        sheets.add(done.stdout)
+    (spaces,) = map(literal_eval, map(bytes.decode, sheets))
+    machines = 2 * len(MACHINES)
+    for level in range(3):
+        assert len(set(map(tuple, spaces[level * machines : (level + 1) * machines]))) == 1
+    # The calculations with the longest numbers fit their lines.
+    for machine in MACHINES:
+        for question in questions(machine, "1")[-5:]:
+            assert question.space >= sum(map(len, (*question.working, question.answer))) / 90
 
 
 def number_of(latex: str, **values: float) -> mpmath.mpf:

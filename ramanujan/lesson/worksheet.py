@@ -8,7 +8,7 @@ import math
 import random
 import string
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
@@ -35,7 +35,7 @@ _WHERE = {"energies": _("Give $U$ as a function of the compression $x$ first, th
 _LONG = 150
 """A formula with so many letters of LaTeX may be too wide for paper."""
 _LINE = 90
-"""So many letters of LaTeX take a line to write by hand."""
+"""The number of LaTeX characters that fill one handwritten line."""
 
 
 @dataclass(frozen=True)
@@ -44,11 +44,11 @@ class Question:
 
     Parameters
     ----------
-    text, answer : what is asked, and what the key says
-    blanks : formulas to complete; the key has them whole in its answer
-    options : with letters, where there are any
+    text, answer : the question, and its answer in the key
+    blanks : formulas to complete; the answer contains the whole formulas
+    options : the options of a multiple choice, with letters
     working : the lines of a calculation that lead to the answer
-    space : lines to write on
+    space : the number of lines to write on, the same in every language and for every machine
     """
 
     text: str
@@ -60,7 +60,7 @@ class Question:
 
     @property
     def points(self) -> int:
-        """What a right answer earns: a point for each two lines."""
+        """The points for a right answer: one for every two lines."""
         return self.space // 2
 
 
@@ -106,7 +106,7 @@ def _guided(step: Step, level: int) -> Question:
 
 
 def _lines(formulas: Sequence[str]) -> int:
-    """Return how many lines it takes to write formulas by hand, with one to think."""
+    """Return the number of handwritten lines for these formulas, and one line to think."""
     return 1 + math.ceil(sum(map(len, formulas)) / _LINE)
 
 
@@ -128,7 +128,10 @@ def _predicted(stop: Stop, draw: random.Random) -> Question:
 
 
 def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]:
-    """Return the questions about this machine, with exact answers."""
+    """Return the questions about this machine, with exact answers.
+
+    The number of lines is fixed for each question: with longer numbers or words it earns no more points.
+    """
     values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])
     formula = unit_frequency_condition().normalized_frequency_squared
@@ -138,7 +141,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
     felt = sp.radsimp(values[k] / squared)
     a, b, c = BodyChoice(target=target).quadratic
     root = (sp.sqrt(b * b - 4 * a * c) - b) / (2 * a)
-    asked = (
+    return (
         Question(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
             f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
@@ -146,6 +149,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
                 f"\\varepsilon=\\frac{{m'}}{{m}}=\\frac{{{latex(values[m_prime])}}}{{{latex(values[m])}}}",
                 f"\\frac{{\\Omega^2m}}{{k}}={latex(formula)}=\\frac{{{latex(above)}}}{{{latex(below)}}}",
             ),
+            space=5,
         ),
         Question(
             _("Calculate $\\Omega^2$ and the period."),
@@ -157,6 +161,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
                 f"\\frac{{{latex(values[k])}}}{{{latex(values[m])}}}\\,\\mathrm{{s^{{-2}}}}",
                 f"T=\\frac{{2\\pi}}{{\\Omega}}=\\frac{{2\\pi}}{{{in_latex(f'{float(sp.sqrt(squared)):.5g}')}}}\\,\\mathrm{{s}}",
             ),
+            space=4,
         ),
         Question(
             _("Which mass does the spring feel? Compare it with the mass of all five bodies together."),
@@ -167,11 +172,13 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
                 f"M_x=\\frac{{k}}{{\\Omega^2}}=\\frac{{{latex(values[k])}}}{{{latex(squared)}}}\\;\\mathrm{{kg}}",
                 f"3m+2m'=3\\cdot{latex(values[m])}+2\\cdot{latex(values[m_prime])}\\;\\mathrm{{kg}}",
             ),
+            space=4,
         ),
         Question(
             _("Is the machine faster or slower than the plain mass? After how many periods are they one turn apart?"),
             _parting(normalized),
             working=(f"\\frac{{\\Omega}}{{\\sqrt{{k/m}}}}=\\sqrt{{{latex(normalized)}}}",),
+            space=4,
         ),
         Question(
             _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
@@ -182,9 +189,9 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
                 f"{latex(formula)}={latex(sp.Rational(target))}",
                 f"b^2-4ac=({latex(b)})^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(b * b - 4 * a * c)}",
             ),
+            space=4,
         ),
     )
-    return tuple(replace(each, space=_lines((*each.working, each.answer))) for each in asked)
 
 
 def _parting(normalized: sp.Expr) -> str:
