@@ -372,8 +372,9 @@ def _judged(name, text):
     assert verdict.kind in {"right", "unsimplified", "wrong", "unreadable"}
     # A unit, a name, three terms and a question are the longest there is.
     assert 0 < len(verdict.message) < 500
-    # Nothing typed is shown that Markdown, HTML or LaTeX could read.
-    assert not set(verdict.message) & set("<>[]$\\`_*{}|#&!") - {"!"}
+    # Of the typed text, only a name and a single character are shown, in quotation marks.
+    unquoted = re.sub("“([A-Za-z_][\\w']*|.)”", "", verdict.message)
+    assert not set(unquoted) & set("<>[]$\\`_*{}|#&!") - {"!"}
     return verdict.kind
 
 

@@ -1,7 +1,7 @@
-"""Text to tokens: how one types the symbols of the derivation, in ASCII, in Unicode or in LaTeX.
+"""Text to tokens: the spellings of the derivation's symbols in ASCII, Unicode and LaTeX.
 
-Everything that is not a number, a name of `SYMBOLS` or a sign of the grammar is refused here, with a sentence that says
-what was not understood.
+A token is a number, a name of `SYMBOLS` or a sign of the grammar. All other text is refused with a sentence that shows
+the character or the name as it was typed.
 """
 
 import re
@@ -50,7 +50,8 @@ _SPELLINGS = str.maketrans(
     {
         **dict.fromkeys("′’ʹ´`‘", "'"),
         **dict.fromkeys("·×⋅∙∗", "*"),
-        **dict.fromkeys("÷∕⁄", "/"),
+        # Schools in half of Europe write a division with a colon.
+        **dict.fromkeys("÷∕⁄:∶：", "/"),
         **dict.fromkeys("−–", "-"),
         **dict.fromkeys("φϕ", "phi"),
         **dict.fromkeys("εϵɛ", "eps"),
@@ -79,6 +80,7 @@ _REWRITTEN = [
         (r"\\dot\s*(\{\s*)?(\\?[A-Za-z]+)\s*(?(1)\})", r" \2'"),
         (r"\\ddot\s*(\{\s*)?(\\?[A-Za-z]+)\s*(?(1)\})", r" \2''"),
         (r"\^\s*(\{\s*)?\\prime\s*(?(1)\})", "'"),
+        (r"_\s*\{\s*([A-Za-z0-9]+)\s*\}", r"_\1"),
         (r"\\[dt]?frac\s*([0-9])\s*([0-9])", r" frac(\1)(\2)"),
         (r"\\[dt]?frac(?![A-Za-z])", " frac"),
         (r"\\(?=(sqrt|varphi|phi|Phi|varepsilon|epsilon|omega)(?![A-Za-z]))", " "),
@@ -91,11 +93,13 @@ _RATES = (
     (re.compile("(X|phi|Phi)_?dot|d(X|phi|Phi)"), r"\1\2'"),
 )
 _TOKEN = re.compile(
-    rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])|(?P<word>[A-Za-z_][A-Za-z_']*)"
+    rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])"
+    # A letter with an accent is two characters here; a subscript may be a number.
+    "|(?P<word>[A-Za-z_](?:[A-Za-z_'\u0300-\u036f]|(?<=_)[0-9]+)*)"
     r"|(?P<sign>[-+*/^()])"
 )
 _ALIASES = {
-    **{"epsilon": "eps", "varepsilon": "eps", "m_prime": "m'"},
+    **{"epsilon": "eps", "varepsilon": "eps", "m_prime": "m'", "m_p": "m'"},
     **{"varphi": "phi", "varphi'": "phi'", "varphi''": "phi''"},
     # On a keyboard without Greek letters.
     "w": "omega",
@@ -147,11 +151,10 @@ def _strange(character: str) -> str:
         return _("Type only the right side of the equation: a formula without Ω.")
     if character in "<>":
         return _("Type a formula, not a comparison.")
-    # The Unicode name has only capitals, digits and hyphens: safe to show wherever the character itself is not.
-    name = unicodedata.name(character, "")
-    if not name:
-        return _("One character does not belong in a formula.")
-    return _("This character does not belong in a formula: {name}.").format(name=name.lower())
+    shown = f"◌{character}" if unicodedata.combining(character) else character
+    if not shown.isprintable():
+        return _("The formula contains a character that cannot be shown. Delete it, or type the formula again.")
+    return _("The character “{character}” does not belong in a formula.").format(character=shown)
 
 
 def _number(digits: str) -> sp.Expr:
@@ -166,7 +169,7 @@ def _names(word: str) -> list[str]:
     while position < len(word):
         found = _NAME.match(word, position)
         if found is None:
-            raise UnknownNameError(re.sub("[^A-Za-z']", "", word)[:MAX_DIGITS])
+            raise UnknownNameError(unicodedata.normalize("NFC", word)[:MAX_DIGITS])
         names.append(_ALIASES.get(found[0], found[0]))
         position = found.end()
     return names
