@@ -16,6 +16,7 @@ else:
         class_keys,
         display_mode,
         first_run,
+        messages,
         navigation,
         parameters,
         sidebar,
@@ -50,4 +51,5 @@ else:
     finally:
         # A page that has said all that it has to say stops.
         if not (alone or display_mode.is_projector()):
+            messages.show_how_much_is_translated()
             display_mode.bar()

@@ -8,25 +8,19 @@
 
 A server speaks one language, that of the environment variable RAMANUJAN_LANGUAGE. Its words are in a catalogue of GNU
 gettext below `locale/`, which `python -m tests.catalogue` keeps up to date; a message without a translation is shown in
-English. The pseudo-language shows what no catalogue could reach: the same sentences with accents, 40 % longer, between
-⟪ and ⟫. Words without them were never handed to gettext, and a box that is too narrow for it is too narrow for German.
+English. The pseudo-language shows which words never reach gettext: it has the same sentences with accents, 40 % longer,
+between ⟪ and ⟫. A box that is too narrow for it is too narrow for German.
 """
 
 import gettext
 import os
-import re
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
-LOCALE = Path(__file__).parent / "locale"
-"""Where the catalogues are, a folder for each language."""
+from ramanujan import catalogue
+from ramanujan.catalogue import NOT_WORDS
 
 _ACCENTS = str.maketrans("aeiouyAEIOUYcnsz", "áéíóúýÁÉÍÓÚÝćńśź")
-# What is no word and must survive: formulas, slots, code, HTML, the address of a Markdown link, colours, icons.
-KEPT = re.compile(
-    r"(\$\$.*?\$\$|\$.*?\$|\{[^{}]*\}|`[^`]*`|</?[a-z][^>]*>|&\w+;|\]\([^)]*\)|:[a-z-]+\[|:material/\w+:)", re.DOTALL
-)
 _LONGER = 0.4
 _PSEUDO_SETTINGS = {"decimal mark": ",", "LaTeX package babel": "english"}
 
@@ -37,7 +31,7 @@ class PseudoLanguage(gettext.NullTranslations):
     def gettext(self, message: str) -> str:
         if not message.strip():
             return message
-        parts = KEPT.split(message)
+        parts = NOT_WORDS.split(message)
         words = "".join(part if index % 2 else part.translate(_ACCENTS) for index, part in enumerate(parts))
         letters = sum(map(len, parts[::2]))
         padding = "·" * round(_LONGER * letters)
@@ -52,7 +46,7 @@ class PseudoLanguage(gettext.NullTranslations):
 
 def known() -> list[str]:
     """Return the names of the languages that the app speaks."""
-    return sorted(["en", "pseudo", *(path.name for path in LOCALE.iterdir())])
+    return sorted(["en", "pseudo", *catalogue.languages()])
 
 
 def language(name: str) -> gettext.NullTranslations:
@@ -70,7 +64,9 @@ def language(name: str) -> gettext.NullTranslations:
         raise LookupError(f"RAMANUJAN_LANGUAGE must be one of {', '.join(known())}. It is {name}.")
     if name == "pseudo":
         return PseudoLanguage()
-    return gettext.translation("ramanujan", LOCALE, [name], fallback=name == "en")
+    if name == "en":
+        return gettext.NullTranslations()
+    return catalogue.translations(name)
 
 
 class Offered(NamedTuple):
@@ -96,3 +92,5 @@ def offered() -> list[Offered]:
 LANGUAGE = os.environ.get("RAMANUJAN_LANGUAGE") or "en"
 _spoken = language(LANGUAGE)
 _, ngettext, pgettext = _spoken.gettext, _spoken.ngettext, _spoken.pgettext
+TRANSLATED = getattr(_spoken, "percentage", 100)
+"""Percentage of the messages that are translated into the language of this server."""

@@ -1,33 +1,40 @@
-"""The catalogues of the translations: `python -m tests.catalogue` updates and compiles them, and lists what is left.
+"""Update the catalogues of the translations, and list what is left to do.
 
-$ python -m tests.catalogue            every catalogue: what is missing, fuzzy or obsolete
-$ python -m tests.catalogue fr         begins another one
+$ python -m tests.catalogue            update every catalogue
+$ python -m tests.catalogue fr         begin a catalogue, or update one
 """
 
-import io
 import sys
+from collections.abc import Iterator
 from functools import cache
 
+from babel.core import Locale, UnknownLocaleError
 from babel.messages.catalog import Catalog, Message
 from babel.messages.extract import extract_from_dir
-from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
-from ramanujan.translation import LOCALE
+from ramanujan.catalogue import LOCALE, Fault, catalogue_file, languages, translations
 
 PACKAGE = LOCALE.parent
 KEYWORDS = {"_": None, "ngettext": (1, 2), "pgettext": ((1, "c"), 2)}
-EXTRACTED = {"keywords": KEYWORDS, "comment_tags": ["TRANSLATORS:"], "strip_comment_tags": True}
-NAME = "LC_MESSAGES/ramanujan"
+OPTIONS = {"keywords": KEYWORDS, "comment_tags": ["TRANSLATORS:"], "strip_comment_tags": True}
+ORDER = ("translation", "numerals", "shell", "pages/oscillator", "browser", "figures/oscillator", "derivation", "pages")
+"""Beginnings of file names in the order in which to translate: first what a visitor sees first; the rest follows."""
 
 
 @cache
 def template() -> Catalog:
-    """Return the English messages, as a translator gets them."""
-    made = Catalog(project="Ramanujan’s oscillator")
-    for file, line, message, comments, context in extract_from_dir(PACKAGE, [("**.py", "python")], **EXTRACTED):
-        made.add(message, None, [(file, line)], auto_comments=comments, context=context)
-    return made
+    """Return the English messages in the order in which to translate them."""
+    catalogue = Catalog(project="Ramanujan’s oscillator")
+    messages = extract_from_dir(PACKAGE, [("**.py", "python")], **OPTIONS)
+    for file, line, message, comments, context in sorted(messages, key=lambda each: (_rank(each[0]), *each[:2])):
+        catalogue.add(message, None, [(file, line)], auto_comments=comments, context=context)
+    return catalogue
+
+
+def _rank(file: str) -> int:
+    """Return the place of a file in `ORDER`."""
+    return next((rank for rank, start in enumerate(ORDER) if file.startswith(start)), len(ORDER))
 
 
 def texts(message: Message) -> tuple[str, ...]:
@@ -41,53 +48,86 @@ def strings(message: Message) -> tuple[str, ...]:
 
 
 def translated(language: str) -> Catalog:
-    """Return the catalogue of a language as its translators have left it."""
-    with (LOCALE / language / f"{NAME}.po").open("rb") as file:
+    """Return the catalogue of a language as its translators left it."""
+    with catalogue_file(language).open("rb") as file:
         return read_po(file, locale=language, charset="utf-8")
 
 
-def compiled(catalogue: Catalog) -> bytes:
-    """Return what the app reads of a catalogue: no message that is fuzzy."""
-    written = io.BytesIO()
-    write_mo(written, catalogue)
-    return written.getvalue()
-
-
-def update(language: str) -> Catalog:
-    """Bring a catalogue up to date with the English messages and compile it; a new one is begun."""
-    file = LOCALE / language / f"{NAME}.po"
-    if file.exists():
-        catalogue = translated(language)
-    else:
-        file.parent.mkdir(parents=True)
-        catalogue = Catalog(locale=language, project=template().project, fuzzy=False)
-    begun = catalogue.creation_date
+def merged(language: str) -> Catalog:
+    """Return the catalogue of a language with today's English messages."""
+    catalogue = translated(language)
+    created = catalogue.creation_date
     catalogue.update(template())
-    catalogue.creation_date = begun
-    # What nobody has translated is not kept for the day when it comes back.
+    catalogue.creation_date = created
+    # Obsolete messages without a translation contain nothing to keep.
     catalogue.obsolete = {key: message for key, message in catalogue.obsolete.items() if any(strings(message))}
-    with file.open("wb") as written:
-        # Without numbers of lines: they would change with every edit of a program.
-        write_po(written, catalogue, width=120, sort_by_file=True, include_lineno=False)
-    file.with_suffix(".mo").write_bytes(compiled(catalogue))
+    for message in catalogue:
+        if message.fuzzy and message.id:
+            _keep_only_an_edit(message)
     return catalogue
 
 
-def left(catalogue: Catalog) -> dict[str, list[str]]:
-    """Return what is left to do in a catalogue: kind → the English texts."""
+def _keep_only_an_edit(message: Message) -> None:
+    """Remove a fuzzy translation that Babel took from a similar message: it may say something else."""
+    if message.previous_id and any(message.previous_id[0] in texts(each) for each in template()):
+        message.string = ("",) * len(strings(message)) if message.pluralizable else ""
+        message.flags.discard("fuzzy")
+        message.previous_id = []
+
+
+def update(language: str) -> Catalog:
+    """Bring a catalogue up to date with the English messages, or begin it."""
+    file = catalogue_file(language)
+    if not file.exists():
+        file.parent.mkdir(parents=True)
+        with file.open("wb") as created:
+            write_po(created, Catalog(locale=language, project=template().project, fuzzy=False))
+    catalogue = merged(language)
+    with file.open("wb") as written:
+        # Line numbers would change with every edit of a program.
+        write_po(written, catalogue, width=120, include_lineno=False, include_previous=True)
+    return catalogue
+
+
+def remaining(catalogue: Catalog) -> dict[str, list[str]]:
+    """Return the open work in a catalogue: kind → English texts, each with its file."""
     messages = [message for message in catalogue if message.id]
     return {
-        "missing": [texts(each)[0] for each in messages if not each.fuzzy and not all(strings(each))],
-        "fuzzy": [texts(each)[0] for each in messages if each.fuzzy],
+        "missing": [_placed(each) for each in messages if not each.fuzzy and not all(strings(each))],
+        "fuzzy": [_placed(each) for each in messages if each.fuzzy],
         "obsolete": [texts(each)[0] for each in catalogue.obsolete.values()],
     }
 
 
-def main(*begun: str) -> None:
-    """Update every catalogue and those that are begun, and print what is left to do."""
-    for language in sorted({*begun, *(path.name for path in LOCALE.iterdir())}):
-        for kind, found in left(update(language)).items():
-            print(f"{language}: {len(found)} {kind}", *found, sep="\n    ")
+def _placed(message: Message) -> str:
+    files = {file for file, _line in message.locations}
+    return f"{', '.join(sorted(files))}: {texts(message)[0]}"
+
+
+def report(language: str, catalogue: Catalog) -> Iterator[str]:
+    """Yield the lines about a catalogue: how much is translated, what is left, and which translations have a fault."""
+    compiled = translations(language)
+    yield f"{language}: {compiled.percentage} % translated"
+    for kind, entries in remaining(catalogue).items():
+        yield f"{language}: {len(entries)} {kind}"
+        yield from (f"    {entry}" for entry in entries)
+    yield f"{language}: {len(compiled.faults)} with a fault, shown in English"
+    yield from (f"    {sentence(language, fault)}" for fault in compiled.faults)
+
+
+def sentence(language: str, fault: Fault) -> str:
+    """Return a fault with its place in the catalogue."""
+    return f"{catalogue_file(language).relative_to(PACKAGE.parent)}:{fault.line}: {fault.english!r}. {fault.reason}"
+
+
+def main(*names: str) -> None:
+    """Update every catalogue and those that are named, and print what is left to do."""
+    for language in sorted({*names, *languages()}):
+        try:
+            Locale.parse(language)
+        except (UnknownLocaleError, ValueError):
+            sys.exit(f"{language} is not the code of a language. Use a code such as fr or pt_BR.")
+        print(*report(language, update(language)), sep="\n")
 
 
 if __name__ == "__main__":

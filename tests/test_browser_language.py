@@ -8,9 +8,7 @@ from collections.abc import Iterator
 import pytest
 
 from ramanujan.shell.navigation import PAGES
-from ramanujan.translation import LOCALE
 from tests.browser import ROOT, running, script, settle
-from tests.catalogue import left, template, translated
 
 STREAMLITS_OWN = (
     "Skip to main content",
@@ -87,13 +85,6 @@ def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_nar
         found = page.evaluate(OVERLAPS)
         assert all(any(cover in pair for pair in found) for cover in covers), found
         client.detach()
-
-
-@pytest.mark.parametrize("language", sorted(path.name for path in LOCALE.iterdir()))
-def test_a_catalogue_has_all_that_the_app_says(language):
-    catalogue = translated(language)
-    catalogue.update(template(), no_fuzzy_matching=True)
-    assert not any(left(catalogue).values()), "run python -m tests.catalogue"
 
 
 def become_phone(client, width: int, height: int) -> None:

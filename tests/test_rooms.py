@@ -15,8 +15,8 @@ import ramanujan.pages
 from ramanujan.shell import navigation, server
 from tests.browser import ROOT
 
-LANGUAGE = {"translation", "numerals"}
-"""What every room may import."""
+LANGUAGE = {"catalogue", "translation", "numerals"}
+"""Rooms that every room may import."""
 
 
 def readme_s_table() -> dict[str, tuple[set[str], set[str]]]:

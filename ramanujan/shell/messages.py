@@ -2,6 +2,9 @@
 
 import streamlit as st
 
+from ramanujan.catalogue import COMPLETE
+from ramanujan.translation import LANGUAGE, TRANSLATED, _
+
 _ABOUT_ADDRESS = "messages_address"
 _NOTES = "messages_notes"
 """Session state: key of a parameter → the message at its box in the next run, and whether it is a warning."""
@@ -58,3 +61,9 @@ def run_again() -> None:
 def runs_again() -> bool:
     """Tell whether this run was asked for by the page itself, so that no message of the browser belongs to it."""
     return bool(st.session_state.get(_RUN_AGAIN))
+
+
+def show_how_much_is_translated() -> None:
+    """Draw one line about the English rest of a page, unless its language is complete."""
+    if TRANSLATED < 100 and LANGUAGE not in COMPLETE:
+        st.caption(_("{percentage} % of this app is translated. The rest is in English.").format(percentage=TRANSLATED))

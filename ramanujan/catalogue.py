@@ -1,0 +1,116 @@
+"""Read a catalogue of translations, and find the translations that cannot be used.
+
+A translator may lose a slot, a formula or a Markdown mark. Such a message is shown in English, and
+`python -m tests.catalogue` lists it. A fuzzy translation, whose English text was edited later, is shown.
+"""
+
+import gettext
+import re
+from collections import Counter
+from io import BytesIO
+from pathlib import Path
+from typing import NamedTuple
+
+import polib
+
+LOCALE = Path(__file__).parent / "locale"
+"""The folder of the catalogues, with a folder for each language."""
+COMPLETE = ("de", "hu")
+"""Languages in which the tests require every message."""
+NOT_WORDS = re.compile(
+    r"(\$\$.*?\$\$|\$.*?\$|\{[^{}]*\}|`[^`]*`|</?[a-z][^>]*>|&\w+;|\]\([^)]*\)|:[a-z-]+\[|:material/\w+:)", re.DOTALL
+)
+"""Formulas, slots, code, HTML, addresses of links, colours, icons: the same in every language."""
+_MARKDOWN = re.compile(r"\*+|\n|^#+ |^- ", re.MULTILINE)
+
+
+class Fault(NamedTuple):
+    """A translation that cannot be used: the line in the catalogue, the English text, the reason."""
+
+    line: int
+    english: str
+    reason: str
+
+
+class Translations(gettext.GNUTranslations):
+    """The usable translations of a catalogue.
+
+    Attributes
+    ----------
+    faults : the translations that were left out
+    percentage : of the messages that are translated
+    """
+
+    def __init__(self, catalogue: polib.POFile) -> None:
+        self.faults = _remove_faults(catalogue)
+        self.percentage = catalogue.percent_translated()
+        super().__init__(BytesIO(catalogue.to_binary()))
+
+
+def languages() -> list[str]:
+    """Return the names of the languages that have a catalogue."""
+    return sorted(path.name for path in LOCALE.iterdir() if catalogue_file(path.name).exists())
+
+
+def catalogue_file(language: str) -> Path:
+    """Return the path of the catalogue of a language."""
+    return LOCALE / language / "LC_MESSAGES" / "ramanujan.po"
+
+
+def translations(language: str) -> Translations:
+    """Return the translations into a language."""
+    return Translations(polib.pofile(str(catalogue_file(language))))
+
+
+def difference(english: str, translation: str) -> str:
+    """Return what a translation lost or added, apart from words, as one sentence; empty if it fits.
+
+    >>> difference("Exactly {exactly} of $x$", "Pile {exactement} pour $x$")
+    'It lacks {exactly} and has {exactement} instead.'
+    """
+    lost, added = _marks(english) - _marks(translation), _marks(translation) - _marks(english)
+    if lost and added:
+        return f"It lacks {_listed(lost)} and has {_listed(added)} instead."
+    if lost:
+        return f"It lacks {_listed(lost)}."
+    if added:
+        return f"It has {_listed(added)}, which the English text has not."
+    return ""
+
+
+def _marks(text: str) -> Counter[str]:
+    """Return the parts of a text that are not words, in any order; decimal marks and words in formulas may differ."""
+    formulas = re.sub(r"\\text\{+[^{}]*\}+", "", text.replace("{,}", "."))
+    return Counter([*NOT_WORDS.findall(formulas), *_MARKDOWN.findall(text)])
+
+
+def _listed(marks: Counter[str]) -> str:
+    return ", ".join(mark.replace("\n", "a line break") for mark in marks)
+
+
+def _remove_faults(catalogue: polib.POFile) -> list[Fault]:
+    """Remove the translations that cannot be used, accept the fuzzy ones, and return the faults."""
+    faults = []
+    for entry in catalogue:
+        reason = _reason(entry)
+        if reason:
+            faults.append(Fault(entry.linenum, entry.msgid, reason))
+            entry.msgstr, entry.msgstr_plural = "", {}
+        if entry.fuzzy:
+            entry.flags.remove("fuzzy")
+    return faults
+
+
+def _reason(entry: polib.POEntry) -> str:
+    """Return why a translation cannot be used, or nothing."""
+    strings = [entry.msgstr, *entry.msgstr_plural.values()]
+    if entry.msgid_plural and any(strings) and not all(entry.msgstr_plural.values()):
+        return "One of its plural forms is empty."
+    for string in filter(None, strings):
+        # A plural form may leave out the number, as the English singular does.
+        differences = [difference(english, string) for english in (entry.msgid, entry.msgid_plural or entry.msgid)]
+        if all(differences):
+            return differences[0]
+        if string != string.strip():
+            return "It begins or ends with a space."
+    return ""
