@@ -2,7 +2,11 @@
 
 import json
 import math
+import os
 import re
+import subprocess
+import sys
+from ast import literal_eval
 from functools import partial
 
 import pytest
@@ -10,6 +14,7 @@ import pytest
 from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.sidebar import PRESETS, take_exact
+from tests.browser import ROOT
 from tests.latex import equations
 
 KEYS = list(PARAMETERS)
@@ -184,6 +189,43 @@ def test_a_bad_entry_gets_one_sentence_and_changes_nothing(app):
         assert text == "" or text not in warning.value or text in "01"
         sound(app.run())
         assert not app.warning
+
+
+@pytest.mark.parametrize(
+    ("typed", "decimal", "whole"), [("12,500", "12.500", "12500"), (" 100,000/8 ", "100.000/8", "100000/8")]
+)
+def test_a_comma_that_may_separate_thousands_is_refused_and_both_readings_are_named(app, typed, decimal, whole):
+    app.run()
+    sound(type_in(app, "k", typed))
+    assert app.slider(key="k").value == 10.0
+    (warning,) = app.warning
+    assert warning.value == (
+        f"{typed.strip()} can mean {decimal} or {whole}. Type one of these two. The old value, 10\u202fN/m, was kept."
+    )
+    sound(type_in(app, "k", decimal))
+    assert app.slider(key="k").value == 12.5
+    assert not app.warning
+
+
+def test_a_comma_with_one_meaning_separates_decimals(app):
+    app.run()
+    for text, number in {"12,5": 12.5, "12,5000": 12.5, "0,500/0,040": 12.5, "12.500": 12.5, "12,500e0": 12.5}.items():
+        sound(type_in(app, "k", text))
+        assert app.slider(key="k").value == number, text
+    assert not app.warning
+
+
+THOUSANDS = """
+from ramanujan.shell.parameters import two_readings
+print([two_readings(text) for text in ("12.500", "12,500", "0.500", "1234.500", "12.50")])
+"""
+
+
+@pytest.mark.parametrize("language", ["de", "hu"])
+def test_where_the_decimal_mark_is_a_comma_a_point_may_separate_thousands(language):
+    command, spoken = [sys.executable, "-c", THOUSANDS], os.environ | {"RAMANUJAN_LANGUAGE": language}
+    done = subprocess.run(command, cwd=ROOT, env=spoken, capture_output=True, text=True, check=True)
+    assert literal_eval(done.stdout) == [("12,500", "12500"), None, None, None, None]
 
 
 def test_a_fraction_belongs_into_a_box_and_not_into_a_link(app):

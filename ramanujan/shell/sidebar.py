@@ -17,7 +17,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
 from ramanujan.numerals import number as written
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
-from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number
+from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number, two_readings
 from ramanujan.translation import _, pgettext
 
 PRESETS = {
@@ -278,11 +278,18 @@ def slider(key: str) -> None:
 
 
 def take_exact(key: str, text: str) -> None:
-    """Take what was typed into the box of a parameter, or say what is accepted and that the old value was kept."""
+    """Set a parameter to the number in its box, or note which numbers are accepted and that the old value was kept."""
     parameter = PARAMETERS[key]
-    # The box hears of every text that was judged, and shows its value again, changed or not.
+    # The count makes the box show its value again, changed or not.
     st.session_state[_JUDGED] = st.session_state.get(_JUDGED, 0) + 1
-    number = read_number(text)
+    number, readings = read_number(text), two_readings(text)
+    if number is not None and readings:
+        decimal, whole = readings
+        sentence = _("{text} can mean {decimal} or {whole}. Type one of these two. The old value, {old}, was kept.")
+        old = parameter.written(parameter.value)
+        sentence = sentence.format(text=text.strip(), decimal=decimal, whole=whole, old=old)
+        messages.note(parameter.name, sentence, warning=True)
+        return
     if number is not None and parameter.least <= number <= parameter.most:
         pending_updates.set_widgets({parameter.name: number})
         return

@@ -24,12 +24,14 @@ export default function (component, signal) {
   };
 
   const send = (text) => component.setTriggerValue("typed", text);
+  // In the other languages a point before three digits could separate thousands.
+  const sendValue = (text) => send(text.replace(".", DECIMAL));
   let seen, before, by; // what the slider showed last, what it held, and what moves it since: a "key", or a "thumb" let go
   const arrived = atRest(PAUSE, () => {
     const slider = dom.slider(key), goal = bus.last(`goal/${key}`);
     by = null;
     if (dom.isDragged(slider)) arrived();
-    else if (slider && dom.value(slider) === goal && received.value !== goal) send(String(goal));
+    else if (slider && dom.value(slider) === goal && received.value !== goal) sendValue(String(goal));
   }, signal);
   const settle = (slider, value) => {
     dom.snap(slider, value);
@@ -82,7 +84,7 @@ export default function (component, signal) {
     bus.forget(`enter/${key}`);
     const slider = dom.slider(key);
     if (slider) settle(slider, Number(text));
-    send(text);
+    sendValue(text);
   }, { signal });
   return () => {
     const { symbol, unit, meaning, label, longest } = component.data;
