@@ -1,9 +1,11 @@
 """The lesson: every answer by a way of its own, every task solved and not solved, and that nothing is typed in."""
 
+import itertools
 import math
 import random
 import re
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 
 import mpmath
@@ -73,9 +75,14 @@ def brackets(label: str) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def value(label: str) -> mpmath.mpf:
-    with mpmath.workdps(40):
-        return eval(re.sub("√(\\d+)", r"mpmath.sqrt(\1)", label.partition("= ")[2].replace("−", "-")))
+def fractions(label: str) -> list[Fraction]:
+    """Return the numbers of an option, such as 9/8 and 1.127."""
+    return [Fraction(text) for text in re.findall(r"\d+(?:[./]\d+)?", label.replace("\u2060", ""))]
+
+
+def is_a_fraction(ratio: mpmath.mpf) -> bool:
+    """Return whether a small denominator makes this number whole."""
+    return min(abs(ratio * n - mpmath.nint(ratio * n)) for n in range(1, 2000)) < 1e-20
 
 
 def friction() -> dict[str, float]:
@@ -116,7 +123,9 @@ def expected() -> dict[str, str]:
     needed = friction()
     exact = root()
     by_hand = next(o for o, s in lesson.stop("by-hand").options.items() if brackets(s)[0] < exact < brackets(s)[1])
-    exactly = next(o for o, said in lesson.stop("exactly").options.items() if abs(value(said) - exact) < 1e-30)
+    masses = {option: fractions(label) for option, label in lesson.stop("exactly").options.items()}
+    assert not any(abs(float(mass) - float(exact)) < 1e-6 for mass in itertools.chain(*masses.values()))
+    [exactly] = [option for option, named in masses.items() if not named]
     cubes = [(x, y) for x in range(1, 13) for y in range(x, 13) if x**3 + y**3 == 1729]
     sphere = root(top=0.4)
     euler, verlet = run_energies()
@@ -134,7 +143,7 @@ def expected() -> dict[str, str]:
         "zero-modes": {2: "two"}.get(int((abs(eigenvalues()) < 1e-9).sum()), "?"),
         "contact": max(needed, key=needed.get),
         "by-hand": by_hand,
-        "exactly": exactly,
+        "exactly": "?" if is_a_fraction(exact) else exactly,
         "1729": "first" if cubes[0] == (1, 12) and (1**2, 4 * 18 * 24) == (1**3, 12**3) and 1 not in cubes[1] else "?",
         "other-body": "another"
         if abs(sphere - exact) > 1e-3 and min(abs(sphere * n - round(sphere * n)) for n in range(1, 500)) > 1e-9
@@ -242,11 +251,16 @@ def test_the_replies_are_computed_for_this_machine():
         return lesson.stop(stop).reply(option).replace("\u202f", " ")
 
     assert f"{10 * (1 - 5**-0.5):.1f} turns behind" in told("two-clocks", "far_behind")
-    # The equation, with the candidate put in.
-    with mpmath.workdps(30):
-        for option in ("plus", "without"):
-            x = value(lesson.stop("exactly").options[option])
-            assert f"{float(18 * x**2 + x - 24):.3g}" in told("exactly", option)
+    # The equation with the candidate inserted, and the two frequencies.
+    for option in ("eighths", "decimal"):
+        [x] = fractions(lesson.stop("exactly").options[option])
+        assert f"{float(18 * x**2 + x - 24):.3g}".replace("-", "−") in told("exactly", option)
+        periods = 1 / abs(math.sqrt(normalized(m_prime=float(x))) - 1)
+        said = re.search(r"After (\d+(?: \d+)?) periods", told("exactly", option))[1]
+        assert float(said.replace(" ", "")) == pytest.approx(periods, rel=3e-3)
+    low, high = fractions(lesson.stop("exactly").options["several"])
+    assert f"{normalized(m_prime=float(low)):.5g}" in told("exactly", "several")
+    assert f"{normalized(m_prime=float(high)):.5g}" in told("exactly", "several")
     # The top cylinder slips first below this ratio; with the slab's tilt.
     light = float(re.search(r"ε were less than (\d+\.\d+)", told("contact", "top_block"))[1])
     tilt = 0.08 / 0.29
@@ -380,8 +394,72 @@ def test_a_verdict_says_how_far_away_the_goal_is():
     gained = math.sqrt(normalized(m_prime=0.5)) - 1
     assert f"{1 / gained:.2f}" in sentence("parting", ratio=0.5)
     assert "0.5" in sentence("half-energy", part=0.12) or "%" in sentence("half-energy", part=0.12)
-    # Half way: 54 % of the way against 50 %.
+    # 54 % of x₀ against 50 %.
     assert "7.7\u202f% farther" in sentence("half-way")
+
+
+DIRECTIONS = {r"\bapart\b": 1, r"\b(towards|together|meet)\b": -1}
+"""Words of a sentence on two bodies → the sign of the change of their distance."""
+
+
+def test_slab_and_block_move_in_the_direction_that_every_sentence_says():
+    """Until the spring is relaxed; by the exponential of the machine's matrix, for light and for heavy rollers."""
+    motion, turn = history()
+    changes = []
+    for part in (0.1, 0.3, 0.49):
+        X, phi, _Phi = motion(part * turn)[3:]
+        block, slab = -X, 2 * R * phi - X
+        # The block is to the right of the slab, with the spring between them.
+        changes.append(block - slab)
+    assert len(set(map(np.sign, changes))) == 1
+    texts = [text for task in lesson.TASKS for text in (task.heading, task.text, *task.hints)]
+    texts += [lesson.task("half-way").judge(each).sentence for each in (SOLVED["half-way"], *MISSED["half-way"])]
+    said = [
+        sign
+        for sentence in re.split(r"(?<=[.?!]) ", " ".join(texts))
+        for words, sign in DIRECTIONS.items()
+        if {"slab", "block"} <= set(re.findall(r"\w+", sentence.lower())) and re.search(words, sentence, re.IGNORECASE)
+    ]
+    assert said
+    assert set(said) == {np.sign(changes[0])}
+
+
+def test_the_bodies_of_the_task_move_as_far_as_its_verdict_says():
+    motion, turn = history()
+    start, end = motion(0), motion(turn / 2)
+    block = abs(end[0] - start[0])
+    slab = abs(2 * R * (end[1] - start[1]) - (end[0] - start[0]))
+    sentence = lesson.task("half-way").judge(setting()).sentence
+    assert f"covers {100 * slab / 0.08:.2f}\u202f% of x₀, the block {100 * block / 0.08:.2f}\u202f%" in sentence
+
+
+def test_the_short_lesson_states_the_equation_before_its_root():
+    """A class that goes through the short lesson has not seen the stop that solves the equation."""
+    texts = [(stop.question, stop.exhibit) for stop in lesson.STOPS if stop.short]
+    [(question, exhibit)] = [each for each in texts if "√1729" in each[0]]
+    a, b, c = re.search(r"(\d+)ε² \+ (\d*)ε − (\d+) = 0", question.replace("\xa0", " ")).groups()
+    assert abs(int(a) * root() ** 2 + int(b or 1) * root() - int(c)) < 1e-12
+    assert question.index("ε²") < question.index("√1729")
+    # The condition that leads to it, in words and as a formula.
+    assert re.search(r"Ω²\s=\sk/m leads to", question)
+    assert r"\Omega^2m" in exhibit
+
+
+def test_no_reply_names_the_number_that_the_question_asks_for():
+    stop = lesson.stop("other-body")
+    number = round(float((6 * root(top=0.4)) ** 2))  # ε = √n/6
+    assert all(str(number) not in stop.reply(option) for option in stop.options if option != stop.answer())
+
+
+def test_the_last_stop_says_what_its_program_prints():
+    value = paper_formula(1.0, 1e200, 1.0)
+    assert value == 0
+    assert math.copysign(1, value) == -1
+    stop = lesson.stop("huge-ratio")
+    assert "−0" in stop.explanation()
+    assert computing.program() in stop.outcome
+    assert "\n// -0\n" in stop.outcome
+    assert "-0\n" not in stop.exhibit
 
 
 def test_the_hints_on_other_bodies_are_true():

@@ -16,7 +16,7 @@ from babel.messages.extract import extract_from_dir
 from ramanujan.browser import modules
 from ramanujan.browser.stage import words
 from ramanujan.catalogue import COMPLETE, Translations, difference, languages, translations
-from tests.catalogue import KEYWORDS, PACKAGE, merged, remaining, sentence, template, texts
+from tests.catalogue import KEYWORDS, PACKAGE, merged, remaining, sentence, strings, template, texts, translated
 
 SHORTEST_LIMIT = 30
 """Words of the longest sentence."""
@@ -92,6 +92,41 @@ def test_slots_have_names():
 def test_a_catalogue_has_no_fault(language):
     faults = [sentence(language, fault) for fault in translations(language).faults]
     assert not faults, "\n".join(["Correct these translations:", *faults])
+
+
+BREAKING = re.compile(r"(?<=[^\s–−])-(?=(?!egy\b)[a-záéíóöőúüű]{1,3}\b|sz[eoö]r|gyel\b|[áé]v[ae]l\b)")
+"""An ordinary hyphen before a Hungarian suffix; compounds such as Lagrange-függvény may break."""
+
+
+def test_no_line_breaks_before_a_hungarian_suffix():
+    """A line may end after an ordinary hyphen, but not after U+2011."""
+    for broken in ("26 %-a", "m′-t", "X-től", "R-szerese", "{off}-ával", "1-gyel"):
+        assert BREAKING.search(broken.format(off="2")), broken
+    found = []
+    for message in translated("hu"):
+        for text in strings(message) if message.id else ():
+            # A formula and a slot end in a character that a suffix may follow; a minus sign in a formula is no hyphen.
+            prose = re.sub(r"\{[^}]*\}", "x", _FORMULA.sub("x", text))
+            found += [text for _each in BREAKING.finditer(prose)]
+    assert found == []
+
+
+QUOTED = re.compile(r"[“„]([^“„”]+)[”“]")
+"""What stands in quotation marks, English, Hungarian and German."""
+
+
+@pytest.mark.parametrize("language", COMPLETE)
+def test_a_quoted_label_is_the_label_of_the_page(language):
+    """A sentence that names a button names it as the button is labelled, in every language."""
+    catalogue = {text: message for message in translated(language) if message.id for text in texts(message)[:1]}
+    checked = 0
+    for text, message in catalogue.items():
+        for label in QUOTED.findall(text):
+            if label in catalogue:
+                checked += 1
+                own = strings(catalogue[label])[0]
+                assert all(own in QUOTED.findall(said) for said in strings(message)), (label, own, strings(message))
+    assert checked
 
 
 @pytest.mark.parametrize("language", COMPLETE)

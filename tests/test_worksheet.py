@@ -97,8 +97,8 @@ TELLS = {
     "middle": r"Where is the energy then",
     "zero-modes": r"two zero modes|rolls freely for ever",
     "contact": r"the hoop slips",
-    # Three of the four exact candidates lie in one of its intervals.
-    "by-hand": r"√1729 [−+] 1\)/36",
+    # The masses of this stop lie in one of its intervals.
+    "by-hand": r"√1729 − 1\)/\u2060?36|1\.127\skg",
     "1729": r"4·18·24",
     "steps": r"explicit Euler adds",
 }

@@ -83,6 +83,11 @@ def _huge() -> str:
     return "right" if math.isclose(value, _truth(), rel_tol=1e-9) else "wrong"
 
 
+def printed() -> str:
+    """Return the number that the program prints, as JavaScript writes it: a zero keeps its sign."""
+    return f"{returned():g}"
+
+
 def program() -> str:
     """Return the program of the last stop, in JavaScript."""
     formula = FORMS["paper"].formula.replace("m′", "M").replace("²", "**2").replace("−", "-")
@@ -156,19 +161,21 @@ STOPS = (
         answer=_huge,
         why=_(
             "The formula squares m + m′. At ε = {ratio} this square is larger than every double-precision number, so "
-            "it becomes infinity, and the denominator becomes −∞. Division by −∞ gives zero, and JavaScript says "
-            "nothing about it. The right value is {truth:3}. It is small, but it is an ordinary number for a computer. "
-            "A formula that first divides m by m′ finds it without trouble."
+            "it becomes infinity, and the denominator becomes −∞. Division by −∞ gives {printed}: a zero with a sign. "
+            "JavaScript prints it without a warning. The right value is {truth:3}. It is small, but it is an ordinary "
+            "number for a computer. A formula that first divides m by m′ finds it without trouble."
         ),
-        numbers=lambda: {"truth": _truth()},
+        numbers=lambda: {"truth": _truth(), "printed": printed().replace("-", "−")},
         hints=(_("The largest double-precision number is about {largest:2}. What is the square of {ratio}?"),),
         purpose=_("A correct formula can fail without a warning."),
         expect=_(
             "“An error” is common, and some languages give one: Python’s power raises an OverflowError, NumPy warns. "
-            "JavaScript, C and Fortran return zero. Let the class name other programs in which this could happen."
+            "JavaScript, C and Fortran return −0 without a warning. Let the class name other programs in which this "
+            "could happen."
         ),
         runs=(Run(_DRAWN, label=_LABEL),),
         exhibit=f"```js\n{program()}\n```",
+        outcome=f"```js\n{program()}\n// {printed()}\n```",
         onward=Onward(_("See where each formula fails on the page Speed and accuracy"), "speed"),
     ),
 )

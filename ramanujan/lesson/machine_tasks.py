@@ -60,14 +60,14 @@ def nine_eighths(setting: Setting) -> Verdict:
 
 
 def half_way(setting: Setting) -> Verdict:
-    """Judge how far the slab travels relative to the ground until the spring is relaxed, as a share of x₀."""
+    """Judge how far the slab moves relative to the ground until the spring is relaxed, as a share of x₀."""
     machine = setting.machine
     states = after(np.array([0, 1 / 4]), machine, setting.compression)[0]
     travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
     share = travel["slab"] / (travel["slab"] + travel["block"])
     sentences = (
-        _("Slab and block meet half way: the slab covers {slab:4 %} of x₀, the block {block:4 %}."),
-        _("The slab covers {slab:4 %} of x₀ and the block {block:4 %}. The slab moves {off} farther than half way."),
+        _("Slab and block go equally far: the slab covers {slab:4 %} of x₀, the block {block:4 %}."),
+        _("The slab covers {slab:4 %} of x₀, the block {block:4 %}. The slab goes {off} farther than half of x₀."),
     )
     return near(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
 
@@ -183,14 +183,14 @@ TASKS = (
     ),
     Task(
         "half-way",
-        _("Meet half way"),
+        _("Equally far"),
         _(
-            "Slab and block move towards each other until the spring is relaxed. Can you make them cover the same "
-            "distance relative to the ground, to one percent?"
+            "After the release, the compressed spring pushes slab and block apart until it is relaxed. Can you make "
+            "both move equally far relative to the ground, to one percent?"
         ),
         (
             _("The momentum of the machine is zero. Which other bodies carry momentum?"),
-            _("The centres of the lower rollers move with the slab. Make them stand still."),
+            _("The centres of the lower rollers move a little in the slab’s direction. Make them stand still."),
             _("The heavier the lower rollers, the less they move. How large can ε become with these sliders?"),
         ),
         half_way,

@@ -1,5 +1,6 @@
 """Stops 12 to 15: the mass ratio at which the machine is in step, by hand, exactly, why it holds 1729, other bodies."""
 
+import math
 from fractions import Fraction
 
 import sympy as sp
@@ -10,7 +11,7 @@ from ramanujan.derivation.printers import latex
 from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.number_theory import BodyChoice
-from ramanujan.numerals import filled, number, unbroken
+from ramanujan.numerals import filled, number, quantity, unbroken, with_unit
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
@@ -24,20 +25,50 @@ BRACKETS = {
 }
 """Option → the two mass ratios between which the machine may be in step."""
 
-_ROOT = sp.sqrt(1729)
-CANDIDATES = {"plus": (_ROOT + 1) / 36, "without": _ROOT / 36, "minus": (_ROOT - 1) / 36, "double": (_ROOT - 1) / 18}
-"""Option → a mass ratio that may be the exact one; all of them hold 1729, so that no label gives the answer away."""
+CANDIDATES = {"eighths": Fraction(9, 8), "decimal": Fraction(1127, 1000)}
+"""Option → a fraction close to the mass ratio in step."""
+RANGE = Fraction(112, 100), Fraction(113, 100)
+"""Two mass ratios, the machine being in step at one ratio between them."""
 
 OTHER = BodyChoice(top="sphere")
 """The machine of the last of these stops."""
 
 A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
 """The coefficients of the condition aε² + bε + c = 0."""
-_QUADRATIC = unbroken(f"{A}ε² + {'' if B == 1 else B}ε − {-C} = 0")
+
+
+def written(a: int, b: int, c: int) -> str:
+    """Return the equation aε² + bε + c = 0 as text.
+
+    >>> written(18, 1, -24).replace("\xa0", " "), written(3, 0, -4).replace("\xa0", " ")
+    ('18ε² + ε − 24 = 0', '3ε² − 4 = 0')
+    """
+    text = f"{a}ε²"
+    for coefficient, power in ((b, "ε"), (c, "")):
+        if coefficient:
+            sign = "−" if coefficient < 0 else "+"
+            size = "" if power and abs(coefficient) == 1 else abs(coefficient)
+            text += f" {sign} {size}{power}"
+    return unbroken(f"{text} = 0")
+
+
+_QUADRATIC = written(A, B, C)
+_QUADRATIC_OF_OTHER = written(*OTHER.quadratic)
 _NUMBER = int(unit_frequency_condition().discriminant)
+_ROOT = unbroken(f"(√{_NUMBER} − {B})/{2 * A}")
 _NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
 """The condition and its coefficients, as sentences name them."""
+_EQUATIONS = (
+    rf"\frac{{\Omega^2m}}{{k}}={latex(unit_frequency_condition().normalized_frequency_squared)}&=1",
+    f"{latex(unit_frequency_condition().quadratic.as_expr())}&=0",
+)
+"""The condition that the machine is in step, and its quadratic equation, as LaTeX that is aligned at &."""
 _SUMS = number_theory.sums_of_two_cubes(_NUMBER)
+
+
+def _displayed(*equations: str) -> str:
+    """Return aligned equations as Markdown, one below the other."""
+    return r"$$\begin{{aligned}}{}\end{{aligned}}$$".format(r"\\[2pt]".join(equations))
 
 
 def normalized(ratio: Fraction) -> Fraction:
@@ -76,14 +107,37 @@ def _by_hand() -> str:
     return next(name for name, (low, high) in BRACKETS.items() if normalized(low) > 1 > normalized(high))
 
 
-def _remainders() -> dict[str, object]:
-    """Return what is left of aε² + bε + c for each candidate, and the right one."""
-    left = {name: float(sp.expand(A * x**2 + B * x + C)) for name, x in CANDIDATES.items()}
-    return left | {"value": float(unit_frequency_condition().root)}
+def remainder(ratio: Fraction) -> Fraction:
+    """Return aε² + bε + c, which is 0 at the mass ratio in step."""
+    return A * ratio**2 + B * ratio + C
+
+
+def parting(ratio: Fraction) -> float:
+    """Return after how many periods of the plain mass the hands are one full turn apart."""
+    return 1 / abs(float(normalized(ratio)) ** 0.5 - 1)
+
+
+def _near_the_root() -> dict[str, object]:
+    """Return the numbers of the candidates, of the range, and of the exact ratio."""
+    root = unit_frequency_condition().root
+    whole = math.isqrt(_NUMBER)
+    numbers = {name: float(remainder(ratio)) for name, ratio in CANDIDATES.items()}
+    numbers |= {f"{name}_periods": parting(ratio) for name, ratio in CANDIDATES.items()}
+    return numbers | {
+        "fast": float(normalized(RANGE[0])),
+        "slow": float(normalized(RANGE[1])),
+        "value": float(root) * EQUAL.m,
+        "heavier": float(root) - 1,
+        "below": whole,
+        "above": whole + 1,
+    }
 
 
 def _exactly() -> str:
-    return next(name for name, x in CANDIDATES.items() if sp.expand(A * x**2 + B * x + C) == 0)
+    exact = [name for name, ratio in CANDIDATES.items() if remainder(ratio) == 0]
+    if exact:
+        return exact[0]
+    return "several" if unit_frequency_condition().root.is_rational else "irrational"
 
 
 def _spelled() -> str:
@@ -103,8 +157,7 @@ def _others() -> dict[str, object]:
     all_machines = number_theory.machines()
     return {
         "number": OTHER.discriminant,
-        "below": int(sp.sqrt(OTHER.discriminant)),
-        "above": int(sp.sqrt(OTHER.discriminant)) + 1,
+        "quadratic": _QUADRATIC_OF_OTHER,
         "ratio": float(number_theory.positive_root_digits(*OTHER.quadratic, 10)),
         "machines": len(all_machines),
         "cubes": sum(bool(machine.cubes) for machine in all_machines),
@@ -135,7 +188,11 @@ STOPS = (
             _("How much heavier must the rollers be to slow the machine down by so little?"),
         ),
         purpose=_("Bisection finds a number without a formula."),
-        expect=_("Let a student call out values while you drag the slider on the page Oscillator."),
+        expect=_(
+            "Run the machine, then press “Change it with the sliders” at the desk. Let students call out values of m′ "
+            "and set them: machine and hands on the wall follow."
+        ),
+        sliders=_("Set m′ so that both hands stay together."),
         short=True,
         minutes=3,
         dials=True,
@@ -145,27 +202,52 @@ STOPS = (
         id="exactly",
         heading=_("In step, exactly"),
         question=_(
-            "Set Ω² equal to k/m. This gives a quadratic equation for the mass ratio: {quadratic}. Which mass ratio is "
-            "it exactly?"
+            "Block, slab and top cylinder have a mass of {machine.m:1 kg} each. Ω²\u00a0=\u00a0k/m leads to a "
+            "quadratic equation for the mass ratio ε\u00a0=\u00a0m′/m: {quadratic}. Which mass of each lower roller "
+            "keeps the machine in step for ever?"
         ),
         options=dict(
-            plus="ε = (√1729 + 1)/36", without="ε = √1729/36", minus="ε = (√1729 − 1)/36", double="ε = (√1729 − 1)/18"
+            eighths=_("Exactly {eighths_mass}."),
+            decimal=_("Exactly {decimal_mass}."),
+            irrational=_("A mass that no fraction gives exactly."),
+            several=_("Every mass from {lightest} to {heaviest}."),
         ),
         replies={
-            "plus": _("In the equation this ratio leaves {plus:3} instead of 0. What is −b here?"),
-            "without": _("In the equation this ratio leaves {without:3} instead of 0. Where is −b?"),
-            "double": _("In the equation this ratio leaves {double:3} instead of 0. By what is the root divided?"),
+            "eighths": _(
+                "In the equation this ratio leaves {eighths:3} instead of 0. After {eighths_periods:3} periods of the "
+                "plain mass the hands are one full turn apart. Must the rollers be lighter or heavier?"
+            ),
+            "decimal": _(
+                "In the equation this ratio leaves {decimal:3} instead of 0. After {decimal_periods:3} periods of the "
+                "plain mass the hands are one full turn apart. Are more decimals enough?"
+            ),
+            "several": _(
+                "At the lower end Ω²m/k is {fast:5}, at the upper end {slow:5}. At how many masses between them is it "
+                "exactly 1?"
+            ),
         },
-        given={**_NAMED, "root": unbroken(f"(√{_NUMBER} − {B})/{2 * A}")},
+        given={
+            **_NAMED,
+            "eighths_mass": with_unit(unbroken(str(CANDIDATES["eighths"])), "kg"),
+            "decimal_mass": quantity(float(CANDIDATES["decimal"]), "kg", 4),
+            "lightest": quantity(float(RANGE[0]), "kg", 3),
+            "heaviest": quantity(float(RANGE[1]), "kg", 3),
+            "root": _ROOT,
+            "number": _NUMBER,
+        },
         answer=_exactly,
         why=_(
-            "Ω² = k/m leads to {quadratic}. With a = {a}, b = {b} and c = −{c}, the positive root is {root}, about "
-            "{value:7}. A mass ratio cannot be negative, so the other root does not count."
+            "The positive root of {quadratic} is {root}. So each lower roller must have a mass of about {value:7 kg}, "
+            "{heavier:3 %} more than the other bodies. As {number} lies between {below}² and {above}², its root is no "
+            "fraction, and neither is this mass. A mass ratio cannot be negative, so the other root does not count."
         ),
-        numbers=_remainders,
-        hints=(_("The roots of a·ε² + b·ε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),),
-        purpose=_("The search becomes a quadratic equation."),
-        expect=_("The sign of b is the usual slip. Let students put their answer into the equation."),
+        numbers=_near_the_root,
+        hints=(
+            _("The roots of a·ε² + b·ε + c = 0 are (−b ± √(b² − 4ac))/(2a)."),
+            _("Is the number under the root the square of a whole number?"),
+        ),
+        purpose=_("The search becomes a quadratic equation, and its root is irrational."),
+        expect=_("Many trust the decimal number. Let students put their mass into the equation."),
         minutes=3,
         then=IN_STEP,
         dials=True,
@@ -175,9 +257,9 @@ STOPS = (
         id="1729",
         heading=_("Why 1729?"),
         question=_(
-            "The machine is in step where {quadratic}. The number under the root is "
-            "{number}\u00a0=\u00a0{first}\u00a0=\u00a0{second}. Which of these two sums can you read off the "
-            "coefficients as b² plus −4ac?"
+            "Ω²\u00a0=\u00a0k/m leads to a quadratic equation for the mass ratio ε\u00a0=\u00a0m′/m: {quadratic}. Its "
+            "positive root is {root}. The number under the root is {number}\u00a0=\u00a0{first}\u00a0=\u00a0{second}. "
+            "Which of these two sums can you read off the coefficients as b² plus −4ac?"
         ),
         options=dict(second="{second}", both=_("Both"), neither=_("Neither"), first="{first}"),
         replies={
@@ -194,6 +276,7 @@ STOPS = (
         ),
         given={
             **_NAMED,
+            "root": _ROOT,
             "number": _NUMBER,
             "first": unbroken("{}³ + {}³".format(*_SUMS[0])),
             "second": unbroken("{}³ + {}³".format(*_SUMS[1])),
@@ -210,7 +293,8 @@ STOPS = (
         minutes=3,
         runs=(Run(IN_STEP),),
         hides=FREQUENCY,
-        exhibit=f"$${latex(unit_frequency_condition().quadratic.as_expr())}=0$$",
+        exhibit=_displayed(*_EQUATIONS),
+        outcome=_displayed(*_EQUATIONS, f"b^2-4ac&={B * B}+{-4 * A * C}"),
         onward=Onward(_("Count the cubes on the page 1729"), "taxicab"),
     ),
     Stop(
@@ -231,7 +315,8 @@ STOPS = (
                 "property of the body counts when it has to turn?"
             ),
             "square": _(
-                "The number is {number}. It lies between {below}² and {above}². What does that make of the ratio?"
+                "Then the exact mass ratio would be a fraction. The equation is now {quadratic}. Which fraction solves "
+                "it?"
             ),
         },
         answer=_other_body,

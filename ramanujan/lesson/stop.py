@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from ramanujan.motion import InitialState, motion, released
 from ramanujan.numerals import filled
 from ramanujan.oscillator import Oscillator
+from ramanujan.translation import _
 
 FREQUENCY = ("clocks", "numbers")
 """Parts of the stage that tell how fast the machine is."""
@@ -94,6 +95,8 @@ class Stop:
     dials : the stage shows its clocks, and after the prediction its gauge
     periods : of the plain mass, to which a button takes both clocks after the answer
     exhibit : Markdown that is shown above the machine, such as a program
+    outcome : the exhibit after the prediction, with what is observed, such as the output of the program
+    sliders : what to do with the sliders after the prediction
     then : the machine after the prediction, where it is another one
     onward : where it is seen in full
     """
@@ -119,6 +122,8 @@ class Stop:
     dials: bool = False
     periods: int = 0
     exhibit: str = ""
+    outcome: str = ""
+    sliders: str = ""
     then: Oscillator | None = None
 
     @property
@@ -135,6 +140,11 @@ class Stop:
     def compression(self) -> float:
         """Where it is released, x₀ [m]."""
         return self.runs[0].compression
+
+    @property
+    def observation(self) -> str:
+        """The label of the button that shows what was predicted: only a machine at rest is started."""
+        return _("Run the machine") if "motion" in self.hides and not self.exhibit else _("Check it")
 
     def __post_init__(self) -> None:
         for name in ("heading", "question"):

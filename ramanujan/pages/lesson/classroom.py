@@ -226,7 +226,7 @@ def _onward(stop: Stop | None, now: Question, last: Question | None) -> tuple:
         return _("Show what the class has learned"), "finish", _finish
     labels = {
         Phase.ASKED: (_("Show the result"), "reveal"),
-        Phase.REVEALED: (_("Run the machine"), "run"),
+        Phase.REVEALED: (stop.observation, "run"),
         Phase.RUNNING: (_("Show the right answer"), "solve"),
     }
     return *labels[now.phase], shared().show, Phase(now.phase + 1)

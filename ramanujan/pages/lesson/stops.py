@@ -133,7 +133,8 @@ def draw(stop: Stop, number: int) -> None:
     arrive(stop, running)
     if not (stop.exhibit or display_mode.is_projector()):
         with reason, st.container(key="lesson_caption"):
-            st.markdown(f":small[{_caption(stop, running)}]")
+            caption = stop.sliders if running and stop.sliders else _caption(stop, running)
+            st.markdown(f":small[{caption}]")
             if running and not stop.runs[0].label:
                 st.button(_("Change it with the sliders"), key=f"sliders_{stop.id}", on_click=_want_sliders)
             if sliders_wanted():
@@ -146,7 +147,7 @@ def draw(stop: Stop, number: int) -> None:
 def show(stop: Stop, running: bool, fixed: bool = False) -> None:
     """Draw what a stop shows: its exhibit, if any, and its machines; where they are fixed, no hand drags them."""
     if stop.exhibit:
-        st.markdown(stop.exhibit)
+        st.markdown(stop.outcome if running and stop.outcome else stop.exhibit)
     with st.container(key=f"observed_{_arrangement(stop, running)}"):
         observe(stop, running, fixed)
 
@@ -195,8 +196,7 @@ def judge(stop: Stop, chosen: str, phase: str) -> None:
                 said = _("You have not checked your prediction yet. Press “Next” again to go on without.")
                 st.info(said)
             st.markdown(own)
-            label = _("Check it") if stop.exhibit else _("Run the machine")
-            _moves(stop, chosen, label, progress.ANSWERED if right else progress.MISSED)
+            _moves(stop, chosen, stop.observation, progress.ANSWERED if right else progress.MISSED)
             return
         if right:
             said = _("Your prediction was right.")
