@@ -25,6 +25,8 @@ HAPROXY = shutil.which("haproxy") or shutil.which("haproxy", path="/usr/sbin:/us
 OTHERS = {"hungarian": 8503, "german": 8504}
 """The processes of other languages → their ports in the recipe."""
 
+COOKIE = "ramanujan="
+"""Begins the cookie in which the proxy stores a visitor's process."""
 _PLACE = "/opt/ramanujan"
 """Where the unit expects the app; here it is this folder, with this Python."""
 _STATE = "/var/lib/ramanujan"
@@ -81,13 +83,14 @@ class deployed:  # noqa: N801 (reads as a sentence: with deployed(2) as hall)
         self.state.cleanup()
 
     def wait(self, names: set[str], seconds: float = 90) -> None:
-        """Wait until the proxy sends visitors to these processes."""
+        """Wait until the proxy sends visitors to each of these processes, as its own cookie says."""
         seen, end = set(), time.monotonic() + seconds
         while seen < names:
             if time.monotonic() > end:
                 raise RuntimeError(f"the proxy sends nobody to {', '.join(names - seen)}")
             with contextlib.suppress(OSError), urllib.request.urlopen(self.address, timeout=5) as answer:
-                seen.add(answer.headers["Set-Cookie"].partition(";")[0].partition("=")[2])
+                cookies = [cookie.partition(";")[0] for cookie in answer.headers.get_all("Set-Cookie", [])]
+                seen.update(cookie.removeprefix(COOKIE) for cookie in cookies if cookie.startswith(COOKIE))
             time.sleep(0.1)
 
     def start(self, name: str) -> None:

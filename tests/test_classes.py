@@ -126,14 +126,6 @@ def told_by(processes: list, votes: multiprocessing.Queue) -> dict[str, str]:
     return told
 
 
-def tell(path: Path, code: str, pipe: multiprocessing.connection.Connection) -> None:
-    """Say how many have answered, now and when asked again."""
-    school = classes.Classes(path, Clock())
-    pipe.send(school.question(code).answered)
-    pipe.recv()
-    pipe.send(school.question(code).answered)
-
-
 def test_two_hundred_students_in_several_processes_lose_no_vote_though_one_process_dies(school, opened):
     path, votes = school._store.path, NEW_PROCESS.Queue()
     ours, theirs = NEW_PROCESS.Pipe()
@@ -161,7 +153,6 @@ def test_two_hundred_students_in_several_processes_lose_no_vote_though_one_proce
 
 def test_whoever_waits_too_long_gets_a_sentence(school, opened, monkeypatch):
     monkeypatch.setattr(class_store, "PATIENCE", 0.0)
-    monkeypatch.setattr(class_store, "BUSY_TIMEOUT", 0.0)
     seat = school.join(opened.code)
     busy = classes.Classes(school._store.path, school._clock)
     with busy._store.writing(), pytest.raises(ClassError, match="too much to do"):
@@ -401,7 +392,7 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
     ]
     for key in wrong:
         reveal = partial(school.show, phase=Phase.REVEALED)
-        for act in (reveal, school.ask_again, school.close, school.expires, school.asked):
+        for act in (reveal, school.ask_again, school.close, school.seats, school.asked):
             with pytest.raises(ClassError, match="belongs to no class"):
                 act(key)
         with pytest.raises(ClassError, match="belongs to no class"):
@@ -493,7 +484,7 @@ def test_a_class_is_gone_after_a_day_and_nothing_of_it_remains(school, opened, c
         lambda: school.question(opened.code),
         lambda: school.join(opened.code),
         lambda: school.vote(seat, "faster", "plain"),
-        lambda: school.expires(opened.key),
+        lambda: school.expires(opened.code),
     ):
         with pytest.raises(ClassError, match=r"has ended|may have ended"):
             act()
@@ -518,14 +509,69 @@ def left(school: classes.Classes) -> dict[str, int]:
     return {table: file.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0] for table in tables}
 
 
-def test_a_full_class_and_a_full_server_say_so(school, opened, clock):
+def kept_bytes(school: classes.Classes) -> bytes:
+    """Return the content of all files of the database."""
+    return b"".join(file.read_bytes() for file in school._store.path.parent.iterdir())
+
+
+def test_delete_expired_overwrites_the_answers_and_creates_no_database(school, opened, clock):
+    seat = school.join(opened.code, "a voter with a long name", "10.0.0.7")
+    school.vote(seat, "faster", "plain")
+    lasting = school.open_class(30 * DAY)
+    assert seat.voter.encode() in kept_bytes(school)  # negative control
+    clock.now += DAY
+    school.delete_expired()
+    assert seat.voter.encode() not in kept_bytes(school)
+    assert opened.code.encode() not in kept_bytes(school)
+    assert left(school) == {"class": 1, "question": 0, "voter": 0, "vote": 0}
+    assert school.expires(lasting.code) == clock.now + 29 * DAY
+    unused = classes.Classes(school._store.path.parent / "unused" / "classes.sqlite", clock)
+    unused.delete_expired()
+    assert not unused._store.path.parent.exists()
+
+
+def test_a_full_class_says_so(school, opened):
     for number in range(STUDENTS):
         seat = school.join(opened.code, address=f"10.0.{number // 50}.7")
     with pytest.raises(ClassError, match="full: it has 500 students"):
         school.join(opened.code)
     school.join(opened.code, seat.voter)
-    for _ in range(CLASSES - 1):
-        school.open_class()
+
+
+def test_a_lecturer_gets_a_class_whoever_opens_hundreds(school, opened, clock):
+    """A flood comes from several networks, each of which is slowed down; a class that somebody has joined stays."""
+    school.join(opened.code)
+    lecture = school.open_class(address="10.9.0.1")
+    flood = []
+    for number in range(2 * CLASSES):
+        clock.now += 0.1
+        flood.append(school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7"))
+    assert left(school)["class"] == CLASSES
+    # The oldest classes without any student have made way, the lecturer's own among them.
+    assert school.code_of(flood[-1].key)
+    for gone in (lecture, flood[0]):
+        with pytest.raises(ClassError, match="belongs to no class"):
+            school.code_of(gone.key)
+    again = school.open_class(address="10.9.0.1")
+    assert school.join(again.code)
+    assert school.code_of(opened.key)
+
+
+def test_a_network_opens_as_many_classes_as_it_gets_seats_and_is_forgotten(school, clock):
+    for number in range(NETWORK_SEATS):
+        school.open_class(address=f"2001:db8:0:7:{number:x}::1")
+    with pytest.raises(CrowdError, match="60 classes were opened from your network"):
+        school.open_class(address="2001:db8:0:7::1")
+    school.open_class(address="2001:db8:0:8::1")
+    clock.now += MINUTE
+    school.open_class(address="2001:db8:0:7::1")
+    kept = sqlite3.connect(school._store.path).execute("SELECT COUNT(*) FROM class WHERE network IS NOT NULL")
+    assert kept.fetchone() == (1,)
+
+
+def test_without_room_for_another_class_the_server_says_so(school, clock):
+    for number in range(CLASSES):
+        school.join(school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7").code)
     with pytest.raises(ClassError, match="no room for another class"):
         school.open_class()
     clock.now += DAY
@@ -535,49 +581,53 @@ def test_a_full_class_and_a_full_server_say_so(school, opened, clock):
 def test_a_file_that_cannot_be_used_gets_a_sentence(tmp_path):
     no_database = tmp_path / "notes.txt"
     no_database.write_text("Nothing that SQLite has written. " * 100)
-    for path in (no_database, tmp_path, tmp_path / "no folder" / "classes.sqlite"):
-        with pytest.raises(ClassError, match="cannot keep answers"):
+    for path, sentence in (
+        (no_database, "cannot keep answers"),
+        (tmp_path, "cannot keep answers"),
+        (no_database / "classes.sqlite", "no folder in which it can keep"),
+    ):
+        with pytest.raises(ClassError, match=sentence):
             classes.Classes(path).open_class()
     assert no_database.read_text().startswith("Nothing")
 
 
-def test_tables_of_an_earlier_version_make_room(tmp_path, caplog):
-    path = tmp_path / "classes.sqlite"
-    file = sqlite3.connect(path)
-    file.execute("CREATE TABLE class (code TEXT PRIMARY KEY, expires DOUBLE PRECISION, round INTEGER)")
-    file.execute("CREATE TABLE question (code TEXT REFERENCES class, round INTEGER)")
-    file.close()
-    school = classes.Classes(path)
-    assert school.join(school.open_class().code)
-    assert "earlier version" in caplog.text
-
-
-def test_a_file_that_is_taken_away_is_made_anew_for_all(school, opened):
-    """As a cleaner of temporary files does; both processes go on with one new file."""
-    for file in list(school._store.path.parent.iterdir()):
-        file.unlink()
-    other = classes.Classes(school._store.path, school._clock)
-    again = other.open_class()
-    assert school.join(again.code).code == again.code
-    with pytest.raises(ClassError, match="no class with this code"):
-        school.join(opened.code)
-
-
-def test_without_its_journal_all_processes_say_the_same(school, opened):
-    """Somebody deletes the -wal file while several processes use it."""
+def test_a_class_outlasts_an_upgrade_of_the_app(school, opened):
+    """The first schema had no number and lacked the columns of the second."""
     seat = school.join(opened.code)
     school.vote(seat, "faster", "plain")
-    theirs, ours = NEW_PROCESS.Pipe()
-    other = NEW_PROCESS.Process(target=tell, args=(school._store.path, opened.code, ours))
-    other.start()
-    said = [theirs.recv()]
-    Path(f"{school._store.path}-wal").unlink()
-    said.append(school.question(opened.code).answered)
-    theirs.send("again")
-    said.append(theirs.recv())
-    other.join()
-    school.vote(school.join(opened.code), "faster", "machine")
-    assert [*said, classes.Classes(school._store.path, school._clock).question(opened.code).answered] == [1, 1, 1, 2]
+    with sqlite3.connect(school._store.path) as file:
+        for column in ("opened", "network", "was_joined"):
+            file.execute(f"ALTER TABLE class DROP COLUMN {column}")
+        file.execute("PRAGMA user_version = 0")
+    assert chosen(school, seat) == "plain"
+    # The upgraded class may have had students, so it makes way for nobody.
+    for number in range(CLASSES):
+        school.open_class(address=f"10.0.{number // NETWORK_SEATS}.7")
+    assert school.code_of(opened.key)
+
+
+def test_a_deleted_or_damaged_file_takes_no_vote(school, opened):
+    """As a cleaner of temporary files or a full disk does: no vote is acknowledged that is not stored."""
+    path, seat = school._store.path, school.join(opened.code)
+    for number in range(100):
+        school.join(opened.code, f"student {number}", f"10.0.0.{number}")
+    whole = path.read_bytes()
+
+    def refused(sentence: str) -> None:
+        with pytest.raises(ClassError, match=sentence):
+            school.vote(seat, "faster", "plain")
+
+    path.unlink()
+    refused("no class with this code")
+    path.write_bytes(whole[: len(whole) // 2])
+    refused("cannot keep answers")
+    path.write_bytes(b"")
+    refused("no class with this code")
+    again = school.open_class()
+    assert school.join(again.code).code == again.code
+    path.write_bytes(whole)
+    school.vote(seat, "faster", "plain")
+    assert answered(school, opened) == 1
 
 
 def test_the_file_is_where_the_environment_says_and_only_its_owner_reads_it(tmp_path, monkeypatch):
@@ -585,3 +635,16 @@ def test_the_file_is_where_the_environment_says_and_only_its_owner_reads_it(tmp_
     classes.shared().open_class()
     assert {file.name.partition("-")[0] for file in tmp_path.iterdir()} == {"here.sqlite"}
     assert all(file.stat().st_mode & 0o077 == 0 for file in tmp_path.iterdir())
+
+
+@pytest.mark.skipif(os.name != "posix", reason="other systems name the folder otherwise")
+def test_by_default_the_file_is_in_the_data_folder_of_the_user(tmp_path, monkeypatch):
+    """A folder for temporary files is emptied at a restart, and answers are kept for up to 30 days."""
+    monkeypatch.delenv("RAMANUJAN_CLASSES")
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setenv("HOME", str(tmp_path))
+    for named, folder in (("", tmp_path / ".local/share"), (str(tmp_path / "data"), tmp_path / "data")):
+        monkeypatch.setenv("XDG_DATA_HOME", named)
+        classes.shared().open_class()
+        assert (folder / "ramanujan/classes.sqlite").stat().st_mode & 0o077 == 0
+        assert (folder / "ramanujan").stat().st_mode & 0o077 == 0

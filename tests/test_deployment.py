@@ -31,7 +31,10 @@ def hall() -> Iterator[deployed]:
             if os.environ.get(f"RAMANUJAN_REQUIRE_{name}"):
                 pytest.fail(f"no {package} on this system, and RAMANUJAN_REQUIRE_{name} is set")
             pytest.skip(f"no {package} on this system (on Debian: apt-get install {package})")
-    with deployed() as running:
+    running = deployed()
+    # A class that expired long before the start.
+    classes.Classes(f"{running.state.name}/classes.sqlite", lambda: 0.0).open_class()
+    with running:
         yield running
 
 
@@ -45,6 +48,14 @@ def process_of(tab: object) -> str:
     """Return the name of the process that serves a visitor."""
     [cookie] = [cookie["value"] for cookie in tab.context.cookies() if cookie["name"] == STORE]
     return cookie
+
+
+def test_expired_answers_are_deleted_when_the_server_starts(hall: deployed) -> None:
+    expired, end = None, time.monotonic() + 60
+    while expired != (0,) and time.monotonic() < end:
+        with sqlite3.connect(f"{hall.state.name}/classes.sqlite") as file:
+            expired = file.execute("SELECT COUNT(*) FROM class WHERE expires < 1e6").fetchone()
+    assert expired == (0,)
 
 
 def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:

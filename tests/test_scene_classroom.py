@@ -1,8 +1,11 @@
 """The class on the lesson's page: a round as lecturer and students see it, and what neither may see."""
 
+import asyncio
 import csv
 import io
 import re
+import sqlite3
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import streamlit as st
@@ -11,7 +14,7 @@ from streamlit.testing.v1 import AppTest
 from ramanujan import lesson
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_record import as_csv
-from ramanujan.shell import class_session
+from ramanujan.shell import class_session, server
 from tests.browser import ROOT
 from tests.test_scene_lesson import walked
 
@@ -278,10 +281,32 @@ def test_a_class_that_has_ended_lets_everybody_go(lecturer):
     assert STOP.question in words(student)
 
 
+def test_the_server_deletes_expired_answers_again_and_again(tmp_path, monkeypatch, school):
+    monkeypatch.setattr(server, "HOUR", 0.01)
+    earlier = classes.Classes(tmp_path / "classes.sqlite", lambda: 0.0)
+
+    def count_classes() -> int:
+        with sqlite3.connect(tmp_path / "classes.sqlite") as file:
+            return file.execute("SELECT COUNT(*) FROM class").fetchone()[0]
+
+    async def serve() -> None:
+        deletion = asyncio.create_task(server.delete_expired_answers())
+        for _ in range(2):
+            earlier.open_class()
+            while count_classes():
+                await asyncio.sleep(0.01)
+        deletion.cancel()
+
+    # A thread has no event loop, where Playwright may have left one.
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(asyncio.run, serve()).result(timeout=60)
+
+
 def test_without_its_file_the_lesson_goes_on(tmp_path, monkeypatch):
-    monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "no folder" / "classes.sqlite"))
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("RAMANUJAN_CLASSES", str(tmp_path / "file" / "classes.sqlite"))
     app = press(visitor(), "open")
-    assert "cannot keep answers" in words(app)
+    assert "no folder in which it can keep the answers" in words(app)
     assert STOP.question in words(app)
 
 

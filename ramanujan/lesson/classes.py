@@ -30,7 +30,10 @@ from ramanujan.translation import _
 STUDENTS = 500
 """Most students in one class."""
 NETWORK_SEATS = 60
-"""Most seats that one network gets in a class within a `MINUTE`: those of a lecture hall behind one router."""
+"""Most seats that one network gets in a class within a `MINUTE`, as many as a lecture hall behind one router needs.
+
+It opens as many classes at most.
+"""
 CLASSES = 200
 """Most classes at one time."""
 DAY = 24 * 3600.0
@@ -60,6 +63,9 @@ FROM vote AS before JOIN vote AS after USING (code, stop, asking, voter)
 WHERE code = ? AND stop = ? AND asking = ? AND before.number = 1 AND after.number = 2
 GROUP BY 1, 2
 """
+_REMOVE_UNUSED = """
+DELETE FROM class WHERE code = (SELECT code FROM class WHERE was_joined = 0 ORDER BY opened LIMIT 1)
+"""
 _THIS_VOTE = "code = ? AND stop = ? AND asking = ? AND number = ?"
 
 
@@ -75,17 +81,33 @@ class Classes:
 
     # ---- the lecturer
 
-    def open_class(self, lifetime: float = DAY) -> Class:
-        """Open a class under a new code, for so many seconds, and return it with its key."""
+    def open_class(self, lifetime: float = DAY, address: str = "") -> Class:
+        """Open a class under a new code and return it with its key.
+
+        If all places are taken, the class that was opened first among those that nobody has ever joined makes way.
+
+        Parameters
+        ----------
+        lifetime : seconds until the class is deleted
+        address : IP address of the lecturer; one network opens only so many classes at a time
+        """
         secret = secrets.token_urlsafe(class_codes.SECRET_BYTES)
+        now, network = self._clock(), class_codes.network_of(address, "")
         with self._store.writing() as execute:
             self._forget(execute)
-            if _count(execute, "class") >= CLASSES:
+            # Earlier openings have been forgotten.
+            if _count(execute, "class WHERE network = ?", network) >= NETWORK_SEATS:
+                sentence = _("{most} classes were opened from your network within a minute. Try again in a minute.")
+                raise CrowdError(sentence.format(most=NETWORK_SEATS))
+            if _count(execute, "class") >= CLASSES and not execute(_REMOVE_UNUSED).rowcount:
                 raise ClassError(_("This server has no room for another class at the moment. Try again later."))
-            while _count(execute, "class WHERE code = ?", code := class_codes.new_code()):
-                pass
-            values = (code, class_codes.hash_of(secret), self._clock() + lifetime)
-            execute("INSERT INTO class (code, key_hash, expires) VALUES (?, ?, ?)", values)
+            code = class_codes.new_code()
+            while _count(execute, "class WHERE code = ?", code):
+                code = class_codes.new_code()
+            execute(
+                "INSERT INTO class (code, key_hash, expires, opened, network, was_joined) VALUES (?, ?, ?, ?, ?, 0)",
+                (code, class_codes.hash_of(secret), now + lifetime, now, network),
+            )
         return Class(code, class_codes.key_of(code, secret))
 
     def close(self, key: str) -> None:
@@ -102,10 +124,6 @@ class Classes:
         if not rows or not secrets.compare_digest(rows[0][0], class_codes.hash_of(secret)):
             raise ClassError(_("This lecturer’s address belongs to no class. The class may have ended."))
         return code
-
-    def expires(self, key: str) -> float:
-        """Return when the class and all its answers are deleted [s since 1970]."""
-        return self._store.read("SELECT expires FROM class WHERE code = ?", (self.code_of(key),))[0][0]
 
     def ask(self, key: str, stop: str, options: Sequence[str], anew: bool = False) -> None:
         """Take the class to a question; one that was asked before is as it was left, or asked once more.
@@ -302,6 +320,13 @@ class Classes:
             return Question(stop, Vote(asking, number), Phase(phase), Phase(reached), 0, 0)
         return None
 
+    def expires(self, code: str) -> float:
+        """Return the time at which the class and all its answers are deleted [s since 1970]."""
+        rows = self._store.read("SELECT expires FROM class WHERE code = ? AND expires > ?", (code, self._clock()))
+        if not rows:
+            raise ClassError(_("The class has ended."))
+        return rows[0][0]
+
     def machine(self, code: str) -> str | None:
         """Return what the wall shows of the lecturer's sliders."""
         rows = self._store.read("SELECT machine FROM class WHERE code = ?", (code,))
@@ -342,6 +367,12 @@ class Classes:
         rows = self._store.read(_CHANGES, (right, right, code, stop, asking))
         return Counter({(bool(before), bool(after)): number for before, after, number in rows})
 
+    def delete_expired(self) -> None:
+        """Delete what has expired; do nothing if no class was ever opened."""
+        if self._store.exists():
+            with self._store.writing() as execute:
+                self._forget(execute)
+
     # ---- inside
 
     @property
@@ -360,9 +391,10 @@ class Classes:
         return {option: votes.get(option, 0) for option in options.split()}
 
     def _forget(self, execute: _Execute) -> None:
-        """Remove what has expired, with all that belongs to it, and from which networks students came."""
+        """Delete the classes that have expired, with all their rows, and the networks of earlier visitors."""
         execute("DELETE FROM class WHERE expires <= ?", (self._clock(),))
         earlier = self._clock() - MINUTE
+        execute("UPDATE class SET network = NULL WHERE network IS NOT NULL AND opened <= ?", (earlier,))
         execute("UPDATE voter SET network = NULL WHERE network IS NOT NULL AND joined <= ?", (earlier,))
 
     def _begin(self, execute: _Execute, code: str, stop: str, vote: Vote, options: str) -> None:
@@ -394,6 +426,7 @@ class Classes:
         seat = Seat(code, voter or secrets.token_urlsafe(class_codes.VOTER_BYTES))
         values = (code, seat.voter, self._clock(), self._clock(), network)
         execute("INSERT INTO voter (code, voter, heard, joined, network) VALUES (?, ?, ?, ?, ?)", values)
+        execute("UPDATE class SET was_joined = 1 WHERE code = ?", (code,))
         return seat
 
 

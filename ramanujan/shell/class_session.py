@@ -97,7 +97,7 @@ def phase_of(stop: Stop) -> Phase | None:
 
 def open_class(lifetime: float = DAY) -> None:
     """Become the lecturer of a new class, which is kept for so many seconds."""
-    st.session_state[_KEY] = shared().open_class(lifetime).key
+    st.session_state[_KEY] = shared().open_class(lifetime, network()).key
 
 
 def take_seat(code: str) -> None:

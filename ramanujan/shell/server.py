@@ -1,18 +1,23 @@
-"""The server’s own work, before any visitor and for all alike: it warms up, and offers the page’s files."""
+"""The server's own work, independent of any visitor: warm up, serve the page's files, delete expired answers."""
 
+import asyncio
 import gc
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 
 import streamlit as st
+from starlette.concurrency import run_in_threadpool
 from starlette.middleware import Middleware
 
 from ramanujan.browser import modules
+from ramanujan.lesson.classes import ClassError, shared
 from ramanujan.shell import navigation
 from ramanujan.shell.browser_cookie import NamedBrowser
 from ramanujan.shell.page_files import PageFiles
 
 MIDDLEWARE = [Middleware(NamedBrowser), Middleware(PageFiles)]
+HOUR = 3600.0
+"""Seconds between two deletions of expired answers."""
 
 
 @asynccontextmanager
@@ -27,4 +32,15 @@ async def warmed_up(_: st.App) -> AsyncIterator[None]:
     modules.place()
     gc.collect()
     gc.freeze()
+    deletion = asyncio.create_task(delete_expired_answers())
     yield
+    deletion.cancel()
+
+
+async def delete_expired_answers() -> None:
+    """Delete the answers of expired classes at once and then every hour, until the task is cancelled."""
+    while True:
+        # The log of the store names the reason of a failure, and the next hour tries again.
+        with suppress(ClassError):
+            await run_in_threadpool(lambda: shared().delete_expired())
+        await asyncio.sleep(HOUR)

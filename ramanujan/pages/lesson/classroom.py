@@ -301,7 +301,7 @@ def _ending(key: str) -> None:
         leave()
 
     with st.popover(_("End"), key="class_ending", type="tertiary"):
-        until = datetime.fromtimestamp(shared().expires(key), UTC).strftime("%Y-%m-%d, %H:%M UTC")
+        until = datetime.fromtimestamp(shared().expires(parts_of(key)[0]), UTC).strftime("%Y-%m-%d, %H:%M UTC")
         st.markdown(
             _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(date=until)
         )
