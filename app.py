@@ -16,27 +16,17 @@ else:
         class_keys,
         display_mode,
         first_run,
+        links,
         messages,
         navigation,
-        parameters,
         sidebar,
-        stages,
     )
 
     # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
     st.set_page_config(page_icon="🚕")
     alone = first_run.begin()
     page, runner = navigation.navigate(hidden=alone)
-    said = address.opened(
-        page.name,
-        (
-            *parameters.URL_PARAMETERS,
-            *display_mode.URL_PARAMETERS,
-            *class_keys.URL_PARAMETERS,
-            *stages.URL_PARAMETERS,
-            *page.url_parameters,
-        ),
-    )
+    said = address.opened(page.name, links.parameters_of(page))
     display_mode.begin(page.name)
     address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
     shown = 272 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"

@@ -30,6 +30,8 @@ _MET = "address_met"
 _WARNED = "address_warned"
 _FEW = 8
 """The most options that a sentence lists."""
+_AROUND = " \t\n\u00a0\u202f.,;:!?…()[]{}<>«»‹›\"'`“”„‟‘’‚‛*|"
+"""Characters of the sentence around a link that a copy of the link may contain."""
 
 
 class URLParameter(ABC):
@@ -45,6 +47,19 @@ class URLParameter(ABC):
     @abstractmethod
     def read(self, text: str) -> Any:
         """Return the value that a text means; ValueError if it does not fit."""
+
+    def tidied(self, text: str) -> str:
+        """Return a text of the address without the punctuation around it, if it fits without it."""
+        if self._fits(text):
+            return text
+        return bare(text) if self._fits(bare(text)) else text
+
+    def _fits(self, text: str) -> bool:
+        try:
+            self.read(text)
+        except ValueError:
+            return False
+        return True
 
     def write(self, value: Any) -> str:
         """Return a value as the address has it."""
@@ -139,6 +154,11 @@ class Text(URLParameter):
         if not re.fullmatch(self.form, text, re.ASCII):
             raise ValueError(self.name)
         return text
+
+
+def bare(text: str) -> str:
+    """Return a text without the brackets, quotation marks, full stops and spaces around it."""
+    return text.strip(_AROUND)
 
 
 def opened(page: str, parameters: Sequence[URLParameter]) -> list[str]:

@@ -10,8 +10,19 @@
 from ramanujan.shell.address import Choice, Text
 from ramanujan.translation import _
 
+_LONGEST = 60
+
+
+class Code(Text):
+    """The code of a class."""
+
+    def tidied(self, text: str) -> str:
+        """Return a code without what separates its letters, such as the space that the wall shows between them."""
+        return super().tidied("".join(filter(str.isalnum, text[:_LONGEST])))
+
+
 _NO_CLASS = _("The value of {name} in the address was ignored: it belongs to no class.")
-CLASS = Text("class", "[A-Za-z]{6}", _NO_CLASS)
+CLASS = Code("class", "[A-Za-z]{6}", _NO_CLASS)
 LECTURER = Text("lecturer", "[A-Z]{6}-[A-Za-z0-9_-]{20,60}", _NO_CLASS)
 WALL = Choice("wall", ("on",))
 URL_PARAMETERS = (CLASS, LECTURER, WALL)

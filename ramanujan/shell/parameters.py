@@ -10,7 +10,7 @@ import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.numerals import DECIMAL, number, quantity
-from ramanujan.shell.address import URLParameter, fits
+from ramanujan.shell.address import URLParameter, bare, fits
 from ramanujan.translation import _
 
 
@@ -48,6 +48,13 @@ class Parameter(URLParameter):
         if not (math.isfinite(value) and self.least <= value <= self.most):
             raise ValueError(self.name)
         return value
+
+    def tidied(self, text: str) -> str:
+        """Return a number as Streamlit's sliders read it, also from a text that only the slider's box accepts: 9/8."""
+        tidied, typed = super().tidied(text), bare(text)
+        if self._fits(tidied) or two_readings(typed) or (number := read_number(typed)) is None:
+            return tidied
+        return repr(number)
 
     def message(self) -> str:
         """Return the sentence for a text that does not fit."""

@@ -13,9 +13,10 @@ from ramanujan.browser import modules
 from ramanujan.lesson.classes import ClassError, shared
 from ramanujan.shell import navigation
 from ramanujan.shell.browser_cookie import NamedBrowser
+from ramanujan.shell.links import TidyLinks
 from ramanujan.shell.page_files import PageFiles
 
-MIDDLEWARE = [Middleware(NamedBrowser), Middleware(PageFiles)]
+MIDDLEWARE = [Middleware(TidyLinks), Middleware(NamedBrowser), Middleware(PageFiles)]
 HOUR = 3600.0
 """Seconds between two deletions of expired answers."""
 

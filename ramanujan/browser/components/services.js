@@ -2,6 +2,7 @@
 
 import arrival from "./arrival.js";
 import connection from "./connection.js";
+import copy from "./copy.js";
 import reach from "./reach.js";
 import ring from "./ring.js";
 import { dom } from "./streamlit_dom.js";
@@ -12,6 +13,7 @@ import voice from "./voice.js";
 // On the screen a figure is as wide as the page. For printing it is scaled to the width of the paper (A4: 180 mm).
 const fitPaper = () => document.documentElement.style.setProperty("--printed", Math.min(1, 660 / dom.contentWidth()));
 window.addEventListener("beforeprint", fitPaper);
+window.addEventListener("copy", copy);
 dom.keepOneEntry();
 dom.watchGraphs(dom.offerFormats, new AbortController().signal);
 if (new URLSearchParams(location.search).get("view") === "projector") import("./pager.js");

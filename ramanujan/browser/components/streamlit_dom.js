@@ -190,6 +190,14 @@ export const dom = {
   /** The link to which the last step of a lecture leads. */
   onward: () => document.querySelector(".st-key-lecture .st-key-onward a"),
 
+  /** The formulas in a node; the formula that contains a node; its LaTeX, and whether it has lines of its own. */
+  formulas: (node) => [...node.querySelectorAll(".katex")],
+  formulaOf: (node) => (node.closest ? node : node.parentElement)?.closest(".katex-display, .katex"),
+  source: (formula) => ({
+    latex: formula.querySelector("annotation").textContent,
+    isDisplayed: formula.querySelector("math").getAttribute("display") === "block",
+  }),
+
   /** Whether a node is part of a formula; the coloured term that contains it; a rule that lights all terms of a colour. */
   isFormula: (node) => Boolean(node.closest?.(".katex")),
   term: (node) => node.closest?.(".katex [style*='color']"),
