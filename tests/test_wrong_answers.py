@@ -185,7 +185,9 @@ def true_difference(message: str, term: str, ratio: sp.Expr, right_coefficient: 
     if ratio.has(sp.sqrt(2)):
         return message.startswith("Your answer contains a root. The right one has none.")
     if ratio == 0:
-        return bool(re.search(rf"The term with {re.escape(term)}{place} is missing\.", message))
+        # A correction at the end of the answer cancels the term that is written before it.
+        named = rf"with {re.escape(term)}{place}"
+        return bool(re.search(rf"The term {named} is missing\.|In your answer the terms {named} cancel\.", message))
     sign = "negative" if right_coefficient.could_extract_minus_sign() else "positive"
     if found := re.search(rf"{of_term} is (.+?) the right one\.", message):
         return factor_of(found[1]) / ratio == 1
@@ -300,9 +302,9 @@ def test_an_equation_is_right_up_to_a_factor_and_a_spoiled_term_is_named(name: s
         verdict = judge(name, f"{text_of(spoiled - moved)} = {text_of(-moved)}")
         assert verdict.kind == "wrong", (spoiled, verdict.message)
         if monomial == 1:
-            said = "The constant term is missing" if off == 0 else "constant term has the wrong sign"
+            said = r"constant term( is missing|s cancel)" if off == 0 else "constant term has the wrong sign"
             times = re.search(r"Your constant term is (.+?) the right one\.", verdict.message)
-            told = factor_of(times[1]) == off if times else said in verdict.message and off <= 0
+            told = factor_of(times[1]) == off if times else re.search(said, verdict.message) and off <= 0
         else:
             told = true_difference(verdict.message, shown(monomial), off, sp.expand(factor * right[monomial]))
         hints += not told

@@ -52,3 +52,8 @@ def replaced(expression: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
     if not (expression.is_Add or expression.is_Mul):
         return values.get(expression, expression)
     return expression.func(*(replaced(part, values) for part in expression.args), evaluate=False)
+
+
+def without_signs(expression: sp.Expr) -> sp.Expr:
+    """Return a formula, still unevaluated, in which every minus sign is a plus: no two of its terms cancel."""
+    return replaced(expression, {leaf: abs(leaf) for leaf in leaves(expression) if leaf.is_Rational})

@@ -124,12 +124,13 @@ def _advice(it: Question, typed: sp.Expr, given: values.Values) -> Iterator[str]
         differs = difference(it, typed, given)
     except terms.NotComparableError as error:
         differs = Difference([str(error)])
-    # A term that is missing, or a sign, is a more natural mistake than a body taken wrongly; but of one body alone a
-    # sign is that of its velocity.
-    if (it.of_one_body or not differs.is_slip) and (known := _body_taken_wrongly(it, given)):
+    # A missing term or a wrong sign is more natural than a wrong body. In one body’s energy a wrong sign belongs to
+    # the velocity, but terms that cancel were typed.
+    is_explained = differs.asks or differs.is_whole or (differs.is_slip and not it.of_one_body)
+    if not is_explained and (known := _body_taken_wrongly(it, given)):
         yield known
         return
-    wrong_unit = _wrong_unit(it, typed)
+    wrong_unit = None if differs.is_whole else _wrong_unit(it, typed)
     if wrong_unit:
         yield wrong_unit
     own = leaves(it.right)
@@ -141,7 +142,7 @@ def _advice(it: Question, typed: sp.Expr, given: values.Values) -> Iterator[str]
     # If the unit is wrong as a whole, every term is wrong, and a list of them says nothing.
     if differs.term is not None or not (wrong_unit or foreign):
         yield from differs.sentences
-    yield it.of_terms.get(differs.term or "", it.leads_on)
+    yield differs.asks or it.of_terms.get(differs.term or "", it.leads_on)
 
 
 def _first_hint(mistakes: values.Mistakes, given: values.Values) -> str | None:

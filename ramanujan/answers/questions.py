@@ -13,11 +13,11 @@ import sympy as sp
 from sympy.polys.fields import FracElement
 
 from ramanujan.answers import machines, mistakes
-from ramanujan.answers.formulas import leaves, length
+from ramanujan.answers.formulas import leaves, length, without_signs
 from ramanujan.answers.machines import CALLED, Altered
 from ramanujan.answers.mistakes import Slips, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
-from ramanujan.answers.terms import NAMES, exact
+from ramanujan.answers.terms import NAMES, Compared, exact
 from ramanujan.answers.values import Mistakes, Values, agree, at_points, up_to_a_factor
 from ramanujan.derivation import ROUTES, Step, model
 from ramanujan.derivation.elimination import Phi_ddot, X_ddot, phi_ddot
@@ -124,6 +124,15 @@ class Question:
     def right_terms(self) -> FracElement:
         """The right answer in lowest terms; only if it has no root."""
         return self.terms(self.right)
+
+    def compared(self, formula: sp.Expr) -> Compared:
+        """Return an answer and the right one, ready for a comparison term by term.
+
+        Raises
+        ------
+        terms.NotComparableError : as `terms.exact` does.
+        """
+        return Compared(self.terms(formula), self.right_terms, self.terms(without_signs(formula)))
 
     @cached_property
     def slips(self) -> Mistakes:

@@ -1,13 +1,13 @@
-"""How a wrong answer differs from the right one: coefficient by coefficient, as one fraction, or as a number.
+"""Compare a wrong answer with the right one, coefficient by coefficient or as one fraction.
 
-A formula becomes an element of SymPy's fraction field ℤ(m, m′, k, R, X, …), where every quotient is in lowest terms.
-Degrees and digits are bounded before anything is computed. Every sentence states what was computed exactly.
+A formula is an element of SymPy's fraction field ℤ(m, m′, k, R, X, …), where every quotient is in lowest terms.
+Degrees and digits are bounded before anything is computed. Every sentence states an exact result.
 """
 
 from collections import Counter
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import inf, prod
-from typing import NamedTuple
 
 import sympy as sp
 from sympy.polys.fields import FracElement, field
@@ -35,15 +35,58 @@ _FEWEST_BITS = 6
 """The bits of the integers with which that search begins."""
 
 
-class Difference(NamedTuple):
-    """A product of names, a sentence about its coefficient, and whether a slip of the pen explains the difference."""
+@dataclass(frozen=True)
+class Difference:
+    """A coefficient that differs from the right one.
+
+    Parameters
+    ----------
+    term : the product of names that it multiplies, as shown; empty for the constant term
+    sentence : a sentence about it
+    is_slip : whether a slip of the pen explains it: a sign, a factor of 2, a missing term, m for m′
+    cancels : whether the term is in the answer as typed, but its parts add up to zero
+    """
 
     term: str
     sentence: str
     is_slip: bool
+    cancels: bool = False
 
 
 Differences = list[Difference]
+
+
+@dataclass(frozen=True)
+class _Words:
+    """The sentences about one coefficient."""
+
+    extra: str
+    missing: str
+    cancels: str
+    wrong: str
+    multiple: str
+    positive: str
+    negative: str
+
+
+_OF_A_TERM = _Words(
+    extra=_("Your answer contains a term with {term}. The right answer has none."),
+    missing=_("The term with {term} is missing."),
+    cancels=_("In your answer the terms with {term} cancel."),
+    wrong=_("Your coefficient of {term} is wrong."),
+    multiple=_("Your coefficient of {term} is {times} the right one."),
+    positive=_("Your coefficient of {term} should be positive."),
+    negative=_("Your coefficient of {term} should be negative."),
+)
+_OF_THE_CONSTANT = _Words(
+    extra=_("Your answer contains a constant term. The right answer has none."),
+    missing=_("The constant term is missing."),
+    cancels=_("In your answer the constant terms cancel."),
+    wrong=_("Your constant term is wrong."),
+    multiple=_("Your constant term is {times} the right one."),
+    positive=_("Your constant term has the wrong sign."),
+    negative=_("Your constant term has the wrong sign."),
+)
 
 
 class NotComparableError(ValueError):
@@ -191,40 +234,125 @@ def _size_and_sign(factor: str, times: str, sign: str, **names: str) -> str:
 # Term by term
 
 
-def term_by_term(
-    given: FracElement, right: FracElement, variables: tuple[str, ...], place: str = "{term}"
-) -> Differences | None:
-    """Return the products of names whose coefficients differ, and a sentence about each.
-
-    None if one of them is not a polynomial in the variables.
+@dataclass(frozen=True)
+class Compared:
+    """An answer and the right one in lowest terms.
 
     Parameters
     ----------
-    given, right : the answer and what it should be
-    variables : the names in whose products both are written; the coefficients may contain the others
-    place : a template that says where these terms are, such as "{term} in the numerator"
+    given : the answer
+    right : what it should be
+    typed : the answer with every minus sign replaced by a plus, so that no two of its terms cancel
     """
-    yours, theirs = (_coefficients(formula, variables) for formula in (given, right))
-    if yours is None or theirs is None:
+
+    given: FracElement
+    right: FracElement
+    typed: FracElement
+
+    def differences(self, variables: tuple[str, ...], place: str = "{term}") -> Differences | None:
+        """Return the coefficients that differ; None if the answer is not a polynomial in the variables.
+
+        Parameters
+        ----------
+        variables : the names in whose products both formulas are written; the coefficients may contain the others
+        place : a template that says where these terms are, such as "{term} in the numerator"
+        """
+        given, right, typed = (_coefficients(each, variables) for each in (self.given, self.right, self.typed))
+        if given is None or right is None:
+            return None
+        differences = []
+        for powers in sorted(given.keys() | right.keys(), reverse=True):
+            coefficients = Compared(*(each.get(powers, FIELD.zero) for each in (given, right, typed or {})))
+            if coefficients.given != coefficients.right:
+                product = _shown_product(powers)
+                term = place.format(term=product) if product else ""
+                differences.append(coefficients._difference(product, term, variables))
+        return differences
+
+    def _difference(self, product: str, term: str, variables: tuple[str, ...]) -> Difference:
+        """Return how a coefficient differs; if it is a sum, only one mass of it may be wrong."""
+        if variables != NAMES and self.given and len(self.right.numer) > 1:
+            within = self.differences(NAMES, f"{{term}}{product}")
+            if within and len(within) == 1:
+                return replace(within[0], term=product)
+        cancels = bool(self.typed) and not self.given
+        return Difference(product, self._sentence(term), self._is_slip(), cancels)
+
+    def _is_slip(self) -> bool:
+        right = self.right
+        return self.given in (0, -right, 2 * right, right / 2, _interchanged(right))
+
+    def _sentence(self, term: str) -> str:
+        """Return a sentence about a coefficient that differs."""
+        words = _OF_A_TERM if term else _OF_THE_CONSTANT
+        if not self.right:
+            return words.extra.format(term=term)
+        if not self.given:
+            return (words.cancels if self.typed else words.missing).format(term=term)
+        if term and {"m", "m'"} <= names_in(self.right) and self.given == _interchanged(self.right):
+            return _("In your coefficient of {term} m and m′ are interchanged.").format(term=term)
+        factor = shown_factor(self.given / self.right)
+        if factor is None:
+            return words.wrong.format(term=term)
+        if term and (sentence := self._names_off(term)):
+            return sentence
+        sign = words.negative if self.right.numer.LC < 0 else words.positive
+        return _size_and_sign(factor, words.multiple, sign, term=term)
+
+    def _names_off(self, term: str) -> str | None:
+        """Return which names differ, if the coefficients differ in names alone."""
+        ratio = self.given / self.right
+        if not names_in(ratio) or ratio.numer.LC * ratio.denom.LC != 1:
+            return None
+        if ratio.denom == 1:
+            extra = _("Your coefficient of {term} contains an extra factor {factor}.")
+            return extra.format(term=term, factor=shown_factor(ratio))
+        if ratio.numer == 1:
+            lacks = _("Your coefficient of {term} lacks a factor {factor}.")
+            return lacks.format(term=term, factor=shown_factor(1 / ratio))
+        for yours, theirs in (("m", "m'"), ("m'", "m")):
+            replaces = theirs in names_in(self.right) and yours not in names_in(self.right)
+            if replaces and ratio == _GENERATORS[yours] / _GENERATORS[theirs]:
+                instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
+                return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
         return None
-    found = []
-    for powers in sorted(yours.keys() | theirs.keys(), reverse=True):
-        term, pair = _shown_product(powers), [each.get(powers, FIELD.zero) for each in (yours, theirs)]
-        if sentence := _coefficient(term and place.format(term=term), *pair):
-            # One mass of a sum may be wrong.
-            within = term_by_term(*pair, NAMES, f"{{term}}{term}") if all(pair) and variables != NAMES else None
-            only = within[0] if within and len(within) == 1 and len(pair[1].numer) > 1 else None
-            found.append(Difference(term, *(only[1:] if only else (sentence, _is_slip(*pair)))))
-    return found
 
+    # Of the whole formula
 
-def _is_slip(yours: FracElement, right: FracElement) -> bool:
-    """Tell whether a coefficient is missing, has the wrong sign, is off by a factor of 2, or has m for m′."""
-    return yours in (0, -right, 2 * right, right / 2, _interchanged(right))
+    def of_equation(self, variables: tuple[str, ...]) -> Differences | None:
+        """Return how “given = 0” differs from “right = 0”, multiplied such that as few terms as possible differ."""
+        given, right = (_coefficients(each, variables) or {} for each in (self.given, self.right))
+        factors = [given[powers] / right[powers] for powers in given.keys() & right.keys()]
+        compared = [replace(self, right=self.right * factor).differences(variables) for factor in factors]
+        return min(filter(None, compared), key=len, default=None)
+
+    def of_fraction(self) -> tuple[str, Differences] | None:
+        """Return a sentence on what is right in a fraction, and how the rest differs; None if nothing is right.
+
+        With the right denominator D the given numerator is given·D; with the right numerator N the denominator is
+        N/given.
+        """
+        above, below = FIELD(self.right.numer), FIELD(self.right.denom)
+        numerators = Compared(self.given * below, above, self.typed * below)
+        denominators = Compared(above / self.given, below, above / self.typed)
+        # TRANSLATORS: {term} is a product of symbols; the whole stands for {term} in: Your coefficient of {term} is …
+        numerator = numerators.differences(NAMES, _("{term} in the numerator"))
+        # TRANSLATORS: as before, of a term below the fraction line.
+        denominator = denominators.differences(NAMES, _("{term} in the denominator"))
+        if numerator and not names_in(FIELD(self.given.denom) / below):
+            return _("Written as one fraction, your answer has the right denominator."), numerator
+        if denominator and not names_in(FIELD(self.given.numer) / above):
+            return _("Written as one fraction, your answer has the right numerator."), denominator
+        # A wrong fraction may have cancelled: then neither part is right, but the fraction can be expanded.
+        if numerator and len(numerator) == 1:
+            return _("Written with the right denominator, your answer differs in one term."), numerator
+        if denominator and len(denominator) == 1:
+            return _("Written with the right numerator, your answer differs in one term."), denominator
+        return None
 
 
 def _interchanged(formula: FracElement) -> FracElement:
-    """Return a formula with m and m′ in each other's place."""
+    """Return a formula with m and m′ interchanged."""
     return FIELD.from_expr(formula.as_expr().xreplace({m: m_prime, m_prime: m}))
 
 
@@ -239,87 +367,3 @@ def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tupl
         rest = tuple(n - used for n, used in zip(powers, product, strict=True))
         found[product] = found.get(product, FIELD.zero) + FIELD(FIELD.ring({rest: number_of})) / FIELD(formula.denom)
     return found
-
-
-def _coefficient(term: str, yours: FracElement, right: FracElement) -> str | None:
-    """Return how a coefficient differs, None if it does not."""
-    if yours == right:
-        return None
-    if not right:
-        if not term:
-            return _("Your answer contains a constant term. The right answer has none.")
-        return _("Your answer contains a term with {term}. The right answer has none.").format(term=term)
-    if not yours:
-        missing = _("The term with {term} is missing.") if term else _("The constant term is missing.")
-        return missing.format(term=term)
-    if term and {"m", "m'"} <= names_in(right) and yours == _interchanged(right):
-        return _("In your coefficient of {term} m and m′ are interchanged.").format(term=term)
-    ratio = yours / right
-    factor = shown_factor(ratio)
-    if factor is None:
-        wrong = _("Your coefficient of {term} is wrong.") if term else _("Your constant term is wrong.")
-        return wrong.format(term=term)
-    if not term:
-        times, sign = _("Your constant term is {times} the right one."), _("Your constant term has the wrong sign.")
-        return _size_and_sign(factor, times, sign)
-    if named := not factor.startswith("−") and _names_off(term, ratio, right):
-        return named
-    should = (
-        _("Your coefficient of {term} should be negative.")
-        if right.numer.LC < 0
-        else _("Your coefficient of {term} should be positive.")
-    )
-    times = _("Your coefficient of {term} is {times} the right one.")
-    return _size_and_sign(factor, times, should, term=term)
-
-
-def _names_off(term: str, ratio: FracElement, right: FracElement) -> str | None:
-    """Return which names differ, if the two coefficients differ by names alone."""
-    above, below = ratio.numer, ratio.denom
-    if not names_in(ratio) or above.LC * below.LC != 1:
-        return None
-    if below == 1:
-        extra = _("Your coefficient of {term} contains an extra factor {factor}.")
-        return extra.format(term=term, factor=shown_factor(ratio))
-    if above == 1:
-        lacks = _("Your coefficient of {term} lacks a factor {factor}.")
-        return lacks.format(term=term, factor=shown_factor(1 / ratio))
-    for yours, theirs in (("m", "m'"), ("m'", "m")):
-        has_it = theirs in names_in(right) and yours not in names_in(right)
-        if has_it and ratio == _GENERATORS[yours] / _GENERATORS[theirs]:
-            instead = _("Your coefficient of {term} contains {yours} instead of {right}.")
-            return instead.format(term=term, yours=shown_name(yours), right=shown_name(theirs))
-    return None
-
-
-def as_equation(given: FracElement, right: FracElement, variables: tuple[str, ...]) -> Differences | None:
-    """Return how “given = 0” differs from “right = 0”, multiplied such that as few terms as possible differ."""
-    yours, theirs = (_coefficients(each, variables) or {} for each in (given, right))
-    factors = (yours[powers] / theirs[powers] for powers in yours.keys() & theirs.keys())
-    compared = [term_by_term(given, right * factor, variables) for factor in factors]
-    return min(filter(None, compared), key=len, default=None)
-
-
-# As one fraction
-
-
-def as_fraction(given: FracElement, right: FracElement) -> tuple[str, Differences] | None:
-    """Return a sentence on what is right in a fraction, and how the rest of it differs; None if nothing is right.
-
-    With the right denominator D the given numerator is given·D; with the right numerator N the denominator is N/given.
-    """
-    above, below = FIELD(right.numer), FIELD(right.denom)
-    # TRANSLATORS: {term} is a product of symbols; the whole stands for {term} in: Your coefficient of {term} is wrong.
-    numerator = term_by_term(given * below, above, NAMES, _("{term} in the numerator"))
-    if numerator and not names_in(FIELD(given.denom) / below):
-        return _("Written as one fraction, your answer has the right denominator."), numerator
-    # TRANSLATORS: as before, of a term below the fraction line.
-    denominator = term_by_term(above / given, below, NAMES, _("{term} in the denominator"))
-    if denominator and not names_in(FIELD(given.numer) / above):
-        return _("Written as one fraction, your answer has the right numerator."), denominator
-    # A spoiled fraction may have cancelled to a simpler one: then it has neither, but can be written with one of them.
-    if numerator and len(numerator) == 1:
-        return _("Written with the right denominator, your answer differs in one term."), numerator
-    if denominator and len(denominator) == 1:
-        return _("Written with the right numerator, your answer differs in one term."), denominator
-    return None
