@@ -20,11 +20,39 @@ from ramanujan.lesson.classes import Phase, shared
 from tests.browser import next_frame, script, settle
 
 WRONG = script("wall")
-SIZES = ((1024, 768), (1920, 1080), (1280, 720), (3840, 2160))
+SIZES = ((1024, 768), (1920, 1080), (1280, 768), (1280, 800), (3840, 2160))
 """Of walls; the lesson is played on the first two."""
 STOPS = [stop for stop in lesson.STOPS if stop.short]
 AT = "ramanujan.last('time/stage_two-clocks_0')"
 VOTES = ".st-key-class_phone [role=radiogroup] label"
+
+WIDEST_CODE = """(node) => {
+  const place = node.parentElement.closest(".st-key-class_letters"), text = node.firstElementChild ?? node;
+  const before = text.textContent;
+  text.textContent = "MWM WMW";
+  const range = document.createRange();
+  range.selectNodeContents(text);
+  const lines = new Set([...range.getClientRects()].map((box) => box.top)).size;
+  const fits = lines === 1 && range.getBoundingClientRect().right <= place.getBoundingClientRect().right;
+  text.textContent = before;
+  return fits ? parseFloat(getComputedStyle(node).fontSize) : 0;
+}"""
+"""The letters' size [px] of a code on the wall, 0 if a code of the widest letters would not fit into one line."""
+SPACED = """* { line-height: 1.5 !important; letter-spacing: .12em !important; word-spacing: .16em !important }
+p { margin-bottom: 2em !important }"""
+"""The text spacing of WCAG 1.4.12."""
+READABLE = """() => {
+  const wall = document.querySelector(".st-key-class_wall");
+  const reach = wall.scrollHeight - wall.scrollTop, right = wall.clientWidth + 1;
+  const words = [...wall.querySelectorAll("p, li, h1")].flatMap((node) => {
+    const range = document.createRange();
+    range.selectNodeContents(node);
+    return [...range.getClientRects()];
+  });
+  const place = wall.querySelector(".st-key-wall_still, .st-key-wall_running").getBoundingClientRect();
+  return words.length > 5 && words.every((box) => box.bottom <= Math.min(reach, place.top + 1) && box.right <= right);
+}"""
+"""Whether all words end above the machine, within what can be scrolled, and nothing is cut at the right edge."""
 
 ASK_WHEN_TOLD = """(() => {
   const asks = new Map(), begin = setInterval, end = clearInterval;
@@ -89,8 +117,10 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
     wall.get_by_text("3 students have joined").wait_for()
     letters = wall.locator(".st-key-class_letters [data-testid=stText]")
     assert letters.text_content().replace(" ", "") == code
-    assert letters.evaluate("node => parseFloat(getComputedStyle(node).fontSize)") > 90
-    for width, height in reversed(SIZES):
+    for width, height in SIZES[:2]:
+        wall.set_viewport_size({"width": width, "height": height})
+        assert letters.evaluate(WIDEST_CODE) > 0.09 * height
+    for width, height in reversed(SIZES[:2]):
         wall.set_viewport_size({"width": width, "height": height})
         [read] = zxingcpp.read_barcodes(Image.open(io.BytesIO(wall.screenshot())))
         assert read.text.endswith(f"/lesson?class={code}")
@@ -237,3 +267,27 @@ def test_no_view_of_a_wall_is_cut_at_any_size(screen):
     shared().finish(opened.key)
     look("end", "What the class has learned")
     assert found == []
+
+
+def test_a_wall_loses_nothing_with_a_readers_text_spacing_and_ends_with_one_sentence(screen):
+    opened, stop = shared().open_class(), lesson.STOPS[0]
+    wall = screen(f"class={opened.code}&wall=on&view=projector", 1280, 768)
+    shared().ask(opened.key, stop.id, list(stop.options))
+    shared().vote(shared().join(opened.code), stop.id, next(o for o in stop.options if o != stop.right))
+    for phase in Phase:
+        if phase:
+            shared().show(opened.key, phase)
+        hear(wall)
+        wall.get_by_text(stop.question if phase < Phase.SOLVED else "This is right").first.wait_for()
+        settle(wall)
+        wall.add_style_tag(content=SPACED)
+        next_frame(wall)
+        assert wall.evaluate(READABLE), phase.name
+    shared().close(opened.key)
+    hear(wall)
+    expect(wall.locator("h1")).to_have_count(0)
+    box = wall.locator("[data-testid=stAlert]")
+    x, y, width, _height = box.bounding_box().values()
+    corner = [x + width - 60, y + 12]
+    assert box.evaluate("(node, corner) => node.contains(document.elementFromPoint(...corner))", corner)
+    expect(box).to_have_text("The class has ended.")

@@ -13,7 +13,8 @@
       // A body's own letter lies on it; what is typeset with subscripts has letters of two sizes.
       if (!said || !seen(node) || node.closest("style, title, option, .body, .katex")) continue;
       const size = parseFloat(getComputedStyle(node).fontSize) * (node.getScreenCTM?.().a ?? 1);
-      if (size < 0.022 * innerHeight) found.add(`“${said}” is ${size} px high`);
+      const least = node.closest(".st-key-wall_asked, .st-key-class_result > * > .stHorizontalBlock") ? 0.035 : 0.022;
+      if (size < least * innerHeight) found.add(`“${said}” is ${size} px high`);
       range.selectNodeContents(text);
       for (const { left, right, top, bottom } of range.getClientRects()) {
         const room = (bottom - top) / 6; // above and below the letters of a line
@@ -34,10 +35,11 @@
   }
   for (const form of bodies) if (outside(form.getBoundingClientRect())) found.add("a body is cut");
   const boxes = (selector) => roots.flatMap((root) => [...root.querySelectorAll(selector)]).filter(seen).map((node) => node.getBoundingClientRect());
-  const pictures = boxes("svg.machine"), share = (side, whole) => Math.max(0, ...pictures.map((box) => box[side])) / whole;
-  const high = pictures.reduce((sum, box) => sum + box.height, 0) / innerHeight;
-  if (pictures.length && (share("width", innerWidth) < 0.55 || high < 0.5)) found.add("the picture is small");
-  if (boxes(".face").some((box) => box.height < 0.3 * innerHeight)) found.add("the clock is small");
+  // A program or an equation shares the place with a machine that only illustrates it.
+  const [place] = boxes(".st-key-wall_still, .st-key-wall_running");
+  if (place && (place.width * place.height) / (innerWidth * innerHeight) < 1 / 3) found.add("the machine has less than a third of the wall");
+  if (place && boxes("svg.machine").reduce((sum, box) => sum + box.width * box.height, 0) / (innerWidth * innerHeight) < 0.08) found.add("the picture is small");
+  if (boxes(".face").some((box) => box.height < 0.15 * innerHeight)) found.add("the clock is small");
   if (!words.length) found.add("there are no words");
   return [...found];
 }

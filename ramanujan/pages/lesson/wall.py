@@ -1,8 +1,7 @@
 """The wall of a class: one large, read-only page for the projector that follows the lecturer's desk.
 
-Before the first question it shows how to join. Then the machine stands to the left, in the state that the desk tells,
-and the question, the votes, and the right answer with its reason to the right. At the end it shows what the class has
-learned. No key of the lecturer is on it.
+Before the first question it shows how to join. Then the question and the votes extend across the wall, and the machine
+takes the height below them. At the end it shows what the class has learned. It contains no key of the lecturer.
 """
 
 import streamlit as st
@@ -16,16 +15,20 @@ from ramanujan.pages.lesson import class_results, stops
 from ramanujan.shell import address, class_session, display_mode
 from ramanujan.translation import _
 
-NOTHING_TO_TURN = (
-    "<style>html:root { font-size: min(2.6vh, 1.7vw) } "
+WALL_STYLE = (
+    "<style>html:root { font-size: 3.55vh } "
     "#root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
 )
-"""Words are as large as both sides of a wall allow; address and code stand in the bar of pages. A rule for all pages
-would need :has(), 2 s of Motion’s load."""
+"""Letters of at least 3.5 % of the height, and no pager: nobody turns pages on a wall.
+
+A style sheet for all pages would need :has(), which adds 2 s to the loading time of Motion.
+"""
 
 _LOOKS, _AGAIN = "wall_looks", 6
-"""Session state: how often the wall has seen the present view of the class. After so many looks it is drawn again: a
-busy server can lose what a run has drawn if the page has asked for the next run meanwhile (Streamlit issue 9921)."""
+"""Session state: how often the wall has polled the present view of the class, and after how many polls it is redrawn.
+
+A busy server can lose elements of a run if the page requests the next run meanwhile (Streamlit issue 9921).
+"""
 _ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
 
@@ -38,17 +41,17 @@ def guests() -> None:
 
 def _draw(code: str) -> None:
     """Draw the wall of the class with this code."""
-    try:
-        question = shared().question(code)
-    except ClassError:
-        st.session_state.pop(_LOOKS, None)
-        _watch(code)
-        st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
-        return
     with st.container(key="class_wall"):
-        st.html(NOTHING_TO_TURN)
+        st.html(WALL_STYLE)
+        try:
+            question = shared().question(code)
+        except ClassError:
+            st.session_state.pop(_LOOKS, None)
+            _watch(code)
+            st.button(_("Leave this class"), key="class_leave", on_click=class_session.leave)
+            return
         class_session.take_settings(shared().machine(code))
-        # Before the rest: what keeps the wall looking must not be lost with the end of a run.
+        # This comes first, because the next run can cut off the end of this one.
         _watch(code)
         if question.stop is None:
             _how_to_join(code)
@@ -59,33 +62,36 @@ def _draw(code: str) -> None:
 
 
 def _show(code: str, stop: Stop, question: Question) -> None:
-    """Draw a question as far as the class has come with it."""
-    solved = question.phase == Phase.SOLVED
-    asks = question.phase == Phase.ASKED
-    picture, words = display_mode.picture_and_words()
-    with picture:
-        stops.show(stop, running=question.phase >= Phase.RUNNING, fixed=True)
-    with words, st.container(key="wall_asked" if asks else None):
+    """Draw a question and its votes across the wall, and the machine below them in the height that is left."""
+    is_solved = question.phase == Phase.SOLVED
+    is_running = question.phase >= Phase.RUNNING
+    with st.container(key="wall_asked" if question.phase == Phase.ASKED else "wall_told"):
         st.title(stop.heading, anchor=False)
-        if not solved:
+        if not is_solved:
             st.markdown(stop.question)
-        if asks:
+        if question.phase == Phase.ASKED:
             if question.vote.is_second:
                 st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
-            st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
-            return
-        class_results.show(code, stop, question.vote, solved)
-        if solved:
-            st.markdown(stop.explanation())
-            class_results.comment(code, stop, question.vote)
+            with st.container(key="wall_options"):
+                st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
+        else:
+            class_results.show(code, stop, question.vote, is_solved)
+        if is_solved:
+            with st.container(key="wall_reason"):
+                st.markdown(stop.explanation())
+                class_results.comment(code, stop, question.vote)
+    with st.container(key="wall_running" if is_running else "wall_still"):
+        stops.show(stop, running=is_running, fixed=True)
 
 
 @st.fragment(run_every=class_session.FOLLOWED_EVERY)
 def _watch(code: str) -> None:
-    """Draw what changes all the time, and run the whole page where the class has gone on, and once more after that."""
+    """Draw the numbers that change all the time. Rerun the page when the class goes on or ends, and once more later."""
     try:
         now = shared().question(code)
     except ClassError as error:
+        if st.session_state.pop(_LOOKS, None):
+            st.rerun()
         st.warning(str(error))
         return
     view = (now.stop, now.vote, now.phase)
@@ -120,7 +126,7 @@ def _look_back(code: str) -> None:
 def _how_to_join(code: str) -> None:
     """Draw code and address so that the last row can read them."""
     here = address.link({"class": code})
-    picture, words = display_mode.picture_and_words()
+    picture, words = display_mode.picture_and_words(2)
     with picture:
         class_results.qr_code(here.geturl())
     with words, st.container(key="class_invitation"):
