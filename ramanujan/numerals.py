@@ -4,6 +4,7 @@
     number(12345.0, 3)        12 300            quantity(2.54, "m/s", 3)   2.54 m/s
     number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
     filled("It takes {t:3 s}.", t=0.61)         It takes 0.610 s.
+    at_most(5.36e-16, 1), at_least(0.36, 1)     6×10⁻¹⁶, 0.3: bounds that are rounded to their own side
 
 The decimal mark is that of the language. `components/sentences.js` follows the same rules in the browser. LaTeX has its
 own digits, in `derivation.printers`. Files for programs keep Python's way to write numbers.
@@ -12,7 +13,8 @@ own digits, in `derivation.printers`. Files for programs keep Python's way to wr
 import math
 import re
 import string
-from decimal import Decimal
+from collections.abc import Callable
+from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from numbers import Integral
 
 from ramanujan.translation import _, pgettext
@@ -72,20 +74,51 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
     return _grouped(text.rstrip("0").rstrip(".") if strip and "." in text else text)
 
 
-def told_from(value: float, other: float, digits: int = 2) -> str:
+def at_most(value: Number, digits: int = 2) -> str:
+    """Return an upper bound of a number: the number rounded up to so many significant digits.
+
+    Use it wherever a sentence says "at most", "up to", "below" or "never exceeds".
+
+    >>> at_most(5.36e-16, 1), at_most(130298.5, 3), at_most(0.1, 1), at_most(-1.25, 2)
+    ('6×10⁻¹⁶', '131\\u202f000', '0.1', '−1.2')
+    """
+    return number(_rounded(value, digits, ROUND_CEILING), digits)
+
+
+def at_least(value: Number, digits: int = 2) -> str:
+    """Return a lower bound of a number: the number rounded down to so many significant digits.
+
+    >>> at_least(2.828, 3), at_least(16777216.0, 2), at_least(0.3, 1)
+    ('2.82', '1.6×10⁷', '0.3')
+    """
+    return number(_rounded(value, digits, ROUND_FLOOR), digits)
+
+
+def _rounded(value: Number, digits: int, rounding: str) -> Number:
+    """Return a number rounded to so many significant digits; integers, infinities and NaN are returned unchanged."""
+    if isinstance(value, Integral) or not math.isfinite(value) or value == 0:
+        return value
+    # The shortest decimal: the exact value of the double 0.1 is a little larger than 0.1.
+    decimal = value if isinstance(value, Decimal) else Decimal(repr(float(value)))
+    last_digit = Decimal(1).scaleb(decimal.adjusted() - digits + 1)
+    return decimal.quantize(last_digit, rounding)
+
+
+def told_from(value: float, other: float, digits: int = 2, write: Callable[[Number, int], str] = number) -> str:
     """Return a number with so many significant digits, or as many more as show on which side of another one it is.
 
     Parameters
     ----------
     value, other : two numbers
     digits : significant digits
+    write : `number`, `at_most` or `at_least`
 
     >>> told_from(0.00103, 0.001), told_from(0.25, 0.001)
     ('0.00103', '0.25')
     """
-    while digits < _DIGITS_OF_A_FLOAT and float(f"{value:.{digits - 1}e}") == float(f"{other:.{digits - 1}e}"):
+    while digits < _DIGITS_OF_A_FLOAT and write(value, digits) == write(other, digits):
         digits += 1
-    return number(value, digits)
+    return write(value, digits)
 
 
 def fixed(value: float, places: int) -> str:
@@ -144,25 +177,34 @@ def percent(share: float, digits: int = 2) -> str:
 
 
 def filled(template: str, **values: object) -> str:
-    """Return a sentence whose slots say how their numbers are written: significant digits, then a unit or %.
+    """Return a sentence whose slots define the format of their numbers: significant digits, then a unit or %.
+
+    An arrow after the digits rounds up or down: "at most {error:1↑}", "at least {time:2↓ s}".
 
     Parameters
     ----------
-    template : as for `str.format`; any slot takes a text, and one without digits a number that is a text already
-    values : by the names of the slots; a share is multiplied by 100 where its slot says %
+    template : as for `str.format`; any slot accepts a text, and a slot without digits a number that is a text already
+    values : by the names of the slots; a share is multiplied by 100 if its slot has the unit %
 
     >>> filled("{n} periods take {t:3 s}, {share:2 %} more than {least:1}.", n=7, t=0.61, share=0.25, least=4.0)
     '7 periods take 0.610\\u202fs, 25\\u202f% more than 4.'
+    >>> filled("The error is at most {error:1↑ %}.", error=0.0707)
+    'The error is at most 8\\u202f%.'
     """
     return _SENTENCES.vformat(template, (), values)
 
 
 class _Sentences(string.Formatter):
     def format_field(self, value: object, format_spec: str) -> str:
-        digits, _space, unit = format_spec.partition(" ")
-        if not digits or isinstance(value, str):
+        rounding, _space, unit = format_spec.partition(" ")
+        if not rounding or isinstance(value, str):
             return str(value)
-        return percent(value, int(digits)) if unit == "%" else quantity(value, unit, int(digits))
+        digits = int(rounding.rstrip("↑↓"))
+        write = {"↑": at_most, "↓": at_least}.get(rounding[-1], number)
+        if unit == "%":
+            # As decimals: 100 · 0.07 is a little larger than 7.
+            value = 100 * Decimal(repr(float(value)))
+        return with_unit(write(value, digits), unit)
 
 
 _SENTENCES = _Sentences()

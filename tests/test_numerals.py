@@ -34,6 +34,25 @@ def test_a_number_is_right_to_its_last_digit(digits):
         assert not set(text) & set("-,e ")
 
 
+@pytest.mark.parametrize("digits", [1, 2, 5])
+def test_a_bound_is_on_its_own_side_and_less_than_a_digit_away(digits):
+    for value in (*VALUES, 0.1, 0.07, 130298.5, 5.36e-16):
+        lower, upper = read(numerals.at_least(value, digits)), read(numerals.at_most(value, digits))
+        assert lower <= value <= upper
+        digit = 10.0 ** (math.floor(math.log10(abs(value))) - digits + 1) if value else 0.0
+        assert upper - lower <= 1.001 * digit
+        # A number with so few digits is its own bound.
+        short = float(f"{value:.{digits - 1}e}")
+        assert read(numerals.at_least(short, digits)) == short == read(numerals.at_most(short, digits))
+
+
+@pytest.mark.parametrize("percent", [7, 29, 57, 113])
+def test_whole_percent_are_their_own_bound(percent):
+    text = numerals.filled("{share:3↑ %}", share=percent / 100)
+    assert text == numerals.filled("{share:3↓ %}", share=percent / 100)
+    assert read(text.removesuffix("%").strip()) == percent
+
+
 @pytest.mark.parametrize(
     ("value", "text"),
     [

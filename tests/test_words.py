@@ -207,6 +207,33 @@ def test_every_sentence_is_set_well_and_short():
             assert len(re.findall(r"[\w’{}]+", part)) <= SHORTEST_LIMIT, part
 
 
+# Bounds
+
+BOUND = re.compile(
+    r"\b(at most|at least|up to|within|below|never exceeds|must exceed|(?:less|more|fewer|larger) than)"
+    r"\s+(?:one part in |an error of |x₀\s=\s|hΩ\s=\s|μ\s=\s|2R, |\*\*)*\{([^{}:]*)(?::([^{}]*))?\}",
+    re.IGNORECASE,
+)
+"""A phrase that states a bound, and the slot after it with its format."""
+ROUNDED_DOWN = ("at least", "more than", "one part in", "x₀", "less than {light")
+"""Lower bounds, a reciprocal, and two sufficient conditions; all other bounds are rounded up."""
+EXACT = {"most", "least", "bound", "within", "tolerance", "cost", "periods", "mu", "machine.m", "limit", "largest"}
+"""Slots of whole numbers, of values that somebody set, and of limits that are written with all their digits."""
+
+
+def bounds() -> list[tuple[str, str, str]]:
+    """Return every bound in a message with its slot and the format of the slot."""
+    return [(found[0], found[2], found[3] or "") for text in every_text() for found in BOUND.finditer(text)]
+
+
+def test_every_bound_is_rounded_to_its_own_side():
+    assert len(bounds()) > 30
+    for phrase, slot, form in bounds():
+        arrow = "↓" if any(start in phrase for start in ROUNDED_DOWN) else "↑"
+        assert slot in EXACT or arrow in form, phrase
+        assert {"↑": "↓", "↓": "↑"}[arrow] not in form, phrase
+
+
 # The page
 
 

@@ -11,7 +11,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import FREQUENCY, after
 from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
-from ramanujan.numerals import filled, number, told_from
+from ramanujan.numerals import filled, number
 from ramanujan.translation import _
 
 WITHIN, PERIODS = 0.01, 30
@@ -80,19 +80,21 @@ def cheapest(setting: Setting) -> Verdict:
     """Judge a method and its steps: first the error, then the cost."""
     chosen = race(setting.method, setting.steps)
     error, cost = chosen.error.item(), chosen.evaluations.item()
-    written = told_from(error, WITHIN)
     if error > WITHIN:
         return missed(
-            _("The computed machine is up to {error} of a turn away from the exact one. At most {goal:1} is allowed."),
-            error=written,
+            _(
+                "The computed machine is up to {error:2↑} of a turn away from the exact one. At most {goal:1↑} is "
+                "allowed."
+            ),
+            error=error,
             goal=WITHIN,
         )
     sentences = (
-        _("It stays within {error} of a turn. No method here needs fewer than {cost} evaluations of the force."),
-        _("It stays within {error} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),
+        _("It stays within {error:2↑} of a turn. No method here needs fewer than {cost} evaluations of the force."),
+        _("It stays within {error:2↑} of a turn. But {cost} evaluations are {times:3} times as many as necessary."),
     )
     fewest = cheapest_runs(races(), WITHIN)[0].evaluations
-    return near(cost - fewest, 0, sentences, error=written, cost=cost, times=cost / fewest)
+    return near(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
 
 
 def two_cubes(setting: Setting) -> Verdict:

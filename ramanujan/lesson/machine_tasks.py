@@ -122,7 +122,7 @@ def top_at_rest(setting: Setting) -> Verdict:
         return missed(_("Everything is at rest. The block must move at {least:1 cm/s} or faster."), least=_CM * MOVING)
     sentences = (
         _("The top cylinder stays where it is relative to the ground, while the block moves below it."),
-        _("Within {periods} periods the top cylinder moves up to {away:2 cm} away from its place."),
+        _("Within {periods} periods the top cylinder moves up to {away:2↑ cm} away from its place."),
     )
     return near(away, RESTING, sentences, periods=_JUDGED_PERIODS, away=_CM * away)
 

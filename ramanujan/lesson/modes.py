@@ -95,7 +95,7 @@ STOPS = (
         ),
         replies={
             "top_block": _(
-                "This contact needs only μ = {top_block:3}. It would slip first if ε were less than {light:2}. Why "
+                "This contact needs only μ = {top_block:3}. It would slip first if ε were less than {light:2↓}. Why "
                 "does another contact need more here?"
             ),
             "cylinder_block": _(

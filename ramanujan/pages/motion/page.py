@@ -8,9 +8,9 @@ import streamlit as st
 from ramanujan import Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.contact import first_to_slip, largest_compression
-from ramanujan.numerals import fixed, quantity
+from ramanujan.numerals import filled, fixed, quantity
 from ramanujan.pages.motion import cache, plots
-from ramanujan.pages.motion.plots import Friction, centimetres
+from ramanujan.pages.motion.plots import Friction
 from ramanujan.record import Record, table
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
@@ -84,17 +84,18 @@ def verdict(friction: Friction, compression: float) -> None:
     sentence = (
         _(
             ":green[:material/check_circle: **Every contact rolls without slipping.**] With μ\u00a0=\u00a0{mu} this is "
-            "true up to x₀\u00a0=\u00a0{largest}. Beyond that, the contact between **{contact}** slips first."
+            "true up to x₀\u00a0=\u00a0{largest:3↓ cm}. Beyond that, the contact between **{contact}** slips first."
         )
         if holds
         else _(
             ":red[:material/error: **The model no longer holds.**] With μ\u00a0=\u00a0{mu}, the contact between "
-            "**{contact}** slips from x₀\u00a0=\u00a0{largest} on. The picture still shows rolling."
+            "**{contact}** slips from x₀\u00a0=\u00a0{largest:3↑ cm} on. The picture still shows rolling."
         )
     )
     # No alert of Streamlit's: that would be a second live region, and the stage already says which contact slips.
-    said = {"mu": fixed(friction.coefficient, 2), "largest": centimetres(friction.largest)}
-    st.container(border=True, width="content").markdown(sentence.format(**said, contact=cache.CONTACTS[friction.first]))
+    values = {"mu": fixed(friction.coefficient, 2), "largest": 100 * friction.largest}
+    text = filled(sentence, **values, contact=cache.CONTACTS[friction.first])
+    st.container(border=True, width="content").markdown(text)
 
 
 def freeze(motion: Record) -> None:

@@ -92,7 +92,7 @@ def show_energy(motion: Record, drawn: tuple) -> None:
     sentences = [
         _(
             "Solid areas: kinetic energy of translation relative to the ground. Hatched areas: of rotation. The sum is "
-            "{total:4 mJ} at every instant, with a relative error of at most {error:1}. At release the spring holds "
+            "{total:4 mJ} at every instant, with a relative error of at most {error:1↑}. At release the spring holds "
             "{spring:4 mJ}."
         )
     ]
@@ -166,7 +166,8 @@ def friction_needed(motion: Record, friction: Friction) -> None:
     )
     sees = _("Friction coefficient that each contact needs; a contact that needs more than μ = {mu} slips. {needed}.")
     chart(bars, "friction_needed", sees.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
-    st.markdown(_("Largest compression without slip: **{length}**").format(length=centimetres(friction.largest)))
+    sentence = _("Largest compression without slip: **{length:3↓ cm}**")
+    st.markdown(filled(sentence, length=100 * friction.largest))
 
 
 def chart(figure: object, name: str, alt: str) -> None:

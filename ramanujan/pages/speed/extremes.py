@@ -30,17 +30,17 @@ SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 _CHOICES = (
     _(
         "**Motion, stage and figures**: the closed form. For equal masses of 1\u202fkg and k\u00a0=\u00a01\u202fN/m "
-        "its phase error is at most {phase_error:2 rad} from {first} to {last:2} periods. A state takes {state}, "
+        "its phase error is at most {phase_error:2↑ rad} from {first} to {last:2} periods. A state takes {state}, "
         "however long after the release."
     ),
     _(
         "**Ω² of a machine**: {machine_formula}. For {machines:2} random machines over the whole range of float64, the "
-        "error is at most {machine_error:2} ulp. A value takes {integers}. Fractions give the same digits in "
+        "error is at most {machine_error:2↑} ulp. A value takes {integers}. Fractions give the same digits in "
         "{fraction}."
     ),
     _(
         "**The curve of Ω²m/k**: {curve_formula}, for k\u00a0=\u00a0m. It computes whole arrays: a value takes "
-        "{array} in an array and {float64} by itself. For the same machines its error is up to {curve_error:2} ulp, "
+        "{array} in an array and {float64} by itself. For the same machines its error is up to {curve_error:2↑} ulp, "
         "and it fails for {failed} of them."
     ),
     _(
@@ -49,12 +49,12 @@ _CHOICES = (
     ),
     _(
         "**Curves**: enough points for an error below half a pixel. In a figure {height} pixels high, {cosine} points "
-        "draw one period to {cosine_error:2} pixel, and {frequency} points draw the curve of Ω² to "
-        "{frequency_error:2} pixel."
+        "draw one period to within {cosine_error:2↑} pixel. The curve of Ω² takes {frequency} points for "
+        "{frequency_error:2↑} pixel."
     ),
     _(
         "**Numbers sent to the browser**: float32. They take half the bytes of float64. Rounding changes a number by "
-        "at most one part in {part:2}, {finer:2} times less than half a pixel of a screen {screen} pixels high."
+        "at most one part in {part:2↓}, {finer:2} times less than half a pixel of a screen {screen} pixels high."
     ),
     _("**Ω** is stored with its machine. Reading it again is {kept_frequency:2} times faster than computing it."),
     _("**The solution** is stored with its machine. The next state is {kept_state:2} times faster than the first."),

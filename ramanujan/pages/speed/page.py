@@ -97,7 +97,7 @@ def _found(run: Run) -> str:
     if not (math.isfinite(run.phase_at_end) and math.isfinite(worst)):
         sentence = _("{method}: the energy has grown beyond the largest floating-point number.")
         return sentence.format(method=METHODS[run.method].title)
-    sentence = _("{method}: phase error {phase:2 rad}, relative energy error up to {energy:2}.")
+    sentence = _("{method}: phase error {phase:2 rad}, relative energy error up to {energy:2↑}.")
     return filled(sentence, method=METHODS[run.method].title, phase=abs(run.phase_at_end), energy=worst)
 
 

@@ -13,7 +13,7 @@ from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
 from ramanujan.figures.speed import Part
 from ramanujan.integrators import METHODS, Method
-from ramanujan.numerals import duration, filled, number, percent, quantity, told_from
+from ramanujan.numerals import at_least, duration, filled, number, quantity, told_from
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _, ngettext
 
@@ -43,7 +43,10 @@ def method_facts(method: Method, steps: int) -> str:
         stable = _("It is stable up to hΩ = {limit}; here it is {turn}.")
     title = method.title[0].upper() + method.title[1:]
     cost = cost.format(method=title, order=method.order, n=method.evaluations)
-    return f"{cost} {stable.format(turn=told_from(turn, limit, 3), limit=told_from(limit, turn, 3))}"
+    # A stable turn and the limit are rounded down alike, so the limit remains a bound and the larger of the two.
+    write = number if turn > limit else at_least
+    turn_and_limit = {"turn": told_from(turn, limit, 3, write), "limit": told_from(limit, turn, 3, write)}
+    return f"{cost} {stable.format(**turn_and_limit)}"
 
 
 def errors_of(run: Run) -> str:
@@ -76,9 +79,9 @@ def errors_of(run: Run) -> str:
     if worst > 1:
         energy = grown.format(factor=number(1 + worst))
     elif worst >= 1e-4:
-        energy = _("Its energy was off by up to **{share}**.").format(share=percent(worst))
+        energy = filled(_("Its energy was off by up to **{share:2↑ %}**."), share=worst)
     else:
-        energy = _("Its relative energy error was at most **{error}**.").format(error=number(worst))
+        energy = filled(_("Its relative energy error was at most **{error:2↑}**."), error=worst)
     seen = abs(run.phase_at_end) > _SEEN or worst > _SEEN
     verdict = _("The difference is visible.") if seen else _("The difference is too small to see.")
     return f"{evaluated} {phase} {energy} {verdict}"
@@ -96,12 +99,12 @@ def what_to_take(choices: Sequence[Choice], tolerance: float, by: str, exact: Cl
 def _cheapest(best: Choice, tolerance: float, by: str) -> str:
     named = (
         _(
-            "For an error of at most {tolerance:1} of the amplitude, the fastest run on this server is **{method}** in "
-            "{precision} with **{steps} steps per period**."
+            "For an error of at most {tolerance:1↑} of the amplitude, the fastest run on this server is **{method}** "
+            "in {precision} with **{steps} steps per period**."
         )
         if by == "seconds"
         else _(
-            "For an error of at most {tolerance:1} of the amplitude, the run with the fewest evaluations of the force "
+            "For an error of at most {tolerance:1↑} of the amplitude, the run with the fewest evaluations of the force "
             "is **{method}** in {precision} with **{steps} steps per period**."
         )
     )
@@ -215,9 +218,9 @@ def how_phases_grow(errors: Sequence[PhaseErrors]) -> str:
     ][:1]
     reduced = _(
         "In float64 the error is {last.float64:2 rad} after {last.periods:2} periods. If Ω/2π is stored in two "
-        "floating-point numbers and whole turns are subtracted first, the error never exceeds **{least:2 rad}**."
+        "floating-point numbers and whole turns are subtracted first, the error never exceeds **{largest:2↑ rad}**."
     )
-    said.append(filled(reduced, last=errors[-1], least=max(each.reduced for each in errors)))
+    said.append(filled(reduced, last=errors[-1], largest=max(each.reduced for each in errors)))
     return " ".join(said)
 
 

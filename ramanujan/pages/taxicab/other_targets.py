@@ -221,8 +221,8 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
         "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "
         "{paper.machines} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {paper.sums} "
         "sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but this is not the "
-        "reason here: half of this pair’s discriminants are below {paper.median:3}, and for {smaller} other pairs that "
-        "limit is lower."
+        "reason here: half of this pair’s discriminants are below {paper.median:3↑}, and for {smaller} other pairs "
+        "that limit is lower."
     )
     most = cache.COUNTED_PART
     st.caption(filled(counted, most=most, paper=paper, pair=labels[at], second=second.sums, smaller=len(smaller)))
