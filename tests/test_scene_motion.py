@@ -53,7 +53,7 @@ def test_the_verdict_names_the_contact_and_the_compression(app, mu, compression)
     )
     assert ("no longer holds" in sentence.value) == slips
     bound = at_least(100 * largest, 3) if not slips else at_most(100 * largest, 3)
-        assert f"{bound}\u202fcm" in sentence.value
+    assert f"{bound}\u202fcm" in sentence.value
     assert cache.CONTACTS[first_to_slip(machine, largest, spacing)] in sentence.value
     assert any(f"slip: **{at_least(100 * largest, 3)}\u202fcm**" in each.value for each in app.markdown)
 
