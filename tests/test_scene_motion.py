@@ -1,6 +1,7 @@
 """The motion page under AppTest, and its figures: what they say, how exactly they are drawn, what they hold on to."""
 
 import json
+import re
 from collections import defaultdict
 from unittest import mock
 
@@ -168,3 +169,13 @@ def test_friction_is_greatest_where_the_hoop_carries_least(compression, end):
     instant, contact = greatest_friction(motion)
     assert contact == first_to_slip(machine, compression, 0.338)
     assert instant == pytest.approx(end * machine.period, abs=1e-9)
+
+
+def test_the_pointer_reads_each_body_with_its_displacement_and_its_frame():
+    """Plotly adds the name of a curve with a space before the colon, unless the text ends its own way."""
+    figure, *_ = figures("displacements", *CORNERS[3])
+    texts = [trace["hovertemplate"] for trace in figure["data"]]
+    assert all(text.endswith("<extra></extra>") for text in texts)
+    assert all(re.search(r"(^|>)[a-z ]+: %\{y", text) for text in texts)
+    titles = [text.partition("</b>")[0].removeprefix("<b>") for text in texts if text.startswith("<b>")]
+    assert titles == ["relative to the ground", "relative to the block"]

@@ -22,7 +22,8 @@ from ramanujan.translation import _
 MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
 NORMALIZED = "Ω²<i>m</i>/<i>k</i>"
 """The axes of the curve of Ω². Symbols are italic, as in formulas: capital Greek letters and units are upright."""
-
+NO_NAME = "<extra></extra>"
+"""The end of a hover text without the name of the curve, which Plotly would add."""
 
 _FAMILY = '"Source Sans", sans-serif'
 """The typeface of the page, which page.css brings."""

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import Drawn, figure, horizontal_bars, line
+from ramanujan.figures import NO_NAME, Drawn, figure, horizontal_bars, line
 from ramanujan.figures.labels import Area, beside
 from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
@@ -45,16 +45,12 @@ class Curve:
 
 @dataclass(frozen=True)
 class Panel:
-    """Curves with one vertical axis: its title, its unit, and the range that it shows.
-
-    `short` names the panel where there is little room; without it, the title does.
-    """
+    """Curves with one vertical axis: its title, its unit, and the range that it shows."""
 
     title: str
     unit: str
     curves: Sequence[Curve]
     range: tuple[float, float]
-    short: str = ""
 
 
 def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors: Mapping[str, str]) -> Drawn:
@@ -82,7 +78,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
     along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
     # One small box for all panels, which must not hide the curves.
-    box = {"hovermode": "x unified", "hoversubplots": "axis", "hoverlabel": {"font": {"size": 11}, "namelength": 12}}
+    box = {"hovermode": "x unified", "hoversubplots": "axis", "hoverlabel": {"font": {"size": 11}}}
     meta = {"cursor": "time", "period": period, "periods": periods}
     return _laid_out(traces, colors, shapes=[end_of_one], annotations=notes, meta=meta, xaxis=along, **axes, **box)
 
@@ -202,8 +198,11 @@ def _area(panel: Panel, axis: str, end: float, height: float, width: float) -> A
 
 
 def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) -> dict[str, Any]:
-    # TRANSLATORS: what one reads at a curve: 3.2 cm, hoop.
-    hover = _("{value} {unit}, {panel}") if several else _("{value} {unit}")
+    # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
+    hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y:.3~g}", unit=panel.unit) + NO_NAME
+    if several and curve is panel.curves[0]:
+        # One box reads all panels. The first curve of each brings its title.
+        hover = f"<b>{panel.title}</b><br>{hover}"
     trace = {
         "type": "scatter",
         # Equal steps need no array, and single precision is far finer than a pixel.
@@ -214,7 +213,8 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "name": curve.name,
         "mode": "lines",
         "line": curve.look,
-        "hovertemplate": hover.format(value="%{y:.3~g}", unit=panel.unit, panel=panel.short or panel.title),
+        # Plotly itself writes a space before the colon.
+        "hovertemplate": hover,
     }
     if curve.stacked:
         trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": {**trace["line"], "width": 0.5}}

@@ -5,13 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from ramanujan.figures import NORMALIZED, Drawn, figure, horizontal_bars, line, marks
+from ramanujan.figures import NO_NAME, NORMALIZED, Drawn, figure, horizontal_bars, line, marks
 from ramanujan.figures.labels import note
 from ramanujan.figures.oscillator import Mark, over_ratios, pointed
 from ramanujan.translation import _
-
-NO_NAME = "<extra></extra>"
-"""Instead of Plotly's second box, which names the curve."""
 
 
 def level_crossing(

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ramanujan.answers.machines import CALLED
 from ramanujan.contact import first_to_slip, normal_forces, required_friction
 from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.motion import InitialState, released
@@ -14,6 +13,14 @@ from ramanujan.translation import _
 _SPEED = COMPRESSION / 2 / EQUAL.period
 """The speed of gliding and rolling [m/s], slow enough to watch."""
 _SPACING = drawn_spacing(EQUAL.radius)
+# TRANSLATORS: inside a sentence, after "the contact".
+_CONTACTS = {
+    "hoop_slab": _("between hoop and slab"),
+    "cylinder_slab": _("between lower cylinder and slab"),
+    "hoop_block": _("between hoop and block"),
+    "cylinder_block": _("between lower cylinder and block"),
+    "top_block": _("between top cylinder and block"),
+}
 
 
 def zero_modes(machine: Oscillator) -> int:
@@ -22,20 +29,14 @@ def zero_modes(machine: Oscillator) -> int:
     return stiffness.shape[0] - int(np.linalg.matrix_rank(stiffness))
 
 
-def _called(contact: str) -> str:
-    roller, other = contact.split("_")
-    # TRANSLATORS: both are bodies: the hoop, the lower cylinder, the slab …
-    return _("{roller} on {other}").format(roller=CALLED[roller], other=CALLED[other])
-
-
 def _friction() -> dict[str, object]:
     """Return μ at each contact, which two need most, the slab's weight on the hoop, ε below which the top slips."""
     needed = required_friction(EQUAL, COMPRESSION, spacing=_SPACING)
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_SPACING)
     return needed | {
-        "first": _called(first),
-        "second": _called(second),
+        "first": _CONTACTS[first],
+        "second": _CONTACTS[second],
         "most": needed[first],
         "next": needed[second],
         "load": float(loads["hoop_slab"] / (loads["hoop_slab"] + loads["cylinder_slab"])),
@@ -57,9 +58,11 @@ STOPS = (
         ),
         options=dict(none=_("In no way."), one=_("In one way."), two=_("In two ways."), three=_("In three ways.")),
         replies={
-            "none": _("Push the whole machine, and no spring is deformed. What could stop it on this floor?"),
+            "none": _("Push the whole machine: the spring is not deformed. What could stop it on this floor?"),
             "one": _("The whole machine can glide. Which body can turn while all the others are at rest?"),
-            "three": _("There are three coordinates, but the spring resists only {stiff} of them. Which one is it?"),
+            "three": _(
+                "There are three coordinates, but the spring does not leave all of them free. Which one does it resist?"
+            ),
         },
         answer=lambda: ("none", "one", "two", "three")[zero_modes(EQUAL)],
         why=_(
@@ -67,7 +70,7 @@ STOPS = (
             "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes {count} "
             "zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
-        numbers=lambda: {"count": zero_modes(EQUAL), "stiff": 3 - zero_modes(EQUAL)},
+        numbers=lambda: {"count": zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
         purpose=_("The answer prepares the spectrum: one oscillating mode and two zero modes."),
         expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),
@@ -109,9 +112,9 @@ STOPS = (
         },
         answer=lambda: first_to_slip(EQUAL, COMPRESSION, _SPACING),
         why=_(
-            "To roll without slipping, {first} needs μ = {most:3}. The next is {second} with μ = {next:3}. The hoop "
-            "has the largest moment of inertia, so it needs the largest force to spin it up. At the release only "
-            "{load:2 %} of the slab’s weight presses on it."
+            "To roll without slipping, the contact {first} needs μ = {most:3}. The contact {second} comes next, with "
+            "μ = {next:3}. The hoop has the largest moment of inertia, so it needs the largest force to spin it up. At "
+            "the release only {load:2 %} of the slab’s weight presses on it."
         ),
         numbers=_friction,
         hints=(_("Friction has to spin each roller up. Which lower roller resists that more?"),),

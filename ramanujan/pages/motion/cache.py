@@ -66,14 +66,12 @@ def figures(view: str, light_or_dark: str, *setting: Oscillator | float) -> tupl
 def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw where the bodies are, relative to the ground and to the block."""
     places = (
-        (_("relative to the ground"), _("ground"), motion.over_ground),
-        (_("relative to the block"), _("block"), motion.over_block),
+        (_("relative to the ground"), motion.over_ground),
+        (_("relative to the block"), motion.over_block),
     )
     panels = [
-        _panel(
-            title, "cm", [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()], short
-        )
-        for title, short, bodies in places
+        _panel(title, "cm", [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()])
+        for title, bodies in places
     ]
     return _over_time(motion, panels, colors)
 
@@ -146,8 +144,8 @@ def _of_body(body: str, values: np.ndarray, colors: Mapping[str, str], **look: A
     return Curve(PARTS[body], values, colors[body], **look)
 
 
-def _panel(title: str, unit: str, curves: list[Curve], short: str = "") -> Panel:
-    return Panel(title, unit, curves, roomy([curve.values for curve in curves]), short)
+def _panel(title: str, unit: str, curves: list[Curve]) -> Panel:
+    return Panel(title, unit, curves, roomy([curve.values for curve in curves]))
 
 
 def _over_time(motion: Record, panels: list[Panel], colors: Mapping[str, str]) -> Drawn:

@@ -150,7 +150,7 @@ def what_it_means() -> None:
         st.markdown(
             _(
                 "**What the form means.** A number $x^2+3y^2$ is the *norm* of $x+y\\sqrt{{-3}}$: the product of this "
-                "number and the same number with the other sign."
+                "number and the same number with the other sign of the root."
             ).format()
         )
     with formula:
