@@ -19,6 +19,20 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
     2Rφ             deformation of the spring, positive in compression;   x₀ its value at release
     Ω               natural frequency [rad/s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
 
+The core is eight files. An `Oscillator` is four numbers; with an `InitialState` it has one motion (q, q̇), in closed
+form. From a state follow the energies, the momenta and the contact forces, and a record has all of them as a table. A
+function takes floats or arrays and returns arrays; nothing is rounded, cached or looked up on the way.
+
+    file           equations of the paper                                      what it gives
+    frequency      (8) 104/99, (12) Ω², (13) inverse, (14) ε*                  Ω²m/k over ε, ε for a given Ω²m/k
+    oscillator     (9) L as M and K, (10) M q̈ + K q = 0, (11) mode shape       Ω, T, M_x, matrices of one machine
+    motion         x = 2Rφ, (1) velocities, (11) and (12) integrated           q(t), q̇(t), motion of each body
+    energy         (1) ½mv², ½Iω², ½kx²; (10a), (10b) momenta                  energies by body, p_X, p_Φ
+    contact        none: the constraints of the paper need these forces        forces, friction, first slip
+    record         none                                                        all of this at equal times, CSV
+    integrators    none                                                        step methods for x″ = a(x)
+    validation     none                                                        what counts as a number
+
 A notebook needs this package alone:
 
     from ramanujan import Oscillator, motion, released
@@ -26,12 +40,9 @@ A notebook needs this package alone:
     machine = Oscillator(m=1, m_prime=1.127, k=10)
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
-One motion with everything known of it, and as CSV: `ramanujan.record`.
-
-Reading order: `oscillator` and `frequency` (the numbers), `motion` (time), `energy` and `contact` (what it carries),
-`derivation` (where the formulas come from), `number_theory` (why 1729), `integrators` and `accuracy` (what computing
-costs), `figures` and `browser` (how it looks), `pages` (one folder each), `shell` (what all pages share). `validation`
-says which arguments are accepted, and `rounding` how results keep their digits.
+The other equations are steps of `derivation`: README lists all of them. `number_theory` says why it is 1729, `accuracy`
+measures what computing costs, `figures` and `browser` draw, `pages` has one folder for each page, and `shell` what all
+pages share.
 """
 
 from ramanujan.contact import (

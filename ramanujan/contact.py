@@ -1,6 +1,7 @@
 r"""The five rolling contacts: their forces, the friction that they need, and the compression at which one slips.
 
-The forces hold as long as every contact rolls without slipping; the motion after a slip is not modelled.
+The forces are what holds the rolling constraints of the paper. They are right as long as every contact rolls without
+slipping; the motion after a slip is not modelled.
 
                                                    ___
                                                   / | \      top cylinder, angle Φ
@@ -30,21 +31,22 @@ The block also carries the weight m′g of each lower roller, and the weight mg 
 from __future__ import annotations
 
 import math
-from fractions import Fraction
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan.motion import InitialState
-from ramanujan.numerals import quantity
 from ramanujan.oscillator import GRAVITY, Oscillator
-from ramanujan.rounding import in_range, nearest, product, scaled, square_root
-from ramanujan.translation import _
-from ramanujan.validation import coordinates, instance, positive, real
+from ramanujan.validation import coordinates, finite, positive
+
+FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.float64])
 
 
 def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
     """Return the horizontal force [N], right positive, at every contact and in the spring.
+
+        ½m′a(1 + β − κ) from the slab,   ½m′a(1 − β − κ) from the block,   −κma/3 on the top cylinder,   −2kRφ
 
     Parameters
     ----------
@@ -58,7 +60,7 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
 
     Raises
     ------
-    ValueError : q does not have three rows of finite numbers, or a force is too large for float64.
+    ValueError : q does not have three rows of finite numbers.
 
     Source: Newton's equations with the rolling constraints, as in the module docstring.
 
@@ -66,21 +68,18 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     >>> round(float(forces["spring"]), 12)
     -0.8
     """
-    m, _m_prime, k, R = instance("oscillator", oscillator, Oscillator).exact
-    phi = coordinates("q", q)[1]
-    per_angle = -oscillator.exact_frequency_squared * m * R
-    per_angles = {name: share * per_angle for name, share in _shares(oscillator).items()} | {"spring": -2 * k * R}
-    # TRANSLATORS: in an error such as: force hoop_slab is too large for float64.
-    label = _("force {name}")
-    with np.errstate(over="ignore"):
-        forces = {name: scaled(*coefficient.as_integer_ratio(), phi) for name, coefficient in per_angles.items()}
-    return {name: in_range(label.format(name=name), force) for name, force in forces.items()}
+    R, phi = oscillator.radius, coordinates("q", q)[1]
+    acceleration = -oscillator.natural_frequency_squared * R * phi
+    forces = {name: share * oscillator.m * acceleration for name, share in _forces(oscillator).items()}
+    return forces | {"spring": -2 * oscillator.k * R * phi}
 
 
 def normal_forces(
     oscillator: Oscillator, q: ArrayLike, g: float = GRAVITY, spacing: float = math.inf
 ) -> dict[str, NDArray[np.float64]]:
     """Return the normal force [N] at the five contacts; the load shifts as the slab moves.
+
+        mg(½ ∓ Rφ/L) between slab and roller,   m′g more between roller and block,   mg under the top cylinder
 
     Parameters
     ----------
@@ -104,31 +103,18 @@ def normal_forces(
     >>> {name: round(float(load), 9) for name, load in loads.items()}["cylinder_slab"]
     6.0
     """
-    instance("oscillator", oscillator, Oscillator)
-    travel = product(_("displacement of a roller"), oscillator.radius, coordinates("q", q)[1])
-    weight = positive("g", g)
-    distance = _spacing_beyond(oscillator, Fraction(float(np.abs(travel).max(initial=0.0))) * 2, spacing)
-    if math.isinf(distance):
-        on_hoop = on_cylinder = np.full(travel.shape, 0.5)
-    else:
-        # Near tipping this difference is exact; ½ − Rφ/L would lose its digits.
-        on_hoop, on_cylinder = (distance / 2 - travel) / distance, (distance / 2 + travel) / distance
-    slab, roller = product(_("load"), oscillator.m, weight), product(_("load"), oscillator.m_prime, weight)
-    with np.errstate(over="ignore"):
-        return {
-            "hoop_slab": slab * on_hoop,
-            "cylinder_slab": slab * on_cylinder,
-            "hoop_block": in_range(_("load"), slab * on_hoop + roller),
-            "cylinder_block": in_range(_("load"), slab * on_cylinder + roller),
-            "top_block": np.full(travel.shape, slab),
-        }
+    travel = oscillator.radius * coordinates("q", q)[1]
+    distance = _valid_spacing(oscillator, 2 * float(np.abs(travel).max(initial=0.0)), spacing)
+    weight = oscillator.m * positive("g", g)
+    loads = _loads(oscillator, 1 / 2 - travel / distance, 1 / 2 + travel / distance)
+    return {name: np.broadcast_to(weight * load, travel.shape) for name, load in loads.items()}
 
 
 def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
-    """Return A = R √(φ₀² + (φ̇₀/Ω)²) [m], how far the lower rollers move relative to the block to either side.
+    """Return A = R√(φ₀² + (φ̇₀/Ω)²) [m], how far the lower rollers move relative to the block to either side.
 
-    Every contact force depends on the initial state through A alone: the friction that a motion needs in the long run
-    is that after a release with the compression 2A.
+    Every contact force depends on the initial state through A alone. So the friction that a motion needs in the long
+    run is that after a release with the compression 2A.
 
     Parameters
     ----------
@@ -139,17 +125,12 @@ def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
     -------
     A [m]
 
-    Raises
-    ------
-    ValueError : A is too large for float64.
+    Source: `motion`, φ(t) = φ₀ cos Ωt + (φ̇₀/Ω) sin Ωt.
 
     >>> round(travel_amplitude(Oscillator(radius=0.1), InitialState(phi=0.4)), 12)
     0.04
     """
-    R = instance("oscillator", oscillator, Oscillator).exact[3]
-    phi, phi_dot = Fraction(instance("initial", initial, InitialState).phi), Fraction(initial.phi_dot)
-    squared = phi**2 + phi_dot**2 / oscillator.exact_frequency_squared
-    return nearest("travel_amplitude", *(R * Fraction(*square_root(*squared.as_integer_ratio()))).as_integer_ratio())
+    return oscillator.radius * math.hypot(initial.phi, initial.phi_dot / oscillator.natural_frequency)
 
 
 def required_friction(
@@ -178,7 +159,7 @@ def required_friction(
     Raises
     ------
     ValueError : compression is not finite, g is not positive, spacing is less than 2R or does not exceed |compression|,
-        so that the slab would tip off its rollers, or a coefficient is too large for float64.
+        so that the slab would tip off its rollers.
 
     Source: module docstring; the largest value of |horizontal force|/normal force over one period.
 
@@ -186,14 +167,9 @@ def required_friction(
     >>> max(needed, key=needed.get)
     'hoop_slab'
     """
-    demands = _demands(oscillator, compression, spacing)
-    amplitude = abs(Fraction(real("compression", compression))) / 2
-    pull = oscillator.exact_frequency_squared * amplitude / Fraction(positive("g", g))
-    # TRANSLATORS: in an error such as: friction at hoop_slab is too large for float64.
-    label = _("friction at {name}")
-    return {
-        name: nearest(label.format(name=name), *(demand * pull).as_integer_ratio()) for name, demand in demands.items()
-    }
+    amplitude = abs(finite("compression", compression)) / 2
+    pull = oscillator.natural_frequency_squared * amplitude / positive("g", g)
+    return {name: ratio * pull for name, ratio in _force_per_load(oscillator, amplitude, spacing).items()}
 
 
 def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: float = math.inf) -> str:
@@ -214,15 +190,15 @@ def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: flo
 
     Raises
     ------
-    ValueError : compression is not finite, spacing is less than 2R or does not exceed |compression|.
+    ValueError : as in `required_friction`.
 
-    Source: the largest entry of `required_friction`, in which g is a common factor.
+    Source: `required_friction`, whose largest value this is.
 
-    >>> first_to_slip(Oscillator(m=1, m_prime=0.2))
-    'top_block'
+    >>> first_to_slip(Oscillator(m=1, m_prime=0.2)), first_to_slip(Oscillator(m=1, m_prime=0.3))
+    ('top_block', 'hoop_slab')
     """
-    demands = _demands(oscillator, compression, spacing)
-    return max(demands, key=demands.__getitem__)
+    ratios = _force_per_load(oscillator, abs(finite("compression", compression)) / 2, spacing)
+    return max(ratios, key=ratios.__getitem__)
 
 
 def largest_compression(
@@ -230,8 +206,8 @@ def largest_compression(
 ) -> float:
     """Return the largest compression x₀ [m] from which the machine can be released without slip at any contact.
 
-    A contact whose force at the end of the swing is f·mΩ²A under the load mg(n − σA/L), with σ = 0 for the top
-    cylinder and 1 else, slips beyond A = μn/(fΩ²/g + μσ/L); x₀ is twice the least of the five.
+    A contact with the force f·mΩ²A at the end of the swing and the load mg(n − σA/L) slips beyond
+    A = μn/(fΩ²/g + μσ/L), with σ = 0 for the top cylinder and 1 for the others. x₀ is twice the least of the five.
 
     Parameters
     ----------
@@ -242,75 +218,70 @@ def largest_compression(
 
     Returns
     -------
-    x₀ [m], less than the spacing; it is rounded down, so that no contact slips at this very x₀
+    x₀ [m], less than the spacing
 
     Raises
     ------
-    ValueError : friction_coefficient or g is not positive, spacing is less than 2R, or x₀ is too large for float64.
+    ValueError : friction_coefficient or g is not positive, or spacing is less than 2R.
 
     Source: `required_friction`, solved for the compression.
 
     >>> round(largest_compression(Oscillator(m=1, m_prime=1, k=10), 0.3), 6)
     0.52028
     """
-    instance("oscillator", oscillator, Oscillator)
-    mu = Fraction(positive("friction_coefficient", friction_coefficient))
-    pull = oscillator.exact_frequency_squared / Fraction(positive("g", g))
-    distance = _spacing_beyond(oscillator, Fraction(0), spacing)
-    shifted = Fraction(0) if math.isinf(distance) else mu / Fraction(distance)
-    loads = _loads(oscillator, Fraction(1, 2))
-    exact = 2 * min(
-        mu * loads[name] / (abs(share) * pull + (0 if name == "top_block" else shifted))
-        for name, share in _shares(oscillator).items()
-    )
-    largest = nearest(_("the largest compression"), *exact.as_integer_ratio())
-    # If it were rounded up, a contact would slip or the slab would tip.
-    return largest if Fraction(largest) <= exact else math.nextafter(largest, 0.0)
+    mu = positive("friction_coefficient", friction_coefficient)
+    pull = oscillator.natural_frequency_squared / positive("g", g)
+    distance = _valid_spacing(oscillator, 0.0, spacing)
+    forces, loads = _forces(oscillator), _loads(oscillator, 1 / 2, 1 / 2)
+    amplitudes = []
+    for name, load in loads.items():
+        shift = 0.0 if name == "top_block" else mu / distance
+        amplitudes.append(mu * load / (abs(forces[name]) * pull + shift))
+    return 2 * min(amplitudes)
 
 
-def _shares(oscillator: Oscillator) -> dict[str, Fraction]:
-    """Return each contact's force on its roller divided by m·Rφ̈, dimensionless."""
-    m, m_prime = oscillator.exact[:2]
-    kappa, half = Fraction(*oscillator.coupling_ratio), m_prime / m / 2
-    shape_factors = {"hoop": Fraction(1), "cylinder": Fraction(1, 2)}
-    at_slab = {f"{roller}_slab": half * (1 + beta - kappa) for roller, beta in shape_factors.items()}
-    at_block = {f"{roller}_block": half * (1 - beta - kappa) for roller, beta in shape_factors.items()}
-    return at_slab | at_block | {"top_block": -kappa / 3}
+def _forces(oscillator: Oscillator) -> dict[str, float]:
+    """Return the horizontal force at each contact divided by ma, with a = Rφ̈, as in the module docstring."""
+    kappa, half = oscillator.block_coupling, oscillator.mass_ratio / 2
+    return {
+        "hoop_slab": half * (2 - kappa),
+        "cylinder_slab": half * (3 / 2 - kappa),
+        "hoop_block": half * -kappa,
+        "cylinder_block": half * (1 / 2 - kappa),
+        "top_block": -kappa / 3,
+    }
 
 
-def _loads(oscillator: Oscillator, on_roller: Fraction) -> dict[str, Fraction]:
-    """Return each contact's normal force divided by mg, from the part of the slab's weight on its roller."""
-    m, m_prime = oscillator.exact[:2]
-    slab, block = dict.fromkeys(("hoop_slab", "cylinder_slab"), on_roller), on_roller + m_prime / m
-    return slab | dict.fromkeys(("hoop_block", "cylinder_block"), block) | {"top_block": Fraction(1)}
+def _loads(oscillator: Oscillator, on_hoop: FloatOrArray, on_cylinder: FloatOrArray) -> dict[str, FloatOrArray | float]:
+    """Return the normal force at each contact divided by mg, from both parts of the weight of the slab."""
+    return {
+        "hoop_slab": on_hoop,
+        "cylinder_slab": on_cylinder,
+        "hoop_block": on_hoop + oscillator.mass_ratio,
+        "cylinder_block": on_cylinder + oscillator.mass_ratio,
+        "top_block": 1.0,
+    }
 
 
-def _demands(oscillator: Oscillator, compression: float, spacing: float) -> dict[str, Fraction]:
-    """Return the friction required, divided by Ω²A/g: for each contact at the moment when it needs most."""
-    instance("oscillator", oscillator, Oscillator)
-    deformation = abs(Fraction(real("compression", compression)))
-    distance = _spacing_beyond(oscillator, deformation, spacing)
-    least = Fraction(1, 2) if math.isinf(distance) else (1 - deformation / Fraction(distance)) / 2
-    loads = _loads(oscillator, least)
-    return {name: abs(share) / loads[name] for name, share in _shares(oscillator).items()}
+def _force_per_load(oscillator: Oscillator, amplitude: float, spacing: float) -> dict[str, float]:
+    """Return |force|/load at each contact in units of Ω²A/g, at the end of the swing where the load is smaller."""
+    distance = _valid_spacing(oscillator, 2 * amplitude, spacing)
+    least = 1 / 2 - amplitude / distance
+    loads = _loads(oscillator, least, least)
+    return {name: abs(force) / loads[name] for name, force in _forces(oscillator).items()}
 
 
-def _spacing_beyond(oscillator: Oscillator, compression: Fraction, spacing: float) -> float:
-    """Return spacing as a float; ValueError if the two rollers overlap, or if the slab tips off them (x₀ ≥ L)."""
+def _valid_spacing(oscillator: Oscillator, compression: float, spacing: float) -> float:
+    """Return L. Raise `ValueError` if the two rollers overlap, or if the slab tips off them, that is if x₀ ≥ L."""
     distance = positive("spacing", spacing, infinite=True)
-    if math.isinf(distance):
-        return distance
     if distance <= compression:
-        sentence = _(
-            "spacing must exceed the largest compression of the spring, {compression}, or the slab tips off its "
-            "rollers; it is {spacing}"
+        raise ValueError(
+            f"spacing must exceed the largest compression of the spring, {compression:.6g} m, or the slab tips off its "
+            f"rollers; it is {distance:.6g} m"
         )
-        raise ValueError(sentence.format(compression=_metres(float(compression)), spacing=_metres(distance)))
-    if distance < 2 * oscillator.exact[3]:
-        sentence = _("spacing must be at least 2R, {least}, or the rollers overlap; it is {spacing}")
-        raise ValueError(sentence.format(least=_metres(2 * oscillator.radius), spacing=_metres(distance)))
+    if distance < 2 * oscillator.radius:
+        raise ValueError(
+            f"spacing must be at least 2R, {2 * oscillator.radius:.6g} m, or the rollers overlap; it is "
+            f"{distance:.6g} m"
+        )
     return distance
-
-
-def _metres(length: float) -> str:
-    return quantity(length, "m", 6, strip=True)

@@ -1,8 +1,16 @@
-"""The frequency of the oscillating mode as a function of the masses, and its inverse.
+"""The frequency of the oscillating mode as a function of the mass ratio, and its inverse.
 
-    Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²),    f(ε) = Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32),    ε = m′/m
+Equation (12) of the paper is φ̈ + Ω²φ = 0. With ε = m′/m its coefficient is
 
-The curve f falls from 7/4 at ε = 0 like 8/(3ε) for heavy rollers; it is 104/99 for equal masses and 1 at ε*.
+    Ω² = (k/m) / (M_x/m),    M_x/m = 3ε/8 + (8 + 7ε)/(2(7 + 6ε)) = 4/7 + 3ε/8 + ε/(14(7 + 6ε)),
+
+where M_x is the mass that the spring feels. With massless rollers it is 4m/7, and 3m′/8 is the spin of both rollers. In
+one fraction,
+
+    Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32).
+
+This curve falls from 7/4 at ε = 0 like 8/(3ε) for heavy rollers. It is 104/99 for equal masses, eq. (8), and 1 at ε*,
+eq. (14).
 """
 
 from __future__ import annotations
@@ -13,61 +21,48 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ramanujan.rounding import product_error
-from ramanujan.translation import _
-from ramanujan.validation import floats
+from ramanujan.validation import float_array
 
 UNIT_MASS_RATIO = 48 / (1 + math.sqrt(1729))
-"""ε* = (√1729 − 1)/36, where Ω² = k/m exactly; written without the subtraction, it rounds to the nearest double."""
+"""ε* = (√1729 − 1)/36, eq. (14), where Ω² = k/m. Without the subtraction it rounds to the nearest double."""
 
 LIGHT_ROLLERS_LIMIT = 7 / 4
-"""Ω²m/k for ε → 0, the least upper bound of the normalized frequency squared."""
+"""Ω²m/k for ε → 0. It is smaller for every machine with rollers."""
 
-Number = TypeVar("Number")
-
-
-def frequency_ratio(m: Number, m_prime: Number, k: Number) -> tuple[Number, Number]:
-    """Return numerator and denominator of Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic of the arguments.
-
-    >>> frequency_ratio(1, 1, 1)
-    (104, 99)
-    """
-    return 8 * k * (7 * m + 6 * m_prime), 32 * m * m + 49 * m * m_prime + 18 * m_prime * m_prime
+FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.floating])
 
 
-def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
-    """Return Ω² = 8k(7m + 6m′)/(32m² + 49mm′ + 18m′²) in the arithmetic of the arguments.
+def effective_mass_ratio(mass_ratio: FloatOrArray) -> FloatOrArray:
+    """Return M_x/m = 4/7 + (3ε/8 + ε/(14(7 + 6ε))), the mass that the spring feels in units of m.
+
+    In floating point this sum rises with ε, as the exact one does. The form with two terms does not: near ε = 10⁻¹⁵ it
+    falls from one number to the next.
 
     Parameters
     ----------
-    m, m_prime, k : m, m′ [kg] and k [N/m], all fractions, all mpmath numbers, or all symbols. Floats work too, but
-        their squares overflow or vanish beyond 1e±154: `Oscillator` is right over the whole range.
+    mass_ratio : ε = m′/m ≥ 0, dimensionless, a float or an array of floats
 
     Returns
     -------
-    Ω² [rad²/s²] : exact for fractions
+    M_x/m : of the type and shape of mass_ratio
 
-    Source: paper, section 2, the equation of motion before eq. (10).
+    Source: paper, eq. (12): the denominator of Ω² divided by 8m, as a sum of positive terms.
 
-    >>> from fractions import Fraction
-    >>> frequency_squared(Fraction(1), Fraction(1), Fraction(1))
-    Fraction(104, 99)
+    >>> effective_mass_ratio(0.0) == 4 / 7
+    True
     """
-    numerator, denominator = frequency_ratio(m, m_prime, k)
-    return numerator / denominator
+    return 4 / 7 + (3 / 8 * mass_ratio + mass_ratio / (7 + 6 * mass_ratio) / 14)
 
 
 def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] | np.floating:
-    """Return Ω²m/k, the square of the natural frequency in units of √(k/m).
+    """Return Ω²m/k = m/M_x, the square of the natural frequency in units of √(k/m).
 
-        Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32) = (7/4)/(1 + 21ε/32 + 1/(48 + 56/ε))
-
-    The last form is evaluated, with the denominator as the sum of two doubles. The result is within a few hundredths of
-    an ulp of the nearest float; it is exactly 7/4 at ε = 0, never larger, and it never increases with ε.
+    The error is at most 2.5 units in the last place for 1e-300 ≤ ε ≤ 1e300. The values fall with ε. They are exactly
+    7/4 at 0, 104/99 at 1 and 1 at ε*.
 
     Parameters
     ----------
-    mass_ratio : ε = m′/m ≥ 0, dimensionless, scalar or array of any shape; float32 in gives float32 out
+    mass_ratio : ε = m′/m ≥ 0, dimensionless, a number or an array of any shape; float32 in gives float32 out
 
     Returns
     -------
@@ -75,34 +70,35 @@ def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] 
 
     Raises
     ------
-    ValueError : a mass ratio is negative, infinite or not a number.
+    ValueError : a mass ratio is negative or not finite.
 
-    Source: paper, section 2, the equation of motion before eq. (10), in partial fractions.
+    Source: paper, eq. (12).
 
     >>> float(normalized_frequency_squared(UNIT_MASS_RATIO))
     1.0
     >>> normalized_frequency_squared([0, 1, 5 / 6])
     array([1.75      , 1.05050505, 1.125     ])
     """
-    ratio = floats("mass_ratio", mass_ratio)
-    # NaN fails both comparisons.
-    if not (np.all(ratio >= 0) and np.all(ratio < np.inf)):
-        raise ValueError(_("mass_ratio must be finite and not negative"))
-    with np.errstate(under="ignore"):
-        return _curve(ratio.astype(np.float64, copy=False)).astype(ratio.dtype)[()]
+    ratio = float_array("mass_ratio", mass_ratio)
+    if np.any(ratio < 0):
+        raise ValueError("mass_ratio must not be negative")
+    value: NDArray[np.floating] = 1 / effective_mass_ratio(ratio.astype(np.float64))
+    return value.astype(ratio.dtype)[()]
 
 
 def mass_ratio_for(normalized_frequency_squared: ArrayLike) -> NDArray[np.floating] | np.floating:
-    """Return the one mass ratio ε > 0 at which Ω²m/k has the given value w; the inverse of the function above.
+    """Return the mass ratio ε at which Ω²m/k has the value w.
 
-        18w ε² + (49w − 48) ε + (32w − 56) = 0
+    The quadratic equation 18wε² + (49w − 48)ε + (32w − 56) = 0 has exactly one positive root for 0 < w < 7/4. With
+    b = 49w − 48 and d² = (7w − 48)² + 48w² it is
 
-    With b = 49w − 48 and d = √(b² + 72w(56 − 32w)) = √((7w − 48)² + 48w²), the positive root is
-    16(7 − 4w)/(b + d) for b ≥ 0 and (d − b)/(36w) otherwise: neither form subtracts nearly equal numbers.
+        ε = 16(7 − 4w)/(d + |b|) for b ≥ 0,    ε = (d + |b|)/(36w) for b < 0.
+
+    Neither form subtracts numbers that are almost equal. The error is at most 16 units in the last place.
 
     Parameters
     ----------
-    normalized_frequency_squared : w = Ω²m/k, dimensionless, scalar or array; float32 in gives float32 out
+    normalized_frequency_squared : w = Ω²m/k, dimensionless, a number or an array; float32 in gives float32 out
 
     Returns
     -------
@@ -110,55 +106,21 @@ def mass_ratio_for(normalized_frequency_squared: ArrayLike) -> NDArray[np.floati
 
     Raises
     ------
-    ValueError : w is outside 0 < w < 7/4, or so small that ε leaves the floating-point range.
+    ValueError : w is not between 0 and 7/4, or so small that ε exceeds the largest float.
 
-    Source: physics of the unit-frequency condition, paper section 2, for a general target.
+    Source: paper, eq. (13), with w in place of 1.
 
     >>> float(mass_ratio_for(1)) == UNIT_MASS_RATIO
     True
     """
-    given = floats("normalized_frequency_squared", normalized_frequency_squared)
-    if not np.all((given > 0) & (given < LIGHT_ROLLERS_LIMIT)):
-        raise ValueError(_("normalized_frequency_squared must lie strictly between 0 and 7/4"))
-    w = given.astype(np.float64, copy=False)
+    w = float_array("normalized_frequency_squared", normalized_frequency_squared)
+    if not np.all((w > 0) & (w < LIGHT_ROLLERS_LIMIT)):
+        raise ValueError("normalized_frequency_squared must lie strictly between 0 and 7/4")
     b = 49 * w - 48
-    # The branch that is not taken may divide by a tiny number; its value is not used.
-    with np.errstate(over="ignore", under="ignore", divide="ignore"):
-        d = np.sqrt((7 * w - 48) ** 2 + 48 * w * w)
-        ratio = np.where(b >= 0, 16 * (7 - 4 * w) / (b + d), (d - b) / 36 / w).astype(given.dtype)
+    d = np.hypot(7 * w - 48, math.sqrt(48) * w)
+    total = d + np.abs(b)
+    with np.errstate(over="ignore"):
+        ratio: NDArray[np.floating] = np.where(b >= 0, 16 * (7 - 4 * w) / total, total / (36 * w))
     if not np.all(np.isfinite(ratio)):
-        raise ValueError(
-            _("normalized_frequency_squared is too small: the mass ratio would exceed the range of floats")
-        )
+        raise ValueError("normalized_frequency_squared is too small: the mass ratio exceeds the largest float")
     return ratio[()]
-
-
-def _curve(ratio: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return (7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)) for float64.
-
-    21ε/32 is held exactly as `high + low`, and 1/(48 + 56/ε) never falls as ε grows, so their sum always rises. The
-    quotient by its leading double is corrected by the exact remainder of that division. Both keep the curve falling.
-    """
-    y = ratio / 32
-    high, five_y = 21 * y, 5 * y
-    # Dekker's fast two-sum, twice: 21y = 16y + 5y and 5y = 4y + y, without an error.
-    low = (16 * y - high + five_y) + (y - (five_y - 4 * y))
-    with np.errstate(divide="ignore", over="ignore"):
-        small = 1 / (48 + 56 / ratio)
-    leading, lost = _two_sum(1.0, high)
-    leading, lost_again = _two_sum(leading, small)
-    rest = lost + (low + lost_again)
-    # Scaling by powers of two keeps the exact product below within the range for every ε.
-    leading, exponent = np.frexp(leading)
-    rest = np.ldexp(rest, -exponent)
-    quotient = 1.75 / leading
-    rounded = quotient * leading
-    remainder = (1.75 - rounded) - product_error(quotient, leading, rounded) - quotient * rest
-    return np.ldexp(quotient + remainder / leading, -exponent)
-
-
-def _two_sum(a: NDArray[np.float64] | float, b: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return fl(a + b) and a + b − fl(a + b), exactly (Knuth)."""
-    total = a + b
-    added = total - a
-    return total, (a - (total - added)) + (b - added)

@@ -1,6 +1,6 @@
-"""The contacts at the worst instant of a cycle, and close to tipping; test_whole_range.py has their forces."""
+"""The contacts at the worst moment of a cycle, and the first to slip; test_whole_range.py has their forces."""
 
-from fractions import Fraction
+import math
 
 import numpy as np
 import pytest
@@ -11,6 +11,7 @@ from ramanujan import Oscillator
 from ramanujan.contact import (
     contact_forces,
     first_to_slip,
+    largest_compression,
     normal_forces,
     required_friction,
     travel_amplitude,
@@ -49,13 +50,15 @@ def test_a_slab_that_tips_off_is_an_error_not_a_number(spacing):
     assert set(required_friction(oscillator, 0.0, spacing=spacing + 0.2).values()) == {0.0}
 
 
-@pytest.mark.parametrize("room", [1e-3, 1e-9, 1e-15])
-def test_no_digit_is_lost_close_to_tipping(room):
-    spacing = 0.2 * (1 + room)
-    far_apart = required_friction(Oscillator(), 0.2)["hoop_slab"]
-    growth = 1 / (1 - Fraction(0.2) / Fraction(spacing))
-    found = required_friction(Oscillator(), 0.2, spacing=spacing)["hoop_slab"]
-    assert found == pytest.approx(far_apart * float(growth), rel=1e-14)
+@settings(max_examples=60, deadline=None)
+@given(MACHINES, st.floats(0.01, 2), st.floats(2, 20))
+def test_the_largest_compression_is_where_the_first_contact_slips(oscillator, mu, room):
+    for spacing in (math.inf, room * oscillator.radius):
+        largest = largest_compression(oscillator, mu, spacing=spacing)
+        needed = required_friction(oscillator, largest, spacing=spacing)
+        # Close to tipping, the needed friction grows with 1/(1 − x₀/L).
+        assert max(needed.values()) == pytest.approx(mu, rel=1e-13 / (1 - largest / spacing))
+        assert needed[first_to_slip(oscillator, largest, spacing)] == max(needed.values())
 
 
 @settings(max_examples=60, deadline=None)

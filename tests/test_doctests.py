@@ -14,7 +14,7 @@ from tests.test_validation import ROOMS as CHECKED_ROOMS
 
 PAGES = ("ramanujan.pages", "ramanujan.shell")
 """A page runs when it is imported."""
-ROOMS = ("validation", "rounding", "accuracy", *CHECKED_ROOMS)
+ROOMS = ("validation", "accuracy", *CHECKED_ROOMS)
 """The numeric rooms, in which every public function has an example."""
 
 _FOUND = [module.name for module in pkgutil.walk_packages(ramanujan.__path__, "ramanujan.")]

@@ -31,11 +31,12 @@ def printed(expression):
     return sp.lambdify(symbols, plain, "mpmath"), [str(symbol) for symbol in symbols]
 
 
-def evaluated(expression, oscillator, q=(0, 0, 0), q_dot=(0, 0, 0), digits=50):
+def evaluated(expression, oscillator, q=(0, 0, 0), q_dot=(0, 0, 0), digits=50, **others):
     """The value of an expression of the derivation for a machine in a state, to so many digits."""
     function, names = printed(sp.sympify(expression))
     values = {str(m): oscillator.m, str(m_prime): oscillator.m_prime, str(k): oscillator.k, str(R): oscillator.radius}
     values |= dict(zip(("qX", "qphi", "qPhi"), q, strict=True)) | dict(zip(("vX", "vphi", "vPhi"), q_dot, strict=True))
+    values |= others
     with mpmath.workdps(digits):
         return +mpmath.mpf(function(*(mpmath.mpf(values[name]) for name in names)))
 

@@ -16,13 +16,13 @@ import streamlit as st
 from streamlit.testing.v1 import AppTest
 
 from ramanujan import Oscillator, lesson
+from ramanujan.accuracy.exact import frequency_squared
 from ramanujan.accuracy.extremes import FORMS, extremes
 from ramanujan.accuracy.measurement import Timing
 from ramanujan.accuracy.phase import phase_errors
 from ramanujan.accuracy.runs import error_history
 from ramanujan.accuracy.work_precision import WorkPrecision, cheapest
 from ramanujan.figures import speed as figures
-from ramanujan.frequency import frequency_squared
 from ramanujan.integrators import METHODS, trajectory
 from ramanujan.numerals import duration, number, power_of_ten, unbroken
 from ramanujan.pages.speed import cache, costs, downsampling, verdicts
@@ -277,17 +277,17 @@ def test_float32_is_said_to_lose_the_phase_between_the_decades_where_it_does():
     assert f"between {power_of_ten(before)} and {power_of_ten(after)} periods" in sentence
 
 
-def test_what_is_said_of_the_app_s_own_frequency_holds_for_a_machine_far_out(app):
-    """The curve's form is wrong by 2 ulp here, and has no value at all for the second machine."""
+def test_the_price_of_exactness_stands_beside_what_the_app_uses(app):
     app.session_state["fold_choices"] = True
-    said = next(each.value for each in page(app).markdown if "of a machine**:" in each.value)
-    machine, curve = (line for line in said.splitlines() if "Ω²" in line.partition("**:")[0])
-    claimed = float(re.search(r"at most ([\d.]+) ulp", machine)[1])
-    for m, m_prime, k in ((1.8732999652319045, 7.5490236095328624, 7.557978417122431), (1e-200, 1e200, 1e200)):
+    text = next(each.value for each in page(app).markdown if "of a machine, and" in each.value)
+    own = next(line for line in text.splitlines() if "of a machine, and" in line)
+    claimed, integers = map(float, re.findall(r"at most ([\d.]+) ulp", own))
+    assert integers <= 0.5 < claimed < 5
+    for m, m_prime, k in ((1.8732999652319045, 7.5490236095328624, 7.557978417122431), (1e-200, 1e100, 1e-150)):
         exact = frequency_squared(*map(Fraction, (m, m_prime, k)))
         value = Oscillator(m, m_prime, k).natural_frequency_squared
         assert abs(Fraction(value) - exact) <= Fraction(claimed) * Fraction(math.ulp(value))
-    assert unbroken(FORMS["partial_fractions"].formula) in curve
-    assert unbroken(FORMS["partial_fractions"].formula) not in machine
-    # Both times stand there, and integers are the faster way to the same digits.
-    assert re.search(r"A value takes [\d.]+\u202f(ns|µs). Fractions give the same digits in [\d.]+\u202fµs", machine)
+    assert unbroken(FORMS["effective_mass"].formula) in own
+    assert len(re.findall(r"[\d.]+\u202f(?:ns|µs)", own)) == 4
+    closed = next(line for line in text.splitlines() if "the closed form" in line)
+    assert re.search(r"below [\d.]+×10⁻¹⁶\u202frad, but each state would take [\d.]+\u202f(ns|µs) more", closed)

@@ -4,6 +4,7 @@
     work_precision   error of the integrators against evaluations and seconds; the cheapest one for a tolerance
     choices          the choices of the app itself: points of a curve, closed form, kind of arithmetic, caching
     extremes         the forms of Ω² for very large and very small numbers
+    exact            Ω² by exact integers and a phase without whole turns: what the app's own formulas are compared with
     general_solvers  eigenvalue solvers that know only the machine's matrices
     phase            the phase after 1 … 1e15 periods
     measurement      timing, and the reference arithmetic

@@ -14,9 +14,15 @@ from itertools import count
 import mpmath
 import numpy as np
 
+from ramanujan.accuracy.exact import (
+    frequency_squared,
+    frequency_squared_by_integers,
+    reduced_phase,
+    turns_per_second,
+)
 from ramanujan.accuracy.measurement import Timing, measure
 from ramanujan.accuracy.phase import largest_phase_error
-from ramanujan.frequency import UNIT_MASS_RATIO, frequency_ratio, frequency_squared, normalized_frequency_squared
+from ramanujan.frequency import UNIT_MASS_RATIO, effective_mass_ratio, normalized_frequency_squared
 from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 
@@ -38,7 +44,7 @@ _BETWEEN = np.arange(1, 32)[:, None] / 32
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The exact solution after `periods` periods: its phase error [rad] and the seconds for one state."""
+    """The closed form after `periods` periods: its phase error [rad] and the seconds for one state."""
 
     periods: int
     phase_error: float
@@ -62,7 +68,7 @@ def curve_sampling() -> dict[str, dict[int, float]]:
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
-    """Return error and cost of `motion.motion` after each number of periods; neither grows.
+    """Return error and cost of `motion.motion` after each number of periods; the error grows with them.
 
     Parameters
     ----------
@@ -84,6 +90,23 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     return found
 
 
+def seconds_per_reduction(oscillator: Oscillator) -> float:
+    """Return the seconds that one phase takes if whole turns are subtracted first.
+
+    Parameters
+    ----------
+    oscillator : the machine
+
+    Returns
+    -------
+    median [s], for one time
+
+    >>> seconds_per_reduction(Oscillator()) > 0
+    True
+    """
+    return measure(partial(reduced_phase, turns_per_second(oscillator), oscillator.period)).median
+
+
 def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
     """Return the seconds that Ω²m/k takes in several kinds of arithmetic.
 
@@ -100,9 +123,9 @@ def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
     """
     many = np.full(ARRAY, epsilon)
     cases: dict[str | int, Callable[[], object]] = {
-        "float64": lambda: normalized_frequency_squared(epsilon),
+        "float64": lambda: 1 / effective_mass_ratio(epsilon),
         "array": lambda: normalized_frequency_squared(many),
-        "integers": lambda: _by_integers(epsilon),
+        "integers": lambda: frequency_squared_by_integers(1.0, epsilon, 1.0),
         "fraction": lambda: _at(Fraction(epsilon)),
     }
     cases |= {digits: _with_digits(digits, epsilon) for digits in DIGITS}
@@ -147,13 +170,6 @@ def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
     """Return Ω²m/k in the arithmetic of ε."""
     one = type(epsilon)(1)
     return frequency_squared(one, epsilon, one)
-
-
-def _by_integers(epsilon: float) -> float:
-    """Return Ω²m/k as `Oscillator` does: one quotient of integers."""
-    m_prime, m = epsilon.as_integer_ratio()
-    numerator, denominator = frequency_ratio(m, m_prime, m)
-    return numerator / denominator
 
 
 def _with_digits(digits: int, epsilon: float) -> Callable[[], mpmath.mpf]:

@@ -2,7 +2,7 @@
 
 The FORMS of Ω² are algebraically equal, so all of them are exact in exact arithmetic. Three sweeps cover the range of
 floating point. "ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s; "machines"
-draws m, m′ and k by lot, from the whole range. The reference value is computed with 50 digits from the same floats.
+has random m, m′ and k of every size. The reference value is computed with 50 digits from the same floats.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from ramanujan.accuracy.measurement import REFERENCE, exact_frequency_squared
-from ramanujan.frequency import frequency_squared, normalized_frequency_squared
-from ramanujan.oscillator import Oscillator
+from ramanujan.accuracy.exact import exact_frequency_squared, frequency_squared, frequency_squared_by_integers
+from ramanujan.accuracy.measurement import REFERENCE
+from ramanujan.frequency import effective_mass_ratio
 from ramanujan.translation import _
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow", "zero", "plausible"
@@ -29,7 +29,7 @@ DECADES = {"float32": 37, "float64": 300}
 """The sweeps run from 10^−d to 10^d, so that m′ = ε and Ω² stay normal numbers."""
 
 MACHINES = 1000
-"""Machines drawn by lot; those whose Ω² leaves the range of the sweeps are left out."""
+"""Random machines; those whose m′/m, k/m or Ω² leaves the range of the sweeps are left out."""
 SWEPT = ("ratio", "scale", "machines")
 
 Values = NDArray[np.floating]
@@ -118,19 +118,17 @@ def _scaled(m: Values, m_prime: Values, k: Values) -> Values:
 
 
 def _effective_mass(m: Values, m_prime: Values, k: Values) -> Values:
-    return k / (3 * m_prime / 8 + m / 2 * ((8 * m + 7 * m_prime) / (7 * m + 6 * m_prime)))
+    return k / m / effective_mass_ratio(m_prime / m)
 
 
 def _partial_fractions(m: Values, m_prime: Values, k: Values) -> Values:
-    value, ratio = np.full_like(m, np.nan), m_prime / m
-    finite = np.isfinite(ratio)
-    value[finite] = (k / m)[finite] * normalized_frequency_squared(ratio[finite])
-    return value
+    ratio = m_prime / m
+    return k / m * (7 / 4) / (1 + 21 * ratio / 32 + 1 / (48 + 56 / ratio))
 
 
 def _integers(m: Values, m_prime: Values, k: Values) -> Values:
     machines = zip(m.tolist(), m_prime.tolist(), k.tolist(), strict=True)
-    return np.array([Oscillator(*machine).natural_frequency_squared for machine in machines]).astype(m.dtype)
+    return np.array([frequency_squared_by_integers(*machine) for machine in machines]).astype(m.dtype)
 
 
 FORMS: dict[str, Form] = {
@@ -141,7 +139,7 @@ FORMS: dict[str, Form] = {
         "(k/m)·8(7 + 6x)/(32 + x(49 + 18x)), x = m′/m ≤ 1; (k/m′)·8(6 + 7x)/(18 + x(49 + 32x)), x = m/m′ < 1",
         _scaled,
     ),
-    "effective_mass": Form(_("effective mass"), "k/(3m′/8 + (m/2)·((8m + 7m′)/(7m + 6m′)))", _effective_mass),
+    "effective_mass": Form(_("effective mass"), "(k/m)/(4/7 + 3ε/8 + ε/(14(7 + 6ε))), ε = m′/m", _effective_mass),
     "partial_fractions": Form(
         _("partial fractions"), "(k/m)·(7/4)/(1 + 21ε/32 + 1/(48 + 56/ε)), ε = m′/m", _partial_fractions
     ),
@@ -151,7 +149,7 @@ FORMS: dict[str, Form] = {
         _integers,
     ),
 }
-"""The forms of Ω² by name; `normalized_frequency_squared` evaluates the last but one, `Oscillator` the last one."""
+"""The forms of Ω² by name; "effective_mass" is the one that the app uses."""
 
 
 def _sweeps(along: str, dtype: str) -> Iterator[Sweep]:
@@ -171,6 +169,7 @@ def _swept(along: str, dtype: str) -> tuple[Values, Values, Values, Values]:
         exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))
         m, m_prime, k = exponents
         within = np.abs(k - np.maximum(m, m_prime)) < decades - 1
+        within &= (np.abs(m_prime - m) < decades) & (np.abs(k - m) < decades)
         m, m_prime, k = (10.0 ** exponents[:, within]).astype(dtype)
         return np.arange(m.size, dtype=dtype), m, m_prime, k
     x = powers_of_ten(dtype, 3)

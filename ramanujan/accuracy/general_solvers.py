@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ramanujan.accuracy.exact import exact_frequency_squared
 from ramanujan.accuracy.extremes import DECADES, powers_of_ten, ulp_errors
-from ramanujan.accuracy.measurement import exact_frequency_squared
 from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 

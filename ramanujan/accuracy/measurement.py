@@ -10,8 +10,6 @@ from dataclasses import dataclass
 import mpmath
 import numpy as np
 
-from ramanujan.frequency import frequency_squared
-
 _REPEATS, _SHORTEST = 7, 1e-3
 """Batches of which the median and the quartiles are taken, and the least duration of a batch [s]."""
 
@@ -49,23 +47,6 @@ def measure(call: Callable[[], object]) -> Timing:
     per_call = [_batch(call, calls) / calls for _repeat in range(_REPEATS)]
     low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
     return Timing(median, low, high)
-
-
-def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
-    """Return Ω² [rad²/s²] to 50 digits for the given numbers, taken as exact.
-
-    Parameters
-    ----------
-    m, m_prime, k : m, m′ [kg], k [N/m]
-
-    Returns
-    -------
-    a number of `REFERENCE`
-
-    >>> round(float(exact_frequency_squared(1, 1, 99)), 9)
-    104.0
-    """
-    return frequency_squared(*(REFERENCE.mpf(float(value)) for value in (m, m_prime, k)))
 
 
 def _batch(call: Callable[[], object], calls: int) -> float:

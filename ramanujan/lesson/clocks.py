@@ -38,8 +38,8 @@ def _first_lead() -> str:
 
 
 def _stiffer() -> str:
-    soft, stiff = (m.exact_frequency_squared / m.exact[2] for m in (EQUAL, STIFF))
-    return by_sign(stiff - soft, "less", "same", "more")
+    gain = STIFF.normalized_frequency_squared - EQUAL.normalized_frequency_squared
+    return by_sign(gain, "less", "same", "more")
 
 
 STOPS = (
@@ -115,7 +115,9 @@ STOPS = (
                 "instead of {equal.effective_mass:3 kg}. Which body takes up less energy now?"
             ),
         },
-        answer=lambda: by_sign(LIGHT.exact_frequency_squared - EQUAL.exact_frequency_squared, "falls", "same", "rises"),
+        answer=lambda: by_sign(
+            LIGHT.natural_frequency_squared - EQUAL.natural_frequency_squared, "falls", "same", "rises"
+        ),
         why=_(
             "Ω²m/k rises from {equal.normalized_frequency_squared:4} to {shown.normalized_frequency_squared:4}. The "
             "lower rollers hardly travel, but they spin. With equal masses their spin holds {spin:2 %} of the kinetic "
@@ -218,7 +220,7 @@ STOPS = (
             ),
         },
         answer=lambda: by_sign(
-            EQUAL.exact_frequency_squared - LARGE.exact_frequency_squared, "shorter", "same", "longer"
+            EQUAL.natural_frequency_squared - LARGE.natural_frequency_squared, "shorter", "same", "longer"
         ),
         why=_(
             "The period is {runs[0].machine.period:3 s} with {runs[0].label} and {runs[1].machine.period:3 s} with "

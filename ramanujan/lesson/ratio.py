@@ -8,7 +8,7 @@ import sympy as sp
 from ramanujan import number_theory
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import latex
-from ramanujan.frequency import UNIT_MASS_RATIO, frequency_squared
+from ramanujan.frequency import UNIT_MASS_RATIO
 from ramanujan.lesson.stop import EQUAL, FREQUENCY, Onward, Run, Stop
 from ramanujan.number_theory import BodyChoice
 from ramanujan.numerals import filled, number, quantity, unbroken, with_unit
@@ -73,7 +73,7 @@ def _displayed(*equations: str) -> str:
 
 def normalized(ratio: Fraction) -> Fraction:
     """Return Ω²m/k, exactly."""
-    return frequency_squared(Fraction(1), ratio, Fraction(1))
+    return number_theory.normalized_frequency_squared_exact(*BodyChoice().bodies, ratio)
 
 
 def _plainly(ratio: Fraction) -> str:

@@ -24,8 +24,7 @@ from math import gcd, lcm
 from types import MappingProxyType
 
 from ramanujan.number_theory import integers
-from ramanujan.translation import _
-from ramanujan.validation import one_of, rational
+from ramanujan.number_theory.arguments import rational
 
 BODIES = MappingProxyType(
     {"hoop": Fraction(1), "shell": Fraction(2, 3), "cylinder": Fraction(1, 2), "sphere": Fraction(2, 5)}
@@ -69,7 +68,7 @@ def normalized_frequency_squared_exact(
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     epsilon = rational("ratio", ratio, LARGEST_RATIO_PART)
     if epsilon < 0:
-        raise ValueError(_("ratio must not be negative"))
+        raise ValueError("ratio must not be negative")
     return (2 + gamma + 2 * epsilon) / (1 + gamma + (2 + gamma) * (2 + s) * epsilon / 4 + s * epsilon**2 / 2)
 
 
@@ -103,12 +102,11 @@ def unit_quadratic(
     """
     s, gamma = _inertia(beta_a, beta_b, beta_c)
     if s == 0:
-        raise ValueError(_("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear"))
+        raise ValueError("beta_a and beta_b must not both be 0: the equation for the mass ratio is then linear")
     w = rational("target", target, LARGEST_PART)
     limit = (2 + gamma) / (1 + gamma)
     if not 0 < w < limit:
-        sentence = _("target must lie strictly between 0 and {limit}, the limit for very light rollers")
-        raise ValueError(sentence.format(limit=limit))
+        raise ValueError(f"target must lie strictly between 0 and {limit}, the limit for very light rollers")
     return _primitive(2 * w * s, w * (2 + gamma) * (2 + s) - 8, 4 * (w * (1 + gamma) - (2 + gamma)))
 
 
@@ -228,10 +226,12 @@ def _inertia(beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor) -> t
 def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
     """Return β of a body given by name or number."""
     if isinstance(body, str):
-        return BODIES[one_of(name, body, BODIES)]
+        if body not in BODIES:
+            raise ValueError(f"{name} must be one of {', '.join(BODIES)}, not {body!r}")
+        return BODIES[body]
     beta = rational(name, body, LARGEST_PART)
     if not 0 <= beta <= 1:
-        raise ValueError(_("{name} must lie between 0 and 1").format(name=name))
+        raise ValueError(f"{name} must lie between 0 and 1")
     return beta
 
 

@@ -16,8 +16,7 @@ from math import isqrt, prod
 
 from sympy.ntheory import factorint
 
-from ramanujan.translation import _
-from ramanujan.validation import integer, sequence
+from ramanujan.number_theory.arguments import integer
 
 LARGEST_NUMBER = 10**12
 """The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""
@@ -282,9 +281,8 @@ def convergents(quotients: Sequence[int]) -> list[Fraction]:
     >>> convergents([1, 7, 1])
     [Fraction(1, 1), Fraction(8, 7), Fraction(9, 8)]
     """
-    quotients = sequence("quotients", quotients)
     if len(quotients) > MOST_TERMS:
-        raise ValueError(_("quotients must be a list of at most {most} integers").format(most=MOST_TERMS))
+        raise ValueError(f"quotients must be a list of at most {MOST_TERMS} integers")
     fractions: list[Fraction] = []
     before, last = (0, 1), (1, 0)
     for position, value in enumerate(quotients):
@@ -298,7 +296,7 @@ def _one_positive_root(a: int, b: int, c: int) -> Quadratic:
     """Return the coefficients, or raise ValueError unless a > 0 > c."""
     a, b, c = _coefficients(a, b, c)
     if not a > 0 > c:
-        raise ValueError(_("a must be positive and c negative, so that exactly one root is positive"))
+        raise ValueError("a must be positive and c negative, so that exactly one root is positive")
     return a, b, c
 
 
@@ -307,7 +305,7 @@ def _coefficients(a: int, b: int, c: int) -> Quadratic:
     bound = LARGEST_COEFFICIENT
     a, b, c = integer("a", a, -bound, bound), integer("b", b, -bound, bound), integer("c", c, -bound, bound)
     if a == 0:
-        raise ValueError(_("a must not be 0 in a quadratic"))
+        raise ValueError("a must not be 0 in a quadratic")
     return a, b, c
 
 

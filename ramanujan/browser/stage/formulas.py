@@ -11,7 +11,7 @@ from ramanujan.derivation.newton import contact_forces, floor_lever, normal_forc
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.derivation.printers import plain_text
 from ramanujan.derivation.solution import coefficients
-from ramanujan.oscillator import DRAWN_SPACING, GRAVITY
+from ramanujan.oscillator import GRAVITY, SPACING_GAP, SPACING_PER_RADIUS
 
 SHAPE_FACTORS = {"hoop": float(model.HOOP), "cylinder": float(model.SOLID_CYLINDER), "top": float(model.SOLID_CYLINDER)}
 """β of the paper's rollers."""
@@ -24,8 +24,9 @@ def formulas() -> dict[str, Any]:
     eliminated = eliminate(bodies)
     frequency_squared = eliminated.natural_frequency_squared
     Omega = sp.Symbol("Omega", positive=True)
-    per_radius, gap = map(sp.Rational, DRAWN_SPACING)
-    spacing, g = per_radius * R + gap, sp.Rational(str(GRAVITY))
+    # Rational numbers, from the decimals of the source text.
+    per_radius, gap, g = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP, GRAVITY))
+    spacing = per_radius * R + gap
     others = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
     # φ has no drift, so that φ̈ = −Ω²φ at every moment.
     own = {phi.diff(t, 2): -(Omega**2) * phi}

@@ -1,13 +1,13 @@
 """The sections of page 5 on the extremes: large and small numbers, long times, a general solver, what the app uses."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.accuracy.choices import DIGITS, HEIGHT, STATES
-from ramanujan.accuracy.extremes import FORMS, RIGHT, Sweep
+from ramanujan.accuracy.extremes import FORMS, Sweep
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.figures import speed as figures
 from ramanujan.numerals import duration, filled, number, unbroken
@@ -30,18 +30,15 @@ SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 _CHOICES = (
     _(
         "**Motion, stage and figures**: the closed form. For equal masses of 1\u202fkg and k\u00a0=\u00a01\u202fN/m "
-        "its phase error is at most {phase_error:2↑ rad} from {first} to {last:2} periods. A state takes {state}, "
-        "however long after the release."
+        "its phase error is at most {phase_error:2↑ rad} from {first} to {last:2} periods, and a state takes {state}. "
+        "The error grows with the number of periods. If whole turns were subtracted first, it would stay below "
+        "{reduced_error:2↑ rad}, but each state would take {reduced} more."
     ),
     _(
-        "**Ω² of a machine**: {machine_formula}. For {machines:2} random machines over the whole range of float64, the "
-        "error is at most {machine_error:2↑} ulp. A value takes {integers}. Fractions give the same digits in "
-        "{fraction}."
-    ),
-    _(
-        "**The curve of Ω²m/k**: {curve_formula}, for k\u00a0=\u00a0m. It computes whole arrays: a value takes "
-        "{array} in an array and {float64} by itself. For the same machines its error is up to {curve_error:2↑} ulp, "
-        "and it fails for {failed} of them."
+        "**Ω² of a machine, and the curve of Ω²m/k**: the effective mass, {formula}. The error is at most "
+        "{error:2↑} ulp for {machines:2} random machines whose ratios m′/m and k/m are of every size. A value takes "
+        "{float64} by itself and {array} in an array. Exact integers have an error of at most {integers_error:2↑} ulp "
+        "and take {integers}. Fractions give the same digits in {fraction}."
     ),
     _(
         "**Formulas and steps of the derivation**: exact fractions. One value of Ω² takes {fraction} and has no "
@@ -131,27 +128,27 @@ def general_solver() -> None:
 
 def what_the_app_uses() -> None:
     """List what the app uses where, why, and the measurement behind it."""
-    states, curves, kinds, comparisons = cache.choices()
+    found = cache.choices()
     drawn = {each.form: each for each in cache.sweeps()[0] if (each.along, each.dtype) == ("machines", "float64")}
-    machine, curve = drawn["integers"], drawn["partial_fractions"]
-    enough = {name: next((n, off) for n, off in found.items() if off < 0.5) for name, found in curves.items()}
+    own = drawn["effective_mass"]
+    enough = {name: _fewest_points(distances) for name, distances in found.curves.items()}
     rounding = float(np.finfo(np.float32).eps) / 2
-    said = filled(
+    text = filled(
         "\n".join(f"- {sentence}" for sentence in _CHOICES),
-        first=states[0].periods,
-        last=states[-1].periods,
-        phase_error=max(each.phase_error for each in states),
-        state=duration(float(np.median([each.seconds.median for each in states]))),
-        machines=machine.x.size,
-        machine_formula=unbroken(FORMS[machine.form].formula),
-        machine_error=machine.worst_right_ulp,
-        curve_formula=unbroken(FORMS[curve.form].formula),
-        curve_error=curve.worst_right_ulp,
-        failed=int(np.count_nonzero(curve.verdict != RIGHT)),
-        **{kind: duration(seconds) for kind, seconds in kinds.items() if kind not in DIGITS},
-        few=duration(kinds[DIGITS[0]]),
+        first=found.states[0].periods,
+        last=found.states[-1].periods,
+        phase_error=max(each.phase_error for each in found.states),
+        state=duration(float(np.median([each.seconds.median for each in found.states]))),
+        reduced_error=max(each.reduced for each in cache.phases(Oscillator())),
+        reduced=duration(found.reduction),
+        formula=unbroken(FORMS[own.form].formula),
+        machines=own.x.size,
+        error=own.worst_right_ulp,
+        integers_error=drawn["integers"].worst_right_ulp,
+        **{kind: duration(seconds) for kind, seconds in found.arithmetics.items() if kind not in DIGITS},
+        few=duration(found.arithmetics[DIGITS[0]]),
         few_digits=DIGITS[0],
-        many=duration(kinds[DIGITS[-1]]),
+        many=duration(found.arithmetics[DIGITS[-1]]),
         many_digits=DIGITS[-1],
         height=HEIGHT,
         **{name: n for name, (n, _off) in enough.items()},
@@ -159,7 +156,12 @@ def what_the_app_uses() -> None:
         part=1 / rounding,
         finer=0.5 / SCREEN_HEIGHT / rounding,
         screen=SCREEN_HEIGHT,
-        **{f"kept_{name}": ratio for name, ratio in comparisons.items()},
+        **{f"kept_{name}": ratio for name, ratio in found.kept.items()},
         n=STATES,
     )
-    st.markdown(said)
+    st.markdown(text)
+
+
+def _fewest_points(distances: Mapping[int, float]) -> tuple[int, float]:
+    """Return the fewest points that draw a curve to half a pixel, and the distance that is left [pixels]."""
+    return next((points, distance) for points, distance in distances.items() if distance < 0.5)

@@ -66,13 +66,13 @@ def growing_errors(method: str, steps: int) -> int:
         runs = [cache.run(name, steps, periods, precision) for name in METHODS if compared == "all" or name == method]
     run = cache.run(method, steps, periods, precision)
     phases = cache.phases(sidebar.oscillator())
-    exact = np.array([(p.periods, p.reduced) for p in phases if p.periods <= max(periods, 10)])
+    exact = np.array([(p.periods, p.float64) for p in phases if p.periods <= max(periods, 10)])
     curves = {METHODS[each.method].title: (each.reach, each.energy, each.phase) for each in runs}
     titles = [each.title for each in METHODS.values()]
     figure = figures.error_growth(curves, METHODS[method].title, (exact[:, 0], exact[:, 1]), titles, theme.colors())
     sees = _(
-        "Energy error and phase error over the number of periods: the methods’ phase errors grow with time, that of "
-        "the closed form does not. {errors}"
+        "Energy error and phase error over the number of periods. The phase errors of the methods grow with time. That "
+        "of the closed form grows too, but it stays near the rounding error. {errors}"
     )
     with place:
         drawings.plot(figure, "growth", sees.format(errors=" ".join(map(_found, runs))))
