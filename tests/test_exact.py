@@ -45,7 +45,7 @@ def test_a_rounded_decimal_is_near(p, q):
     [
         (-HALF, r"- \frac{1}{2}"),
         ((37 - ROOT) / 36, r"- \frac{\sqrt{1729} - 37}{36}"),
-        (37 - ROOT, r"- (\sqrt{1729} - 37)"),
+        (37 - ROOT, r"- \left(\sqrt{1729} - 37\right)"),
         (5 * (41 - ROOT) / 7, r"- \frac{5\,\left(\sqrt{1729} - 41\right)}{7}"),
         (2 * ROOT, r"2\,\sqrt{1729}"),
         (HALF / (15 * 10**6), r"3.3333333\ldots \times 10^{-8}"),

@@ -24,7 +24,7 @@ def test_each_remark_holds_and_says_where_and_why():
     [
         ("Introduction", "91=6^3+(-5)^3=4^3+3^3"),
         ("Section 1", f"{104 / 99:.4f}"),
-        ("constants", r"c_{2} = \frac{3\,R}{2}"),
+        ("constants", r"c_{2} = \frac{3}{2}\,R"),
         ("four equations", r"\ddot{X} = - \Omega^{2}\,X"),
         ("last sentence", r"0, \  0, \  \Omega^{2}"),
     ],

@@ -73,9 +73,9 @@ def test_six_steps_show_their_results_without_a_click_and_nothing_twice(app):
     folded = [line.replace("dfrac", "frac") for line in folded]
     assert [line[2:4] for line in folded] == [f"{n}." for n in range(1, 7)]
     lagrangian, acceleration, inserted, ratio = (folded[n] for n in (1, 3, 4, 5))
-    assert r"\mathcal{L} = - 2\,R^{2}\,k\,\varphi^{2} + " in lagrangian
-    assert r"\ddot{X} = \frac{6\,R\,\left(m + m'\right)\,\ddot{\varphi}}{7\,m + 6\,m'}" in acceleration
-    assert r"- {\frac{12\,R\,\left(m + m'\right)^{2}\,\ddot{\varphi}}{7\,m + 6\,m'}} = 0" in inserted
+    assert r"\mathcal{L} = \frac{1}{2}\,\left(3\,m + 2\,m'\right)\,\dot{X}^{2} + " in lagrangian
+    assert r"\ddot{X} = \frac{6\,\left(m + m'\right)}{7\,m + 6\,m'}\,R\,\ddot{\varphi}" in acceleration
+    assert r"- {\frac{12\,\left(m + m'\right)^{2}}{7\,m + 6\,m'}\,R\,\ddot{\varphi}} + 4\,k\,R\,\varphi = 0" in inserted
     assert r"\Omega^{2} = \frac{8\,k\,\left(7\,m + 6\,m'\right)}" in inserted
     quadratic = [r"18\,\varepsilon^{2} + \varepsilon - 24 = 0", r"\left(36\,\varepsilon + 1\right)^{2} = 1729"]
     assert 0 < ratio.index(quadratic[0]) < ratio.index(quadratic[1]) < ratio.index(r"\frac{\sqrt{1729} - 1}{36}")

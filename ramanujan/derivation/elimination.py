@@ -6,7 +6,7 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.model import COORDINATES, Machine, Phi, R, X, epsilon, equation, gather, k, m, m_prime, phi, t
-from ramanujan.derivation.printers import in_order
+from ramanujan.derivation.order import in_order, ordered_terms
 
 X_ddot, phi_ddot, Phi_ddot = (q.diff(t, 2) for q in COORDINATES)
 
@@ -40,7 +40,7 @@ class Elimination:
         """Numerator of Ω², and the terms of its denominator one by one.  Source: paper, eq. (12)."""
         direct, through_block = self.motion[phi].coeff(phi_ddot), self.motion[phi].coeff(X_ddot) * self.X_from_phi
         unit = direct.as_independent(m, m_prime)[0]
-        terms = (*sp.expand(direct / unit).as_ordered_terms(), sp.factor(through_block / phi_ddot / unit))
+        terms = (*ordered_terms(sp.expand(direct / unit)), sp.factor(through_block / phi_ddot / unit))
         return sp.cancel(self.motion[phi].coeff(phi) / unit), terms
 
 
@@ -61,7 +61,7 @@ def eliminate(bodies: Machine) -> Elimination:
     motion = {q: gather(sp.cancel(operated[q] / common[q])) for q in COORDINATES}
     (Phi_from_X,) = sp.solve(motion[Phi], Phi_ddot)
     (X_from_phi,) = sp.solve(motion[X].subs(Phi_ddot, Phi_from_X), X_ddot)
-    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in motion[phi].as_ordered_terms()))
+    inserted = in_order(*(sp.factor(term.subs(X_ddot, X_from_phi)) for term in ordered_terms(motion[phi])))
     remaining = gather(inserted.doit())
     return Elimination(
         lagrangian,
@@ -109,7 +109,7 @@ class UnitCondition:
     def completed_square(self) -> sp.Eq:
         """(2aε + b)² = b² − 4ac, the quadratic times 4a with the square completed.  Source: paper, section 2.1."""
         a, b = self.quadratic.all_coeffs()[:2]
-        return equation((2 * a * epsilon + b) ** 2, self.discriminant)
+        return equation(in_order(2 * a * epsilon, b) ** 2, self.discriminant)
 
 
 def unit_condition(natural_frequency_squared: sp.Expr) -> UnitCondition:

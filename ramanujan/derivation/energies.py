@@ -8,7 +8,8 @@ from functools import cache
 import sympy as sp
 
 from ramanujan.derivation.model import Body, Machine, R, equation, gather, k, m, m_prime, machine, t
-from ramanujan.derivation.printers import in_order, latex
+from ramanujan.derivation.order import in_order
+from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step, blackboard, insert, step
 from ramanujan.translation import _
 

@@ -10,7 +10,8 @@ from ramanujan.derivation.elimination import Elimination, Phi_ddot, X_ddot, elim
 from ramanujan.derivation.energies import COLLECTED, bodies_steps
 from ramanujan.derivation.in_step import close_to_one_step, unit_steps
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, gather, k, m, m_prime, phi, t
-from ramanujan.derivation.printers import in_order, latex
+from ramanujan.derivation.order import in_order
+from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
@@ -95,7 +96,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             _("Insert the block’s acceleration"),
             _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
             equation(result.inserted, zero),
-            equation(in_order(spring * phi, spring / numerator * in_order(*terms) * phi_ddot), zero),
+            equation(in_order(spring / numerator * in_order(*terms) * phi_ddot, spring * phi), zero),
             equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
             operations=(

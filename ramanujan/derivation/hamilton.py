@@ -9,6 +9,7 @@ import sympy as sp
 
 from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, equation, gather, phi, t
+from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import ROUTES, Route, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
@@ -109,7 +110,7 @@ def build(bodies: Machine) -> Route:
                 "momenta. The sum is $2T$, because $T$ is quadratic in the velocities. So $\\mathcal H$ is the energy "
                 "$T+U$."
             ),
-            equation("H", sp.Add(*(p * v for p, v in zip(MOMENTA, VELOCITIES, strict=True))) / 2 + sp.Symbol("U")),
+            equation("H", in_order(*(p * v / 2 for p, v in zip(MOMENTA, VELOCITIES, strict=True)), sp.Symbol("U"))),
             equation("H", hamiltonian),
             operations=(r"\textstyle\sum p_q\dot q-\mathcal{L}", insert(*VELOCITIES, "U")),
         ),

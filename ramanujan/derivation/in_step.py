@@ -8,7 +8,8 @@ from ramanujan.derivation import model
 from ramanujan.derivation.elimination import Elimination, unit_condition
 from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, equation, k, m, m_prime
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.printers import in_order, latex
+from ramanujan.derivation.order import in_order
+from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step, blackboard, insert, solve_for, step
 from ramanujan.number_theory import sums_of_two_cubes
 from ramanujan.translation import _

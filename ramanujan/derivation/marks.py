@@ -11,7 +11,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from ramanujan.derivation.model import R
-from ramanujan.derivation.templates import GIVEN, template
+from ramanujan.derivation.numbers import GIVEN
+from ramanujan.derivation.order import ordered_terms
 
 _CONSTANTS = {*GIVEN, R}
 _FEW = 2
@@ -95,7 +96,7 @@ def _terms(equation: sp.Eq) -> dict[tuple[int, int], sp.Expr]:
     return {
         (side, place): sign * term
         for side, (sign, expression) in enumerate(sides)
-        for place, term in enumerate(template(expression, with_slots=False).terms)
+        for place, term in enumerate(ordered_terms(expression))
         if term != 0
     }
 

@@ -9,17 +9,22 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import count
+from math import prod
 from typing import Any
 
 import sympy as sp
+from sympy.utilities.iterables import sift
 
 from ramanujan.derivation import model
 from ramanujan.derivation.elimination import UnitCondition, eliminate, unit_condition
 from ramanujan.derivation.model import k, m, m_prime, machine
+from ramanujan.derivation.order import InOrder, in_order, ordered_terms
 from ramanujan.derivation.printers import DIGITS, Number, decimal_of, latex, rounded
 from ramanujan.numerals import in_latex
 from ramanujan.translation import _
 
+GIVEN = (m, m_prime, k)
+"""The symbols that have a value."""
 _DIGITS_OF_A_FLOAT = 15
 """So many digits, and more, tell a float from its neighbours."""
 _SIMPLE = 10_000
@@ -61,6 +66,86 @@ class Numbers:
         if stands_for_the_root(self.m, self.m_prime):
             read[m_prime] = unit_frequency_condition().root * read[m]
         return read
+
+    def put_into(self, expression: sp.Basic) -> sp.Basic:
+        """Return an expression with the numbers instead of m, m′ and k; its sums keep the order of their terms.
+
+        Each part that is a rational function of m, m′ and k alone becomes one number.
+
+        Parameters
+        ----------
+        expression : an expression, a matrix or a tuple
+
+        >>> Numbers(2, 1, 3).put_into(m * model.R * model.X + 4 * k * (m + m_prime) * model.phi)
+        2*R*X(t) + 36*varphi(t)
+        """
+        if expression.free_symbols.isdisjoint(GIVEN):
+            return expression
+        if _is_number(expression):
+            return self.value(expression)
+        if expression.is_Add:
+            return in_order(*(part for parts in self.terms(expression) for part in parts))
+        if expression.is_Mul:
+            return self._put_into_product(expression)
+        return expression.func(*map(self.put_into, expression.args))
+
+    def terms(self, total: sp.Basic) -> list[tuple[sp.Basic, ...]]:
+        """Return the terms of a sum with the numbers put in; where a number meets a bracket, one becomes several."""
+        if _is_number(total):
+            return [(self.value(total),)]
+        filled = map(self.put_into, ordered_terms(total))
+        return [term.args if isinstance(term, InOrder) else (term,) for term in filled]
+
+    def value(self, expression: sp.Expr) -> sp.Expr:
+        """Return the value of a rational function of m, m′ and k, exactly; m′ may contain a square root."""
+        found = expression.xreplace(self.exact)
+        return found if found.is_Rational else _with_one_root(found)
+
+    def _put_into_product(self, expression: sp.Mul) -> sp.Expr:
+        """Return a product with the numbers put in; a number before a sum goes into it, and a denominator with it."""
+        numbers, others = sift(expression.args, _is_number, binary=True)
+        sums = [factor for factor in others if factor.is_Add]
+        if not numbers or not sums:
+            number = [self.value(sp.Mul(*numbers))] if numbers else []
+            return expression.func(*number, *map(self.put_into, others))
+        others.remove(sums[0])
+        below, others = sift(others, lambda factor: factor.is_Pow and factor.exp.is_negative, binary=True)
+        distributed = sp.Add(*(sp.Mul(*numbers, term, *below) for term in sums[0].args))
+        return self.put_into(sp.Mul(distributed, *others))
+
+
+def _with_one_root(number: sp.Expr) -> sp.Expr:
+    """Return a number made from fractions and one square root as p + r√n; `radsimp` is thirty times as slow."""
+    (root,) = {power for power in number.atoms(sp.Pow) if power.exp == sp.Rational(1, 2)}
+    field = _field(root)
+
+    def element(part: sp.Expr) -> Any:
+        """Return a part of the number as an element of the field of all p + r√n."""
+        if part == root:
+            return field.unit
+        if part.is_Add:
+            return sum(map(element, part.args), field.zero)
+        if part.is_Mul:
+            return prod(map(element, part.args), start=field.one)
+        return element(part.base) ** int(part.exp) if part.is_Pow else field.from_sympy(part)
+
+    return field.to_sympy(element(number))
+
+
+@cache
+def _field(root: sp.Pow) -> Any:
+    return sp.QQ.algebraic_field(root)
+
+
+def _is_number(expression: sp.Basic) -> bool:
+    """Tell whether the expression is a rational function of m, m′ and k alone, not written term by term."""
+    if expression.is_Symbol:
+        return expression in GIVEN
+    if isinstance(expression, InOrder):
+        return False
+    return bool(expression.is_Rational) or (
+        isinstance(expression, sp.Add | sp.Mul | sp.Pow) and all(map(_is_number, expression.args))
+    )
 
 
 def stands_for_the_root(mass: float, roller_mass: float) -> bool:

@@ -4,10 +4,10 @@ Nothing is derived here and nothing is typed: what goes in is a SymPy expression
 numbers (p + r√n)/q have LaTeX and decimals of their own: “=” where a decimal is exact, “≈” where it is rounded.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Context, Decimal
 from functools import cache, lru_cache
-from math import gcd
+from math import gcd, lcm
 from typing import Any, NamedTuple
 
 import sympy as sp
@@ -15,6 +15,7 @@ from sympy.physics.vector.printing import VectorLatexPrinter, VectorPrettyPrinte
 from sympy.printing.latex import translate
 
 from ramanujan.derivation import model
+from ramanujan.derivation.order import InOrder, Product, is_coefficient, is_motion, ordered_terms, product
 from ramanujan.numerals import in_latex
 from ramanujan.translation import pgettext
 
@@ -47,28 +48,14 @@ _PLAIN = {
 
 _EXACTLY = Context(prec=200)
 
+Highlight = tuple[tuple[sp.Basic, str], ...]
+"""Symbols, or functions of time, and their colours."""
+
 LONG = 10**7
 """A denominator from this size on has too many digits to read; the number is then written as a decimal."""
 
 DIGITS = 8
 """Significant digits of a decimal."""
-
-
-class InOrder(sp.Add):
-    """A sum whose like terms are not collected, printed in its order; any calculation makes it a plain sum.
-
-    >>> x = sp.Symbol("x")
-    >>> print(latex(in_order(3 * x, -x)), in_order(3 * x, -x).subs(x, 1))
-    3\\,x - x 2
-    """
-
-    def __new__(cls, *terms: sp.Expr, evaluate: bool = True) -> sp.Add:
-        return sp.Add(*terms) if evaluate else super().__new__(cls, *terms, evaluate=False)
-
-
-def in_order(*terms: sp.Expr) -> InOrder:
-    """Return a sum whose terms stay as they are."""
-    return InOrder(*terms, evaluate=False)
 
 
 class LatexPrinter(VectorLatexPrinter):
@@ -82,19 +69,50 @@ class LatexPrinter(VectorLatexPrinter):
         text = super()._print(expr, **kwargs)
         return colored(text, self._highlight.get(expr)) if self._highlight and isinstance(expr, sp.Basic) else text
 
+    def _print_Integer(self, expr: sp.Integer) -> str:
+        return str(expr)
+
     def _print_Rational(self, expr: sp.Rational) -> str:
-        if expr.q < LONG:
-            return super()._print_Rational(expr)
-        return ("- " if expr.p < 0 else "") + truncated(Number(abs(expr.p), expr.q))
+        return self._product(Product(expr, (), ()))
 
     def _print_Add(self, expr: sp.Add, order: str | None = None) -> str:
-        if isinstance(expr, InOrder):
-            return super()._print_Add(expr, "none")
-        if expr.is_number and len(expr.args) == 2 and expr.args[0].is_Rational and expr.args[0] < 0:
-            # √1729 − 1, as it is written by hand, and not −1 + √1729.
-            number, root = expr.args
-            return f"{self._print(root)} - {self._print(-number)}"
-        return super()._print_Add(expr, order)
+        if isinstance(expr, InOrder) or not expr.is_number:
+            return joined([self._print(term) for term in ordered_terms(expr)])
+        return super()._print_Add(expr, order) if exact(expr) is None else self._product(Product(expr, (), ()))
+
+    def _print_Mul(self, expr: sp.Expr) -> str:
+        return self._product(product(expr))
+
+    def _product(self, term: Product) -> str:
+        """Return a product as coefficient and motion, such as ¾mR²Φ̇²; the coefficient may be a longer fraction.
+
+        A fraction whose numerator is one sum, or without masses, is not divided: (8m + 7m′)/2 and 2p/(3R).
+        """
+        number = exact(term.number)
+        if number is None:
+            return super()._print_Mul(sp.Mul(term.number, *term.above, *(1 / factor for factor in term.below)))
+        sign, numerator, denominator, is_sum = number_to_latex(number)
+        coefficient, behind = _divided(term)
+        if denominator and not term.below and (behind or [f.is_Add for f in term.above] != [True]):
+            numerator, denominator = rf"\frac{{{numerator}}}{{{denominator}}}", ""
+        elif is_sum and (term.above or (sign < 0 and not term.below)):
+            numerator = rf"\left({numerator}\right)"
+        below = self._side_by_side(denominator, term.below)
+        if below:
+            numerator, coefficient = rf"\frac{{{self._side_by_side(numerator, coefficient)}}}{{{below}}}", ()
+        text = self._side_by_side(numerator, (*coefficient, *behind), is_term=sign < 0)
+        return f"- {text}" if sign < 0 else text
+
+    def _side_by_side(self, number: str, factors: Sequence[sp.Expr], is_term: bool = False) -> str:
+        """Return the factors behind a number, which is left out where it is 1 or empty.
+
+        A sum is put in brackets, but for one that is alone and no term of another sum.
+        """
+        numbers = [number] if number not in ("", "1") or (number and not factors) else []
+        if len(factors) == 1 and not numbers and not is_term:
+            return self._print(factors[0])
+        brackets = (rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in factors)
+        return r"\,".join((*numbers, *brackets))
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
         return _dotted(expr)
@@ -105,6 +123,15 @@ class LatexPrinter(VectorLatexPrinter):
         if is_word and expr not in self._settings["symbol_names"]:
             return rf"{super()._print_Symbol(sp.Symbol(letter))}_{{\text{{{_SUBSCRIPTS.get(word, word)}}}}}"
         return super()._print_Symbol(expr, style)
+
+
+def _divided(term: Product) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """Return the factors that belong to the coefficient of a product, and those that are written behind it."""
+    coefficient = tuple(filter(is_coefficient, term.above))
+    has_symbols = any(factor.free_symbols for factor in term.below)
+    if any(map(is_motion, term.below)) or (has_symbols and not coefficient):
+        return term.above, ()
+    return coefficient, term.above[len(coefficient) :]
 
 
 @cache
@@ -124,6 +151,17 @@ def latex(expression: sp.Basic) -> str:
     "m'\\\\,\\\\ddot{X}"
     """
     return LatexPrinter({}).doprint(expression)
+
+
+def joined(texts: Sequence[str]) -> str:
+    """Return a sum from the LaTeX of its terms."""
+    return "".join(signed(texts))
+
+
+def signed(texts: Sequence[str]) -> list[str]:
+    """Return the LaTeX of the terms of a sum, each but the first behind its sign; a zero is left out."""
+    first, *others = [text for text in texts if text != "0"] or ["0"]
+    return [first, *(f" - {each[1:].lstrip()}" if each[0] == "-" else f" + {each}" for each in others)]
 
 
 def colored(formula: str, color: str | None) -> str:
@@ -194,6 +232,25 @@ class Number(NamedTuple):
             return Decimal(self.p)
         context = Context(prec=40 + 2 * len(str(abs(self.p) + abs(self.r))))
         return context.fma(Decimal(self.r), context.sqrt(Decimal(self.n)), Decimal(self.p))
+
+
+def exact(value: sp.Expr) -> Number | None:
+    """Return a SymPy number as (p + r√n)/q, or None if it is no such number.
+
+    >>> exact((sp.sqrt(1729) - 1) / 36)
+    Number(p=-1, q=36, r=1, n=1729)
+    """
+    if value.is_Rational:
+        return Number(int(value.p), int(value.q))
+    parts = sp.expand(value).as_coefficients_dict()
+    roots = [part for part in parts if part != 1]
+    root = roots[0] if roots else None
+    is_root = len(roots) == 1 and root.is_Pow and root.base.is_Integer and root.exp == sp.Rational(1, 2)
+    if not is_root or not all(coefficient.is_Rational for coefficient in parts.values()):
+        return None
+    p, r = sp.Rational(parts[sp.S.One]), sp.Rational(parts[root])
+    q = lcm(int(p.q), int(r.q))
+    return Number.of(int(p * q), int(r * q), q, int(root.base))
 
 
 class Printed(NamedTuple):

@@ -14,9 +14,9 @@ import sympy as sp
 
 from ramanujan.derivation.model import M_clamped, M_e, M_x, Omega_clamped_squared, Omega_squared, epsilon
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.printers import decimal_of, number_to_latex
+from ramanujan.derivation.order import InOrder, ordered_terms
+from ramanujan.derivation.printers import Highlight, LatexPrinter, decimal_of, exact, number_to_latex, signed
 from ramanujan.derivation.steps import Step
-from ramanujan.derivation.templates import Highlight, template
 
 Dress = tuple[tuple[int, int, str], ...]
 """Side and place of terms, each with the command of LaTeX that is put before it."""
@@ -134,17 +134,32 @@ def row(
     label : LaTeX before the equation
     dress : what is done to terms
     """
-    left, right = sides = [side_terms(side, numbers, highlight) for side in equation.args]
-    for side, place, command in dress:
-        sign, term = re.fullmatch(r"( [+-] |- )?(.*)", sides[side][place]).groups("")
-        sides[side][place] = rf"{sign}{command}{{{term}}}"
+    left, right = (
+        side_terms(side, numbers, highlight, [each[1:] for each in dress if each[0] == number])
+        for number, side in enumerate(equation.args)
+    )
     labelled = [rf"{label}:\ ", *left] if label else left
     return Row("".join(labelled), tuple(right), _value(equation, numbers) if numbers else "")
 
 
-def side_terms(side: sp.Basic, numbers: Numbers | None = None, highlight: Highlight = ()) -> list[str]:
-    """Return the terms of one side as LaTeX, each with its sign."""
-    return template(side, highlight, numbers is not None).filled(numbers)
+def side_terms(
+    side: sp.Basic,
+    numbers: Numbers | None = None,
+    highlight: Highlight = (),
+    dress: Sequence[tuple[int, str]] = (),
+) -> list[str]:
+    """Return the terms of one side as LaTeX, each with its sign; what is done to a term is done to all its parts."""
+    printer, texts = LatexPrinter(dict(highlight)), []
+    parts_of_terms = numbers.terms(side) if numbers else [(term,) for term in ordered_terms(side)]
+    for place, parts in enumerate(parts_of_terms):
+        for part in parts:
+            text = printer.doprint(part)
+            for _place, command in (each for each in dress if each[0] == place):
+                sign, unsigned = re.fullmatch("(- )?(.*)", text).groups("")
+                text = rf"{sign}{command}{{{unsigned}}}"
+            if part != 0:
+                texts.append(text)
+    return signed(texts or ["0"])
 
 
 def _value(equation: sp.Eq, numbers: Numbers) -> str:
@@ -152,10 +167,12 @@ def _value(equation: sp.Eq, numbers: Numbers) -> str:
 
     The mass ratio itself is what was set; its decimal would add nothing.
     """
-    made = template(equation.rhs)
-    if len(made.numbers) != 1 or equation.rhs != made.numbers[0] or equation.lhs == epsilon:
+    value = numbers.put_into(equation.rhs)
+    is_computed = equation.rhs.free_symbols and isinstance(value, sp.Expr) and not isinstance(value, InOrder)
+    number = exact(value) if is_computed and value.is_number and equation.lhs != epsilon else None
+    if number is None:
         return ""
-    (number,), unit = made.evaluated(numbers), _UNITS.get(equation.lhs, "")
+    unit = _UNITS.get(equation.lhs, "")
     return unit if number_to_latex(number).says_all else f" {decimal_of(number)}{unit}"
 
 

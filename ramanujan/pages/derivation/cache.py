@@ -17,7 +17,8 @@ from ramanujan.derivation.export import to_beamer, to_latex, to_markdown, to_not
 from ramanujan.derivation.matrix import Modes, modes
 from ramanujan.derivation.model import COORDINATES, MOMENTA, Omega_squared, equation, machine
 from ramanujan.derivation.numbers import Numbers
-from ramanujan.derivation.printers import InOrder, colored
+from ramanujan.derivation.order import InOrder
+from ramanujan.derivation.printers import colored
 from ramanujan.derivation.remarks import conserved_momenta
 from ramanujan.derivation.rows import Dress, Row, aligned, row, rows
 from ramanujan.lesson.picture import machine_tikz
