@@ -14,8 +14,12 @@ a figure, and the text itself stays plain for screen readers, searches and copie
 keep their own form.
 """
 
+import html
 import io
 import re
+import subprocess
+import sys
+from functools import cache
 from pathlib import Path
 
 import streamlit
@@ -28,8 +32,10 @@ from fontTools.ttLib.tables.TupleVariation import TupleVariation
 from fontTools.varLib import instancer
 from fontTools.varLib.hvar import add_HVAR
 
+from ramanujan.catalogue import COMPLETE
 from tests.browser import ROOT
 
+STANDALONE = ROOT / "ramanujan/browser/standalone"
 PAGE = ROOT / "ramanujan/browser/components"
 ORIGINALS = Path(streamlit.__file__).parent / "static" / "static" / "media"
 FONTS = {
@@ -82,6 +88,32 @@ def main() -> None:
         font.flavor = "woff2"
         font.save(PAGE / "fonts" / f"{name}.woff2")
     icons().save(PAGE / "icons.woff2")
+    for name in FONTS:
+        cut_for_the_file(name).save(STANDALONE / f"{name}.woff2")
+
+
+def cut_for_the_file(name: str) -> TTFont:
+    """Return one of the app's fonts with the characters that the standalone file shows in the complete languages."""
+    files = [standalone(language) for language in ("en", *COMPLETE)]
+    if name == "headings":
+        files = [heading for file in files for heading in re.findall(r"<h[12]>(.*?)</h", file)]
+    font = TTFont(PAGE / "fonts" / f"{name}.woff2")
+    if name == "headings":
+        font = _saved(instancer.instantiateVariableFont(font, {"wght": 600}))
+    options = subset.Options(hinting=False, name_IDs=COPYRIGHT_AND_LICENCE, layout_features=["*"])
+    cutter = subset.Subsetter(options)
+    cutter.populate(text="".join(files))
+    cutter.subset(font)
+    font.flavor = "woff2"
+    return font
+
+
+@cache
+def standalone(language: str) -> str:
+    """Return the standalone file in a language, without its fonts."""
+    command = [sys.executable, "-m", "ramanujan.browser.standalone", "--language", language]
+    file = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=True).stdout
+    return re.sub(r"base64,[^)]*", "", html.unescape(file))
 
 
 def icons() -> TTFont:

@@ -8,7 +8,7 @@ components/language.js the decimal mark.
 
 import json
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -33,13 +33,11 @@ def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
     patterns = ("**/*.js", *(f"components/{name}.css" for name in ("page", "print", "projector", "type")), "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
-    markup = {"stage/stage": _markup("stage/stage", words.TEXTS, layer_boxes=_layer_boxes())}
-    for name in (path.stem for path in offered if path.match("components/*.js")):
-        markup[f"components/{name}"] = _markup(f"components/{_MARKUP.get(name, name)}", TEXTS.get(name, {}))
+    components = sorted(f"components/{path.stem}" for path in offered if path.match("components/*.js"))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}
     written = {
         "components/language.js": f'export const DECIMAL = "{DECIMAL}";',
-        "markup.js": f"export const MARKUP = {json.dumps(markup, ensure_ascii=False)};",
+        "markup.js": markup(["stage/stage", *components]),
         "stage/formulas.js": f"export const FORMULAS = {javascript(formulas())};",
         "stage/texts.js": f"export const WORDS = {json.dumps(sentences, ensure_ascii=False)};\n"
         f"export const LIGHT = {json.dumps(_light())};",
@@ -64,6 +62,18 @@ def component(name: str) -> Callable[..., Any]:
     # page. Streamlit takes a script of one line for the name of a file.
     begin = f'new URL("{place()}/begin.js", document.baseURI)'
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
+
+
+def markup(names: Iterable[str]) -> str:
+    """Return the module markup.js with the HTML and CSS of these components, such as stage/stage."""
+    parts = {}
+    for name in names:
+        short = name.rpartition("/")[2]
+        if name == "stage/stage":
+            parts[name] = _markup(name, words.TEXTS, layer_boxes=_layer_boxes())
+        else:
+            parts[name] = _markup(f"components/{_MARKUP.get(short, short)}", TEXTS.get(short, {}))
+    return f"export const MARKUP = {json.dumps(parts, ensure_ascii=False)};"
 
 
 def _markup(name: str, texts: dict[str, str], **parts: str) -> str:

@@ -85,8 +85,7 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
         traces.append(outlined | {"name": name} | inset)
     # Here the space to the right of the asymptote is empty, above the line “in step”.
     there = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
-    light = _("light rollers: {value}").format(value=curve.light)
-    heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy)
+    light, heavy = limit_labels(curve)
     beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "yshift": 3, "align": "left"}
     in_lens, at_end = beside | {"xref": "x2", "yref": "y2"}, {"xanchor": "right", "xshift": -6}
     notes = [
@@ -104,6 +103,13 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     more["yaxis2"] = box | {"range": [low, high], "domain": [bottom, top], "anchor": "x2", "tickvals": []}
     along = {"type": "log", "range": np.log10(ends).tolist(), "dtick": 1}
     return over_ratios(traces, highest, hover, colors, along, meta={"ring": colors["primary"]}, **more)
+
+
+def limit_labels(curve: Curve) -> tuple[str, str]:
+    """Return the labels of the limits for light and for heavy rollers."""
+    light = _("light rollers: {value}").format(value=curve.light)
+    heavy = _("heavy rollers:<br>{value}").format(value=curve.heavy)
+    return light, heavy
 
 
 def _lens(ends: list[float], highest: float, unit: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:

@@ -119,6 +119,17 @@ WATCH: dict[str, dict[str, Any]] = {
 }
 """The contract of the stage: which slider moves which parameter."""
 
+SENTENCES = {
+    "unreadable": _(
+        "Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept."
+    ),
+    "outside": _("{symbol} must be between {least} and {most}. The old value, {old}, was kept."),
+    "ambiguous": _("{text} can mean {decimal} or {whole}. Type one of these two. The old value, {old}, was kept."),
+    "lighter": _("m was changed from {old} to {new}, because m′ can be at most {bound}."),
+    "heavier": _("m was changed from {old} to {new}, because m′ must be at least {bound}."),
+}
+"""Sentences at a slider: an entry that is no number, outside of the range, ambiguous; m changed for a mass ratio."""
+
 LONGEST = 60
 """Characters of a number that are read."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)

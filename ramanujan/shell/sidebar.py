@@ -17,7 +17,7 @@ from ramanujan import UNIT_MASS_RATIO, Oscillator
 from ramanujan.browser import components
 from ramanujan.numerals import number as written
 from ramanujan.shell import cache, display_mode, messages, pending_updates, widgets
-from ramanujan.shell.parameters import MACHINE, PARAMETERS, read_number, two_readings
+from ramanujan.shell.parameters import MACHINE, PARAMETERS, SENTENCES, read_number, two_readings
 from ramanujan.translation import _, pgettext
 
 PRESETS = {
@@ -207,11 +207,7 @@ def _set_ratio(ratio: float, digits: int) -> None:
     pending_updates.set_widgets({"m": new_m, "m_prime": rollers.clamp(_times(ratio, new_m, digits))})
     sentences = []
     if new_m != m:
-        sentence = (
-            _("m was changed from {old} to {new}, because m′ can be at most {bound}.")
-            if m_prime > bound
-            else _("m was changed from {old} to {new}, because m′ must be at least {bound}.")
-        )
+        sentence = SENTENCES["lighter" if m_prime > bound else "heavier"]
         values = {"old": others.written(m), "new": others.written(new_m), "bound": rollers.written(bound)}
         sentences.append(sentence.format(**values))
     if not math.isclose(new_m, nearest):
@@ -285,19 +281,14 @@ def take_exact(key: str, text: str) -> None:
     number, readings = read_number(text), two_readings(text)
     if number is not None and readings:
         decimal, whole = readings
-        sentence = _("{text} can mean {decimal} or {whole}. Type one of these two. The old value, {old}, was kept.")
         old = parameter.written(parameter.value)
-        sentence = sentence.format(text=text.strip(), decimal=decimal, whole=whole, old=old)
+        sentence = SENTENCES["ambiguous"].format(text=text.strip(), decimal=decimal, whole=whole, old=old)
         messages.note(parameter.name, sentence, warning=True)
         return
     if number is not None and parameter.least <= number <= parameter.most:
         pending_updates.set_widgets({parameter.name: number})
         return
-    sentence = (
-        _("Type {symbol} as a number such as 1.25 or as a fraction such as 9/8. The old value, {old}, was kept.")
-        if number is None
-        else _("{symbol} must be between {least} and {most}. The old value, {old}, was kept.")
-    )
+    sentence = SENTENCES["unreadable" if number is None else "outside"]
     limits = {"least": written(parameter.least, strip=True), "most": parameter.written(parameter.most)}
     sentence = sentence.format(symbol=parameter.symbol, old=parameter.written(parameter.value), **limits)
     messages.note(parameter.name, sentence, warning=True)

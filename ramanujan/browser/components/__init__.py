@@ -87,8 +87,14 @@ def story(stage: str, slider: str, ratio: float, script: Mapping[str, Any], word
         start
     words : ratio, a template for ε; there, what is said in step; mark, begin, again, stop, hint
     """
-    data = {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **script}
-    return modules.component("components/story")(key="story", data=data)
+    return modules.component("components/story")(key="story", data=story_data(stage, slider, ratio, script, words))
+
+
+def story_data(
+    stage: str, slider: str, ratio: float, script: Mapping[str, Any], words: Mapping[str, str]
+) -> dict[str, Any]:
+    """Return the data of the component `story`, with the same parameters."""
+    return {"stage": stage, "slider": slider, "ratio": ratio, "said": words, **script}
 
 
 def cubes(sums: Sequence[Sequence[int]], sees: Sequence[str], captions: Sequence[str]) -> Any:

@@ -7,6 +7,7 @@ import { observe } from "./lasting.js";
 const left = new WeakMap(); // what the server sent → the slider whose thumb a hand has dragged away from it
 const snapped = new WeakMap(); // slider → the value between its steps to which its thumb has snapped, until the server sends it
 
+const STANDALONE = "standalone" in document.documentElement.dataset;
 const SAVE = ".js-plotly-plot .modebar-group:first-child > .modebar-btn:first-child";
 
 export const dom = {
@@ -80,14 +81,19 @@ export const dom = {
    * can be older than the slider.
    */
   writeAddress(key, value, byDefault) {
-    const said = new URLSearchParams(location.search).get(key);
+    const said = dom.settings().get(key);
     if (value === byDefault ? said !== null : said === null || Number(said) !== value) dom.keep([[key, value, byDefault]]);
   },
 
+  /** The settings in the address: after ? in the app, after # in the standalone file. */
+  settings: () => new URLSearchParams(STANDALONE ? location.hash.slice(1) : location.search),
+
   /** Write values into the address: key, value, and the default, which is left out. */
   keep(entries) {
-    const url = new URL(location.href), { searchParams: said } = url;
-    for (const [key, value, byDefault] of entries) value === byDefault ? said.delete(key) : said.set(key, value);
+    const settings = dom.settings();
+    for (const [key, value, byDefault] of entries) value === byDefault ? settings.delete(key) : settings.set(key, value);
+    const url = new URL(location.href);
+    url[STANDALONE ? "hash" : "search"] = settings;
     history.replaceState(history.state, "", url);
   },
 

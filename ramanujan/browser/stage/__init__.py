@@ -104,9 +104,35 @@ def payload(
 def mount(
     data: Mapping[str, Any] | None,
     *,
+    key: str = "stage",
+    on_seen: Callable[[dict[str, Any]], None] | None = None,
+    hide: Iterable[str] = (),
+    **options: Any,
+) -> None:
+    """Put a stage on the page.
+
+    Parameters
+    ----------
+    data : the payload; None where `tell` brings it
+    key : of the stage among the page's elements
+    on_seen : called with a value like `SEEN` when a person has changed the view, and when the machine begins anew
+    hide : the parts that are hidden, of `PARTS`; another run may hide others
+    **options : as in `settings`
+    """
+    fixed = settings(key, **options)
+    if on_seen:
+        components.asks("stage/stage", key, {**fixed, "tells": True}, "seen", on_seen, SEEN)
+    else:
+        modules.component("stage/stage")(key=key, data=fixed)
+    if data is not None:
+        tell(data, key=key, name=fixed["stage"], hide=hide)
+
+
+def settings(
+    key: str,
+    *,
     limits: tuple[float, float],
     watch: Mapping[str, Mapping[str, Any]],
-    key: str = "stage",
     name: str | None = None,
     clock: str | None = None,
     layers: tuple[str, ...] = ("energy",),
@@ -116,31 +142,26 @@ def mount(
     periods: float | None = None,
     label: str | None = None,
     kept: str = "",
-    on_seen: Callable[[dict[str, Any]], None] | None = None,
-    hide: Iterable[str] = (),
-) -> None:
-    """Put a stage on the page.
+) -> dict[str, Any]:
+    """Return the constant data of a stage.
 
     Parameters
     ----------
-    data : the payload; None where `tell` brings it
+    key : of the stage among the page's elements
     limits : the range of x₀ that the slab can be dragged through [m]
     watch : slider key → parameter, scale and step, for following a drag without the server
-    key : of the stage among the page's elements
     name : the stage's name on the page's bus, unique in the whole app; without it, the key
-    clock : name of the clock, shared by stages that are to run together; without it, the stage has its own
+    clock : name of the clock, shared by stages that run together; without it, the stage has its own
     layers : shown at first, of `LAYERS`
     compact : only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
     narrow : show them below the picture
     periods : of the machine, after which its motion begins again; without it, never
     label : a few words under the picture, also its name for screen readers
-    kept : prefix of the names under which the address keeps what is seen; one for each clock of a page
-    on_seen : called with what is like `SEEN` when a person has changed that, and when the machine begins anew
-    hide : the parts that are hidden, of `PARTS`; another run may hide others
+    kept : prefix of the names under which the address keeps the view; one for each clock of a page
     """
     name = name or key
-    fixed = {
+    return {
         "stage": name,
         "limits": {"compression": limits},
         "watch": watch,
@@ -153,12 +174,6 @@ def mount(
         "label": label,
         "kept": kept,
     }
-    if on_seen:
-        components.asks("stage/stage", key, {**fixed, "tells": True}, "seen", on_seen, SEEN)
-    else:
-        modules.component("stage/stage")(key=key, data=fixed)
-    if data is not None:
-        tell(data, key=key, name=name, hide=hide)
 
 
 def tell(

@@ -13,7 +13,7 @@ const owners = new Map(); // page and prefix → the clock of whose stages the a
 /** The keeper of one stage; `kept` is the prefix of its names in the address, `send` takes what is seen. */
 export function makeKeeper(stage, { clock: name, kept: prefix, layers: shownAtFirst, compact }, send, signal) {
   const place = `${location.pathname} ${prefix}`, mine = (owners.get(place) ?? name) === name;
-  const known = new URLSearchParams(mine ? location.search : "");
+  const known = mine ? dom.settings() : new URLSearchParams();
   const stages = () => [...stage.clock.stages];
   const said = (key) => known.get(prefix + key);
   let active = false;

@@ -34,7 +34,7 @@ def curve() -> Curve:
     light = sp.limit(normalized, epsilon, 0)
     heavy = sp.limit(normalized * epsilon, epsilon, sp.oo) / epsilon
     at_equal = normalized.subs(epsilon, 1)
-    headline = f'<span style="font-size: 1.8em; font-weight: 700">{unit_frequency_condition().discriminant}</span>'
+    headline = f'<span style="font-size: 1.8em; font-weight: 700">{discriminant()}</span>'
     return Curve(
         ratios,
         normalized_frequency_squared(ratios),
@@ -53,6 +53,11 @@ def unit_ratio() -> str:
     numerator, denominator = sp.fraction(condition.root)
     root = f"({sp.sstr(numerator, order='rev-lex')})/{denominator}".replace("-", "−")
     return root.replace(f"sqrt({condition.discriminant})", f"√{condition.discriminant}")
+
+
+def discriminant() -> int:
+    """Return the discriminant of the unit-frequency condition, 1729."""
+    return int(unit_frequency_condition().discriminant)
 
 
 def taxicab() -> str:

@@ -1,16 +1,15 @@
 """Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
 
 import math
-from dataclasses import asdict
 
 import streamlit as st
 
-from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan import Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.rows import aligned
 from ramanujan.numerals import filled, number
-from ramanujan.pages.oscillator import cache, story
+from ramanujan.pages.oscillator import cache, story, texts
 from ramanujan.pages.oscillator.story import gained
 from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme
 from ramanujan.shell.display_mode import slide
@@ -82,7 +81,7 @@ def the_steps() -> None:
     if display_mode.is_projector():
         six_steps()
         return
-    st.header(_("The derivation in six steps"), anchor=False)
+    st.header(texts.steps_heading(), anchor=False)
     lines, derivation = st.container(key="steps"), navigation.PAGES["derivation"]
     st.page_link(derivation.file, label=_("The whole derivation, in many ways"), icon=f":material/{derivation.icon}:")
     with lines:
@@ -105,10 +104,7 @@ def opening() -> None:
     compares = not display_mode.hides("clocks", "numbers")
     question = _("**When does this machine of five bodies oscillate in step with a plain mass on the same spring?**")
     if compares:
-        question = _(
-            "Two machines, one spring: with equal masses they are one full turn apart after {periods} periods. "
-            "**Which m′ keeps them in step?**"
-        ).format(periods=number(1 / float(gained(1.0)), 2))
+        question = texts.question()
     st.markdown(question)
     if display_mode.is_projector():
         return
@@ -120,27 +116,8 @@ def opening() -> None:
 
 def tell_story() -> None:
     """Offer the story that ends at the one mass ratio at which both hands turn together."""
-    stories = [story.story(start) for start in story.STARTS]
-    script = {
-        "openings": [list(map(asdict, scenes[: story.OPENING])) for scenes in stories],
-        "rest": list(map(asdict, stories[0][story.OPENING :])),
-        "pace": story.PACE,
-        "stills": story.stills(),
-        "marked": address.keep(FOUND) == "on",
-    }
-    words = {
-        "ratio": "ε = m′/m = {ratio}",
-        "there": _("In step: ε = {exactly}. So {number}.").format(exactly=cache.unit_ratio(), number=cache.taxicab()),
-        "mark": _("in step"),
-        "begin": _("Bring them into step"),
-        "again": _("Again"),
-        "stop": _("Stop"),
-        "stills": _(
-            "Both hands start together. After {periods} periods of the plain mass they stand like this:"
-        ).format(periods=story.STILL_PERIODS),
-        "hint": _("Watch how the hands part as m′ changes, and where they stay together"),
-    }
-    components.story("oscillator", "m_prime", UNIT_MASS_RATIO, script, words)
+    script = story.script() | {"marked": address.keep(FOUND) == "on"}
+    components.story("oscillator", "m_prime", story.RATIO, script, story.words())
 
 
 def to_lesson() -> None:
@@ -154,25 +131,15 @@ def to_lesson() -> None:
 def the_curve() -> None:
     """Draw the curve of Ω² with a ring at the present machine."""
     base = cache.curve()
-    st.header(_("When is it in step with the plain mass?"), anchor=False)
-    st.markdown(
-        _(
-            "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
-            "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
-            "$\\varepsilon=m'/m$."
-        ).format()
-    )
-    # What changes with the machine is said by the ring: so the figure is sent to a page only once.
-    sees = _(
-        "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "
-        "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
-    )
-    sees = sees.format(light=base.light, heavy=base.heavy, equal=cache.equal_masses_value())
+    st.header(texts.curve_heading(), anchor=False)
+    st.markdown(texts.curve_text())
+    # The ring shows the present machine, so the figure is sent to a page only once.
+    sees = texts.curve_alternative(base)
     drawings.plot(cache.figure(theme.current()), "curve", sees)
     if shows_numbers():
         present()
     with st.container(key="click_curve"):
-        st.caption(_("Click on the curve to build the machine with that mass ratio."))
+        st.caption(texts.curve_hint())
 
 
 @st.fragment(key="present")

@@ -7,7 +7,8 @@ and the waits are such that they meet again at ε*. By how many full turns the m
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from typing import Any
 
 import numpy as np
 import streamlit as st
@@ -15,8 +16,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
 from ramanujan.numerals import number
+from ramanujan.pages.oscillator import cache
 from ramanujan.translation import _
 
+RATIO = UNIT_MASS_RATIO
+"""The mass ratio at which the story ends."""
 STARTS = (5.0, 2.0)
 """Mass ratios with which a story may begin: where 5m is more than a roller's largest mass, 2m is not."""
 OPENING = 2
@@ -79,6 +83,34 @@ def story(start: float) -> tuple[Scene, ...]:
         _stay(_("Too heavy: in {periods} periods the machine falls one full turn behind."), _OVER, rest),
         back,
     )
+
+
+def script() -> dict[str, Any]:
+    """Return the scenes of all stories as `components.story` takes them, without a mark on the slider."""
+    stories = [story(start) for start in STARTS]
+    return {
+        "openings": [list(map(asdict, scenes[:OPENING])) for scenes in stories],
+        "rest": list(map(asdict, stories[0][OPENING:])),
+        "pace": PACE,
+        "stills": stills(),
+        "marked": False,
+    }
+
+
+def words() -> dict[str, str]:
+    """Return the words of the story's button as `components.story` takes them."""
+    return {
+        "ratio": "ε = m′/m = {ratio}",
+        "there": _("In step: ε = {exactly}. So {number}.").format(exactly=cache.unit_ratio(), number=cache.taxicab()),
+        "mark": _("in step"),
+        "begin": _("Bring them into step"),
+        "again": _("Again"),
+        "stop": _("Stop"),
+        "stills": _(
+            "Both hands start together. After {periods} periods of the plain mass they stand like this:"
+        ).format(periods=STILL_PERIODS),
+        "hint": _("Watch how the hands part as m′ changes, and where they stay together"),
+    }
 
 
 def stills() -> list[dict[str, str | float]]:

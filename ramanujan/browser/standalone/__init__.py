@@ -1,0 +1,210 @@
+"""The first page as one HTML file that needs no server: `python -m ramanujan.browser.standalone > oscillator.html`.
+
+The file contains the app's own modules, unchanged: a browser finds them through an import map, in which each module is
+a `data:` address. page.js keeps the values of the sliders, as the server does in the app; curve.js draws the curve. The
+file makes no request, and its content security policy forbids any.
+
+The machine of the file comes from the address after `#`, with the names of the app's address, or from the attribute
+`data-standalone`, which the app fills when a visitor saves the file.
+"""
+
+import json
+import posixpath
+import re
+from base64 import b64encode
+from collections.abc import Iterator
+from functools import cache
+from hashlib import sha256
+from html import escape
+from pathlib import Path
+from string import Template
+from typing import Any
+from urllib.parse import quote
+
+import streamlit as st
+from latex2mathml.converter import convert
+
+from ramanujan import Oscillator
+from ramanujan.browser import components, modules, stage
+from ramanujan.figures import MASS_RATIO
+from ramanujan.figures.oscillator import limit_labels
+from ramanujan.pages.oscillator import cache as first_page
+from ramanujan.pages.oscillator import story, texts
+from ramanujan.shell import widgets
+from ramanujan.shell.parameters import PARAMETERS, SENTENCES, WATCH, Parameter
+from ramanujan.translation import LANGUAGE, _
+
+FILE = "ramanujans-oscillator.html"
+_HERE = Path(__file__).parent
+_MARKUP = ("stage/stage", "components/exact", "components/story")
+"""Components of the page; each has a module, and HTML with a style sheet."""
+_SLIDERS = ("m_prime", "m", "k", "compression")
+_IMPORT = re.compile(r"""(from |import |import\()(["`])(\.{1,2}/[^"`]+)""")
+_PLACEHOLDER = "w"
+"""A letter that no formula contains."""
+_SIGN = re.compile("(<mrow>|<mo>&#x0003D;</mo>|<mtext>&#x000A0;</mtext>)<mo>&#x02212;</mo>")
+"""A minus sign without a left operand."""
+_CAPITAL = re.compile("<mi>(&#x003A[0-9];)")
+"""A capital Greek letter, upright as in KaTeX."""
+_COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
+
+
+@cache
+def html() -> str:
+    """Return the file, in the language of this process."""
+    condition = first_page.curve()
+    imports = json.dumps({"imports": _imports()}, ensure_ascii=False)
+    script = 'import "ramanujan/standalone/page.js";'
+    slots = {
+        "title": _("Ramanujan’s oscillator"),
+        "question": _bold(texts.question()),
+        "machine": _("The machine"),
+        "curve_heading": texts.curve_heading(),
+        "curve_text": _with_formulas(texts.curve_text()),
+        "curve_alt": escape(texts.curve_alternative(condition)),
+        "curve_hint": texts.curve_hint(),
+        "steps_heading": texts.steps_heading(),
+        "steps": "".join(_steps()),
+        "language": LANGUAGE,
+        "start": "",
+        "style": _style(),
+        "policy": _policy(imports, script),
+        "settings": json.dumps(_settings(), ensure_ascii=False).replace("<", "\\u003c"),
+        "imports": imports,
+    }
+    return Template((_HERE / "page.html").read_text(encoding="utf-8")).substitute(slots)
+
+
+def _imports() -> dict[str, str]:
+    """Return name → `data:` address of each module that the page needs."""
+    contents = {name: content.decode() for name, content in modules.contents().items() if name.endswith(".js")}
+    contents["markup.js"] = modules.markup(_MARKUP)
+    names = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
+    addresses = {}
+    while names:
+        name = names.pop()
+        if f"ramanujan/{name}" in addresses:
+            continue
+        script = _COMMENT.sub("", contents[name])
+        names += [each for each in (_resolved(name, path) for *_, path in _IMPORT.findall(script)) if each in contents]
+        addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(lambda each, name=name: _absolute(name, each), script))
+    return addresses
+
+
+def _absolute(name: str, found: re.Match[str]) -> str:
+    """Return an import of a module with an absolute name: a module in a `data:` address has no folder."""
+    start, mark, path = found.groups()
+    return f"{start}{mark}ramanujan/{_resolved(name, path)}"
+
+
+def _resolved(name: str, path: str) -> str:
+    """Return the name of a module from the path by which another module imports it."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
+
+
+def _address(script: str) -> str:
+    """Return a script as a `data:` address."""
+    return "data:text/javascript;charset=utf-8," + quote(script, safe=" !$&'()*+,-./:;=?@[]^_`{|}~>")
+
+
+def _policy(*scripts: str) -> str:
+    """Return the content security policy: these scripts, the modules in the file, and no request."""
+    hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
+    return (
+        f"default-src 'none'; script-src data: {hashes}; style-src 'unsafe-inline'; font-src data:; "
+        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _settings() -> dict[str, Any]:
+    """Return the data of page.js."""
+    machine = stage.payload(Oscillator(), 0)["parameters"]
+    watch = {key: WATCH[key] for key in _SLIDERS}
+    limits = PARAMETERS["compression"].limits
+    return {
+        "parameters": [_parameter(PARAMETERS[key]) for key in (*_SLIDERS, "radius")],
+        "sentences": SENTENCES,
+        "machine": machine,
+        "stage": stage.settings("stage", name="oscillator", layers=(), limits=limits, watch=watch),
+        "story": components.story_data("oscillator", "m_prime", story.RATIO, story.script(), story.words()),
+        "curve": _curve() | {"shape": {name: machine[name] for name in machine if name.startswith("beta_")}},
+    }
+
+
+def _parameter(parameter: Parameter) -> dict[str, Any]:
+    """Return the range of a parameter, the head of its box, and the sentence about a wrong address."""
+    names = ("symbol", "unit", "least", "most", "default", "step", "scale", "label")
+    facts = {name: getattr(parameter, name) for name in names}
+    head = widgets.head(parameter) | {"key": parameter.name} if parameter.name in _SLIDERS else None
+    return {"key": parameter.name, **facts, "head": head, "ignored": parameter.message()}
+
+
+def _curve() -> dict[str, Any]:
+    """Return the range of the curve, its limits, its marked ratios, and its words."""
+    curve = first_page.curve()
+    light, heavy = limit_labels(curve)
+    words = {
+        "light": light,
+        "heavy": heavy.replace("<br>", " "),
+        "equal": curve.equal.label.replace("<br>", ": "),
+        "number": str(first_page.discriminant()),
+        "unit": f"ε = {first_page.unit_ratio()}",
+        "step": _("in step"),
+        "axis": re.sub("<[^>]*>", "", MASS_RATIO),
+    }
+    marks = {"equal": curve.equal.ratio, "unit": curve.unit.ratio}
+    limits = {"light": curve.light_limit, "heavy": float(curve.heavy_limit[-1] * curve.ratios[-1])}
+    return {"range": first_page.CURVE_RANGE, **limits, **marks, "words": words}
+
+
+def _steps() -> Iterator[str]:
+    """Yield the six steps of the derivation, with their results in MathML."""
+    for step in first_page.summary(None):
+        results = "".join(f"<div>{_mathml(result)}</div>" for result in step.results)
+        yield f"<li><h3>{escape(step.heading)}</h3>{results}</li>"
+
+
+def _bold(text: str) -> str:
+    """Return a text with Markdown's bold words as HTML."""
+    return re.sub(r"\*\*(.*?)\*\*", r"<b>\1</b>", escape(text))
+
+
+def _with_formulas(text: str) -> str:
+    """Return a text with its formulas in MathML."""
+    parts = text.split("$")
+    return "".join(_mathml(part) if place % 2 else escape(part) for place, part in enumerate(parts))
+
+
+def _mathml(latex: str) -> str:
+    """Return a formula as MathML, with large fractions; the converter would split m′."""
+    converted = convert(latex.replace(r"\frac", r"\dfrac").replace("m'", _PLACEHOLDER))
+    converted = converted.replace(f"<mi>{_PLACEHOLDER}</mi>", "<mi>𝑚′</mi>")
+    converted = converted.replace("<mo>/</mo>", '<mo lspace="0" rspace="0">/</mo>')
+    converted = _CAPITAL.sub(r'<mi mathvariant="normal">\1', converted)
+    return _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', converted)
+
+
+def _style() -> str:
+    """Return the style sheet with the colours of both themes and the fonts in it."""
+    contents = modules.contents()
+    rules = re.findall(r"@font-face \{.*?\n\}", contents["components/page.css"].decode(), re.DOTALL)
+    fonts = re.sub(r"url\(fonts/(.*?)\)", lambda found: _font(contents[f"standalone/{found[1]}"]), "\n".join(rules))
+    light, dark = (f":root {{ {_colors(theme)} }}" for theme in ("light", "dark"))
+    return f"{fonts}\n{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}\n{(_HERE / 'page.css').read_text()}"
+
+
+def _font(content: bytes) -> str:
+    return f"url(data:font/woff2;base64,{b64encode(content).decode()})"
+
+
+def _colors(theme: str) -> str:
+    """Return a theme's colours as custom properties with Streamlit's names."""
+    options = sorted(set(re.findall(r"--st-([a-z-]+-color)", modules.contents()["markup.js"].decode() + _page_css())))
+    named = {name: re.sub("-([a-z])", lambda found: found[1].upper(), name) for name in options}
+    colors = {name: st.get_option(f"theme.{theme}.{option}") for name, option in named.items() if "widget" not in name}
+    colors["widget-border-color"] = colors["border-color"]
+    return " ".join(f"--st-{name}: {color};" for name, color in colors.items() if color)
+
+
+def _page_css() -> str:
+    return (_HERE / "page.css").read_text(encoding="utf-8")

@@ -1,0 +1,49 @@
+"""The words of the first page that the standalone file shares with it."""
+
+from ramanujan.figures.oscillator import Curve
+from ramanujan.numerals import number
+from ramanujan.pages.oscillator import cache
+from ramanujan.pages.oscillator.story import gained
+from ramanujan.translation import _
+
+
+def question() -> str:
+    """Return the question of the page in Markdown; it compares the machine with the plain mass."""
+    sentences = _(
+        "Two machines, one spring: with equal masses they are one full turn apart after {periods} periods. "
+        "**Which m′ keeps them in step?**"
+    )
+    return sentences.format(periods=number(1 / float(gained(1.0)), 2))
+
+
+def curve_heading() -> str:
+    """Return the heading of the curve."""
+    return _("When is it in step with the plain mass?")
+
+
+def curve_text() -> str:
+    """Return what the curve is about, with formulas between dollar signs."""
+    return _(
+        "The plain mass $m$ on the spring $k$ has the angular frequency $\\sqrt{{k/m}}$, the machine has "
+        "$\\Omega$. They are in step where $\\Omega^2m/k=1$. This depends only on the mass ratio "
+        "$\\varepsilon=m'/m$."
+    ).format()
+
+
+def curve_alternative(curve: Curve) -> str:
+    """Return the text alternative of the curve."""
+    sentences = _(
+        "Ω²m/k over the mass ratio ε, falling from {light} for light rollers towards {heavy} for heavy ones: heavier "
+        "rollers make the machine slower. It is {equal} at equal masses, and exactly 1 at one ratio only."
+    )
+    return sentences.format(light=curve.light, heavy=curve.heavy, equal=cache.equal_masses_value())
+
+
+def curve_hint() -> str:
+    """Return what a click on the curve does."""
+    return _("Click on the curve to build the machine with that mass ratio.")
+
+
+def steps_heading() -> str:
+    """Return the heading of the derivation in short."""
+    return _("The derivation in six steps")
