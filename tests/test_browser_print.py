@@ -13,7 +13,7 @@ from pypdfium2 import PdfDocument, PdfPage
 from tests.test_worksheet import MACHINES, key_of, name_of
 
 CONTROLS = (
-    "Copy link",
+    "Share",
     "Equal masses",
     "Projector",
     "Position in the period",

@@ -174,6 +174,7 @@ def check_votes(desk: object, phone: object) -> None:
     desk.wait_for_url("**lecturer=**")
     desk.evaluate("navigator.clipboard.writeText = async (text) => (window.copied = text)")
     desk.locator("[data-testid=stExpandSidebarButton]").click()
+    desk.get_by_role("button", name="Share").click()
     desk.get_by_role("button", name="Copy link").click()
     desk.wait_for_function("window.copied")
     link = desk.evaluate("copied")

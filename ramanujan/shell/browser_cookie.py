@@ -33,9 +33,9 @@ class NamedBrowser:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
                 headers["x-content-type-options"] = "nosniff"
-                if headers.get("content-type", "").startswith("text/html") and NAME not in cookie_parser(
-                    asked.get("cookie", "")
-                ):
+                # The standalone file is embedded elsewhere and needs no name.
+                is_page = headers.get("content-type", "").startswith("text/html") and "." not in scope["path"]
+                if is_page and NAME not in cookie_parser(asked.get("cookie", "")):
                     cookie = f"{NAME}={secrets.token_urlsafe(12)}; Max-Age={_KEPT}; Path=/; HttpOnly; SameSite=Lax"
                     headers.append("set-cookie", cookie)
                 cookies = headers.getlist("set-cookie")

@@ -21,6 +21,8 @@ HIDE = address.Several("hide", tuple(PARTS))
 SLIDE = address.Text(
     "slide", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
 )
+STANDALONE = ("m", "m_prime", "k", "compression", "radius", "layers", "speed", "from", "paused")
+"""Keys of the address that the standalone file knows."""
 _PAGE = "display_page"
 URL_PARAMETERS = (VIEW, HIDE, SLIDE)
 """What every page keeps in its address beside the machine."""
@@ -116,7 +118,7 @@ def bar() -> None:
     """Draw what belongs to the page as a whole: in the bar above it, or on a narrow screen below it (page.css)."""
     st.session_state[_SWITCH] = is_projector()
     with st.container(horizontal=True, vertical_alignment="center", key="bar"):
-        components.link(address.PRIVATE)
+        components.link(address.PRIVATE, STANDALONE)
         st.toggle(_("Projector"), key=_SWITCH, on_change=_switched)
 
 

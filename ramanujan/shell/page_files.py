@@ -12,7 +12,8 @@ import streamlit as st
 from starlette.datastructures import Headers
 from starlette.responses import Response
 
-from ramanujan.browser import modules
+from ramanujan.browser import modules, standalone
+from ramanujan.browser.components import STANDALONE_FILE
 from ramanujan.shell import start_page
 
 _STREAMLIT = Path(st.__file__).parent / "static"
@@ -43,7 +44,7 @@ class PageFiles:
         base = st.get_option("server.baseUrlPath").strip("/")
         self.app = app
         self.root = f"/{base}" if base else ""
-        self.files = _streamlit_files() | _module_files()
+        self.files = _streamlit_files() | _module_files() | {STANDALONE_FILE: _standalone()}
         self.page = _page(has_formulas=True)
         # A lesson begins with words, and a whole class loads it over one network.
         self.lesson = _page(has_formulas=False)
@@ -95,6 +96,12 @@ def _module_files() -> dict[str, _File]:
     for name, content in modules.contents().items():
         files[f"{modules.place()}/{name}"] = _compressed(content, _TYPES[Path(name).suffix], _IMMUTABLE)
     return files
+
+
+def _standalone() -> _File:
+    """Return the standalone file, which other pages may embed."""
+    content = standalone.html().encode()
+    return _compressed(content, "text/html; charset=utf-8", {"cache-control": "no-cache"})
 
 
 def _compressed(content: bytes, kind: str, headers: dict[str, str]) -> _File:

@@ -145,15 +145,29 @@ def drawer() -> Any:
     return modules.component("components/drawer")(key="handle")
 
 
-def link(private: Sequence[str] = ()) -> Any:
-    """Put a button on the page that copies its address, which contains every setting, and the choice of a language.
+STANDALONE_FILE = "ramanujans-oscillator.html"
+"""The name of the standalone file, also in the address of the server."""
+
+
+def link(private: Sequence[str], keys: Sequence[str]) -> Any:
+    """Put the menu *Share* on the page, and the choice of a language.
 
     Parameters
     ----------
-    private : keys of the address that are left out of the copy
+    private : keys of the address that are left out of a copied link
+    keys : keys of the address that the standalone file knows
     """
-    words = {"copied": _("Copied."), "by_hand": _("Copy the link from here:")}
-    data = {**words, "private": list(private), "languages": [each._asdict() for each in offered()]}
+    data = {
+        "copied": _("Copied."),
+        "by_hand": _("Copy this text:"),
+        "saved": _("Saved. Open the file with a double click."),
+        "failed": _("The file could not be loaded. Try again when the server can be reached."),
+        "title": _("Ramanujan’s oscillator"),
+        "file": STANDALONE_FILE,
+        "private": list(private),
+        "keys": list(keys),
+        "languages": [each._asdict() for each in offered()],
+    }
     return modules.component("components/link")(key="link", data=data)
 
 

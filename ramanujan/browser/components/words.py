@@ -5,7 +5,17 @@ from ramanujan.translation import _, pgettext
 TEXTS = {
     "cubes": {"apart": _("Pull the layers apart"), "turn": _("Turn the stacks")},
     "cursor": {"cursor": _("Time cursor")},
-    "link": {"copy": _("Copy link"), "link": _("Link"), "language": _("Language")},
+    "link": {
+        "share": _("Share"),
+        "copy": _("Copy link"),
+        "copy_hint": _("The link contains everything that you set."),
+        "save": _("Save as one file"),
+        "save_hint": _("The machine as it is set, for any browser, without a server or a network."),
+        "embed": _("Copy code to embed"),
+        "embed_hint": _("It shows this machine on a page of your own, such as a course page."),
+        "link": _("Text to copy"),
+        "language": _("Language"),
+    },
     "pager": {"slides": _("Slides of this page"), "back": _("Back"), "next": _("Next")},
     "drawer": {"handle": _("Sliders and presets")},
     "steps": {"steps": _("Steps"), "step": _("Step"), "back": _("Back"), "next": _("Next")},

@@ -34,7 +34,6 @@ from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS, SENTENCES, WATCH, Parameter
 from ramanujan.translation import LANGUAGE, _
 
-FILE = "ramanujans-oscillator.html"
 _HERE = Path(__file__).parent
 _MARKUP = ("stage/stage", "components/exact", "components/story")
 """Components of the page; each has a module, and HTML with a style sheet."""
