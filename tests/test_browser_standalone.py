@@ -1,0 +1,213 @@
+"""The standalone file: small, without a request, as true as the app, from disk and in a frame of another site."""
+
+import gzip
+import random
+import re
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import mpmath
+import pytest
+import sympy as sp
+from playwright.sync_api import expect
+
+from ramanujan.browser.standalone import html
+from ramanujan.derivation.model import k, m, m_prime
+from ramanujan.shell.parameters import PARAMETERS, read_number, two_readings
+from tests.engines import ANY_ENGINE
+from tests.reference import natural_frequency_squared
+
+MACHINE_KEYS = ("m", "m_prime", "k")
+READY = "globalThis.ramanujan?.last('drawn/oscillator')"
+READ = f"""() => {{
+  const root = document.querySelector(".st-key-stage > div").shadowRoot;
+  const texts = [...root.querySelectorAll("[data-read]")].map((node) => [node.dataset.read, node.textContent]);
+  const hands = ["machine", "plain"].map((name) => root.querySelector(`.hand.${{name}}`).getAttribute("transform"));
+  return {{ drawn: {READY}, hands, note: document.querySelector(".note").textContent, ...Object.fromEntries(texts) }};
+}}"""
+"""The machine that is drawn, the readouts, the hands and the note below the sliders."""
+TYPE = """([key, text]) => {
+  const box = document.querySelector(`.st-key-${key}_exact > div`).shadowRoot.querySelector("input");
+  box.value = text;
+  box.dispatchEvent(new Event("change"));
+  return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+}"""
+"""Types a text into a slider's box."""
+SEEK = """(time) => {
+  ramanujan.publish("seek/oscillator", { time });
+  return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+}"""
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The file on disk."""
+    path = tmp_path_factory.mktemp("standalone") / "ramanujans-oscillator.html"
+    path.write_text(html(), encoding="utf-8")
+    return path
+
+
+def opened(page: object, address: str) -> object:
+    """Open the file at an address and wait for the machine."""
+    page.goto(address)
+    page.wait_for_function(READY)
+    return page
+
+
+def number(text: str) -> float:
+    """Return the number at the beginning of a readout."""
+    return float(re.match(r"[\d.\u202f]+", text)[0].replace("\u202f", ""))
+
+
+def exact(values: dict[str, float]) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """Return Ω² and k/m of a machine, from Kane's method, with 40 digits."""
+    given = {symbol: sp.Rational(values[name]) for symbol, name in ((m, "m"), (m_prime, "m_prime"), (k, "k"))}
+    with mpmath.workdps(40):
+        return tuple(mpmath.mpf(each.subs(given).evalf(40)) for each in (natural_frequency_squared(), k / m))
+
+
+def test_the_file_is_small(file):
+    content = file.read_bytes()
+    assert len(content) <= 350_000
+    assert len(gzip.compress(content)) <= 120_000
+
+
+def test_the_file_runs_from_disk(window, file):
+    """The address sets the machine; boxes take fractions and commas, and refuse the rest with a sentence."""
+    page = opened(window(), f"{file.as_uri()}#m_prime=9/8&k=20,5&x=1&m=9")
+    seen = page.evaluate(READ)
+    assert seen["drawn"]["ratio"] == 1.125
+    assert seen["drawn"]["parameters"]["k"] == 20.5
+    assert seen["note"].startswith("The value of m in the address was ignored")
+    page.evaluate(TYPE, ["m_prime", "5/6"])
+    seen = page.evaluate(READ)
+    assert seen["drawn"]["normalized"] == pytest.approx(9 / 8, rel=1e-15)
+    assert seen["note"] == ""
+    for text, sentence in {"x": "Type m′ as a number", "99": "m′ must be between", "1,500": "1,500 can mean"}.items():
+        page.evaluate(TYPE, ["m_prime", text])
+        seen = page.evaluate(READ)
+        assert seen["note"].startswith(sentence)
+        assert seen["drawn"]["ratio"] == 5 / 6
+    # With less motion the story ends at once.
+    page.evaluate("document.querySelector('.st-key-story > div').shadowRoot.querySelector('button').click()")
+    page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
+    page.wait_for_function("location.hash.includes('m_prime=1.127')")
+
+
+@pytest.mark.parametrize("engine", ["chromium"])
+def test_the_file_agrees_with_exact_frequencies(window, file, engine):
+    """40 machines: the drawn Ω²m/k, the readouts, the turns of both hands after some periods."""
+    page, chance = opened(window(), file.as_uri()), random.Random(1729)
+    for _ in range(40):
+        values = {}
+        for name in MACHINE_KEYS:
+            parameter = PARAMETERS[name]
+            values[name] = round(chance.uniform(parameter.least, parameter.most), 3)
+            page.evaluate(TYPE, [name, str(values[name])])
+        omega_squared, plain_squared = exact(values)
+        time = float(chance.randrange(1, 12) / mpmath.sqrt(plain_squared))
+        page.evaluate(SEEK, time)
+        seen = page.evaluate(READ)
+        normalized = float(omega_squared / plain_squared)
+        assert seen["drawn"]["normalized"] == pytest.approx(normalized, rel=1e-14)
+        assert number(seen["normalized"]) == pytest.approx(normalized, abs=6e-7)
+        assert number(seen["omega"]) == pytest.approx(float(mpmath.sqrt(omega_squared)), rel=6e-5)
+        for hand, squared in zip(seen["hands"], (omega_squared, plain_squared), strict=True):
+            degrees = float(re.search(r"\((-?[\d.e-]+)", hand)[1])
+            turns = degrees / 360 - float(mpmath.sqrt(squared) * time / (2 * mpmath.pi))
+            assert turns - round(turns) == pytest.approx(0, abs=1e-4)
+
+
+@pytest.mark.parametrize("engine", ["chromium"])
+def test_the_curve_and_its_marks_are_those_of_the_machine(window, file, engine):
+    page = opened(window(), file.as_uri())
+    path = page.locator(".curve .line").get_attribute("d")
+    points = [tuple(map(float, each.split())) for each in path[1:].split("L")]
+    corner = "(line) => [line.x1, line.y1].map((each) => each.baseVal.value)"
+    places = page.evaluate(f"[...document.querySelectorAll('.curve .grid')].map({corner})")
+    left, ten_times = places[0][0], places[1][0]
+    zero, half = places[4][1], places[5][1]
+    for x, y in points[::12]:
+        ratio = 0.01 * 10 ** ((x - left) / (ten_times - left))
+        omega_squared, _plain = exact({"m": 1, "m_prime": ratio, "k": 1})
+        assert (zero - y) / (zero - half) / 2 == pytest.approx(float(omega_squared), abs=1e-4)
+    # A click near the star takes the ratio in step.
+    page.locator(".curve circle.unit").click(force=True)
+    page.wait_for_function("Math.abs(ramanujan.last('drawn/oscillator').normalized - 1) < 1e-14")
+
+
+@ANY_ENGINE
+def test_a_box_reads_numbers_as_the_app_does(window, file, engine):
+    texts = [
+        "9/8",
+        "1,5",
+        "1.5",
+        " 2 ",
+        ".5",
+        "5.",
+        "1e1",
+        "1/0",
+        "1/3/5",
+        "",
+        "x",
+        "12,500",
+        "0,500",
+        "1,500/2",
+        "1" * 61,
+    ]
+    page = opened(window(), file.as_uri())
+    both = "texts.map((text) => [it.readNumber(text), it.twoReadings(text)])"
+    found = page.evaluate(f"(texts) => import('ramanujan/standalone/numbers.js').then((it) => {both})", texts)
+    for text, (value, readings) in zip(texts, found, strict=True):
+        expected = read_number(text)
+        assert value == (None if expected is None else pytest.approx(expected, rel=1e-15)), text
+        assert readings == (list(two_readings(text)) if two_readings(text) else None), text
+
+
+@contextmanager
+def serving(folder: Path) -> Iterator[int]:
+    """Serve a folder on a free port of all loopback names."""
+    handler = partial(SimpleHTTPRequestHandler, directory=folder)
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server.server_port
+        server.shutdown()
+
+
+@pytest.mark.parametrize("engine", ["chromium", "firefox"])
+def test_the_file_in_a_frame_of_another_site_makes_no_request(browsers, file, engine, tmp_path):
+    """Sandboxed, with its content security policy in force; it answers the keyboard there."""
+    with serving(file.parent) as port:
+        frame = (
+            f'<iframe sandbox="allow-scripts" src="http://localhost:{port}/{file.name}#k=20" width="900" height="700">'
+        )
+        (tmp_path / "course.html").write_text(frame)
+        context = browsers(engine).new_context(viewport={"width": 1000, "height": 760})
+        page, requests, errors = context.new_page(), [], []
+        page.on("request", lambda request: requests.append(request.url))
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+        with serving(tmp_path) as other:
+            page.goto(f"http://127.0.0.1:{other}/course.html")
+            inside = page.frames[1]
+            # Playwright's own scripts may not run there, so the test looks at what is shown.
+            normalized = inside.locator("[data-read=normalized]")
+            expect(normalized).to_have_text("1.050505")
+            expect(inside.locator(".st-key-k input[type=range]")).to_have_value("20")
+            slider = inside.locator(".st-key-m_prime input[type=range]")
+            slider.click(position={"x": 100, "y": 10})
+            expect(slider).not_to_have_value("1")
+            expect(normalized).not_to_have_text("1.050505")
+            if engine == "chromium":  # Playwright's keys do not reach a frame of Firefox
+                before = float(slider.input_value())
+                page.keyboard.press("ArrowRight")
+                expect(slider).to_have_value(f"{before + 0.01:.2f}")
+        sent = [url for url in requests if not url.startswith("data:") and not url.endswith("favicon.ico")]
+        assert [url.rpartition("/")[2].partition("#")[0] for url in sent] == ["course.html", file.name]
+        assert errors == []
+        assert context.cookies() == []
+        context.close()
