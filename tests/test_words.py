@@ -111,6 +111,12 @@ def test_no_line_breaks_before_a_hungarian_suffix():
     assert found == []
 
 
+@pytest.mark.parametrize(("language", "keys"), [("de", ("Bild↑", "Bild↓")), ("hu", ("PgUp", "PgDn"))])
+def test_a_key_is_named_as_on_the_keyboards_of_the_country(language, keys):
+    spoken = translations(language)
+    assert (spoken.gettext("PageUp"), spoken.gettext("PageDown")) == keys
+
+
 QUOTED = re.compile(r"[“„]([^“„”]+)[”“]")
 """What stands in quotation marks, English, Hungarian and German."""
 

@@ -59,16 +59,16 @@ _ROOT = unbroken(f"(√{_NUMBER} − {B})/{2 * A}")
 _NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
 """The condition and its coefficients, as sentences name them."""
 _EQUATIONS = (
-    rf"\frac{{\Omega^2m}}{{k}}={latex(unit_frequency_condition().normalized_frequency_squared)}&=1",
-    f"{latex(unit_frequency_condition().quadratic.as_expr())}&=0",
+    rf"\frac{{\Omega^2m}}{{k}}={latex(unit_frequency_condition().normalized_frequency_squared)}=1",
+    f"{latex(unit_frequency_condition().quadratic.as_expr())}=0",
 )
-"""The condition that the machine is in step, and its quadratic equation, as LaTeX that is aligned at &."""
+"""The condition that the machine is in step, and its quadratic equation, as LaTeX."""
 _SUMS = number_theory.sums_of_two_cubes(_NUMBER)
 
 
 def _displayed(*equations: str) -> str:
-    """Return aligned equations as Markdown, one below the other."""
-    return r"$$\begin{{aligned}}{}\end{{aligned}}$$".format(r"\\[2pt]".join(equations))
+    """Return equations as Markdown, one below the other, aligned at the left to be as narrow as the widest."""
+    return r"$$\begin{{aligned}}&{}\end{{aligned}}$$".format(r"\\[2pt]&".join(equations))
 
 
 def normalized(ratio: Fraction) -> Fraction:
@@ -294,7 +294,7 @@ STOPS = (
         runs=(Run(IN_STEP),),
         hides=FREQUENCY,
         exhibit=_displayed(*_EQUATIONS),
-        outcome=_displayed(*_EQUATIONS, f"b^2-4ac&={B * B}+{-4 * A * C}"),
+        outcome=_displayed(*_EQUATIONS, f"b^2-4ac={B * B}+{-4 * A * C}"),
         onward=Onward(_("Count the cubes on the page 1729"), "taxicab"),
     ),
     Stop(

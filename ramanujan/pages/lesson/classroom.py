@@ -33,6 +33,10 @@ NOTHING_TO_SET = """<style>@media (width < 1000px) {
   :root:root:root { --drawer: 0px; --drawer-content: none; .st-key-bar { display: none; } }
 }</style>"""
 """A rule for the phone of a student. One for all pages would need :has(), which makes styles twice as slow."""
+# TRANSLATORS: names of keys as your keyboards have them.
+_KEY_NAMES = {"--page-up": _("PageUp"), "--page-down": _("PageDown")}
+KEY_NAMES = "<style>:root {{ {} }}</style>".format("; ".join(f'{key}: "{name}"' for key, name in _KEY_NAMES.items()))
+"""The names of the two keys beside the labels of the moves, for page.css. Streamlit writes them in English."""
 _DRAWN = "class_drawn"
 """Session state: the stop whose machine a phone was last drawn with, and whether it runs."""
 _SEEN = "class_seen"
@@ -204,6 +208,7 @@ def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) ->
         press = {"on_click": attempt, "args": (act, key, *more), "disabled": disabled}
         st.button(label, key=f"class_{name}", **look, **press)
 
+    st.html(KEY_NAMES)
     place = stop.id if stop else END
     opened = now.stop == place and now.phase > Phase.ASKED
     button(_("Back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))

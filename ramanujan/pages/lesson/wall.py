@@ -16,8 +16,7 @@ from ramanujan.shell import address, class_session, display_mode
 from ramanujan.translation import _
 
 WALL_STYLE = (
-    "<style>html:root { font-size: 3.55vh } "
-    "#root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
+    "<style>html:root { font-size: 3.55vh } #root#root :is(.st-key-pager, header) { visibility: hidden }</style>"
 )
 """Letters of at least 3.5 % of the height, and no pager: nobody turns pages on a wall.
 
