@@ -1,7 +1,7 @@
 """A record of one motion: positions, velocities, energies, momenta and forces at equal steps of time, also as CSV.
 
-This module collects and names the series; `motion`, `energy` and `contact` compute them. The table opens in a
-spreadsheet, and numpy reads it back exactly:
+This module collects and names the series; `motion`, `energy` and `contact` compute them. The table is
+for programs, and numpy reads it back exactly:
 
     # a comment line for each remark and parameter
     t [s],X [m],…            one header line: each name with its unit

@@ -229,6 +229,7 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
     whole("end")
     assert wrong == []
 
+    desk.get_by_role("button", name="Results as a file").click()
     with desk.expect_download() as download:
         desk.get_by_role("button", name="Results as CSV").click()
     rows = list(csv.DictReader(download.value.path().read_text(encoding="utf-8").splitlines()))

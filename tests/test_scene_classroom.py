@@ -393,7 +393,7 @@ def test_at_the_end_a_class_sees_what_it_has_learned_and_its_code_goes(lecturer,
     assert path[-1].heading == wall.run().title[0].value
     # Before a class is deleted, its votes are offered once more.
     ending = [each.proto.id for each in lecturer.get("download_button")]
-    assert sum("class_csv" in each for each in ending) == 2
+    assert sum("class_csv" in each for each in ending) == 4
 
 
 def class_seat(student: AppTest) -> classes.Seat:

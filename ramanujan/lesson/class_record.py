@@ -1,30 +1,55 @@
-"""What a lecturer takes home of a class: every vote counted, nobody named."""
+"""The votes of a class as a file for its lecturer: every vote is counted, and nobody is named."""
 
 import csv
 import io
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
 
 from ramanujan import lesson
 from ramanujan.lesson.class_states import Asked
+from ramanujan.spreadsheet import Cell, spreadsheet
+from ramanujan.translation import _, pgettext
 
 HEADER = ("stop", "question", "asked_at", "present", "option", "label", "right", "first_vote", "second_vote")
 
 
 def as_csv(asked: Iterable[Asked]) -> str:
-    """Return the questions that a class was asked as CSV: a row for each option.
+    """Return the questions of a class as CSV for programs: a row for each option.
 
-    Times are UTC. `second_vote` is empty where there was none.
+    Times are UTC. `second_vote` is empty if the class voted once.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADER)
+    for stop, heading, at, present, option, label, is_right, *votes in _rows(asked):
+        row = (stop, heading, at.isoformat(timespec="seconds"), present, option, label, "yes" if is_right else "no")
+        writer.writerow((*row, *votes))
+    return text.getvalue()
+
+
+def as_spreadsheet(asked: Iterable[Asked]) -> str:
+    """Return the questions of a class as a file for a spreadsheet: a row for each option."""
+    header = (
+        pgettext("of the lesson", "Stop"),
+        # TRANSLATORS: the head of a column with dates and times.
+        _("Asked at (UTC)"),
+        _("Students present"),
+        _("Option"),
+        _("Right answer"),
+        _("Votes"),
+        _("Votes after the discussion"),
+    )
+    rows: list[tuple[Cell, ...]] = [header]
+    for _stop, heading, at, present, _option, label, is_right, *votes in _rows(asked):
+        rows.append((heading, f"{at:%Y-%m-%d %H:%M:%S}", present, label, is_right, *votes))
+    return spreadsheet(rows)
+
+
+def _rows(asked: Iterable[Asked]) -> Iterator[tuple]:
+    """Yield stop, heading, time, students present, option, label, whether it is right, and the votes."""
     for each in asked:
-        stop = lesson.stop(each.stop)
-        right, at = stop.right, datetime.fromtimestamp(each.at, UTC).isoformat(timespec="seconds")
+        stop, at = lesson.stop(each.stop), datetime.fromtimestamp(each.at, UTC)
         for option, first in each.first.items():
             second = "" if each.second is None else each.second[option]
-            label = stop.options[option]
-            answer = "yes" if option == right else "no"
-            writer.writerow((stop.id, stop.heading, at, each.present, option, label, answer, first, second))
-    return text.getvalue()
+            label, is_right = stop.options[option], option == stop.right
+            yield stop.id, stop.heading, at, each.present, option, label, is_right, first, second

@@ -16,7 +16,7 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import parts_of, spaced
-from ramanujan.lesson.class_record import as_csv
+from ramanujan.lesson.class_record import as_csv, as_spreadsheet
 from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, SeatError, Vote, shared
 from ramanujan.lesson.stop import Stop
@@ -275,14 +275,20 @@ def _foot(key: str, code: str) -> None:
         class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
     with st.popover(_("Seats"), key="class_seats", type="tertiary"):
         _seats(key)
-    _votes(key, "class_csv", type="tertiary")
+    with st.popover(_("Results as a file"), key="class_files", type="tertiary"):
+        _votes(key, "class_csv")
     _ending(key)
 
 
-def _votes(key: str, name: str, **more: str) -> None:
-    """Offer the votes of the class as a file."""
-    file = f"class-{parts_of(key)[0]}.csv"
-    widgets.download(_("Results as CSV"), as_csv(shared().asked(key)), file, "text/csv", key=name, **more)
+def _votes(key: str, name: str) -> None:
+    """Offer the votes of the class as a file for a spreadsheet, and as one for programs."""
+    asked, file = shared().asked(key), f"class-{parts_of(key)[0]}"
+    files = (
+        (_("Results for a spreadsheet"), as_spreadsheet(asked), f"{file}-spreadsheet.csv", f"{name}_spreadsheet"),
+        (_("Results as CSV"), as_csv(asked), f"{file}.csv", name),
+    )
+    for label, content, file_name, widget in files:
+        widgets.download(label, content, file_name, "text/csv", key=widget)
 
 
 def _seats(key: str) -> None:

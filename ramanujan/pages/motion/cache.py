@@ -39,7 +39,13 @@ _CM = 100.0
 # Hoop and lower cylinder move alike: one is drawn broad, the other dashed upon it, and one name stands for both.
 _LINES = {"hoop": {"width": 5.0, "label": _("lower<br>rollers")}, "cylinder": {"dash": "6px 6px", "label": ""}}
 _ENERGIES = {"": _("{body}"), "translation": _("{body}, translation"), "rotation": _("{body}, rotation")}
-"""Kind of energy → what a figure calls that of a body."""
+"""Kind of energy → its name for a body."""
+
+
+def energy_name(key: str) -> str:
+    """Return the name of an energy of a record, such as "hoop, rotation"."""
+    body, _between, kind = key.partition("_")
+    return _ENERGIES[kind].format(body=PARTS[body])
 
 
 @st.cache_resource(show_spinner=False, max_entries=128)
@@ -91,7 +97,7 @@ def _energy(motion: Record, colors: Mapping[str, str]) -> Drawn:
     for key, values in motion.energies.items():
         body, _between, kind = key.partition("_")
         curve = _of_body(body, values * 1e3, colors, stacked=True, hatched=kind == "rotation")
-        curves.append(replace(curve, name=_ENERGIES[kind].format(body=PARTS[body])))
+        curves.append(replace(curve, name=energy_name(key)))
     total = 1e3 * motion.total_energy
     curves.append(Curve(_("total energy"), total, colors["ink"], _("total energy"), colors["ink"], width=3))
     # A sixth above the total is room for the names of the periods.

@@ -10,11 +10,12 @@ from ramanujan.browser import components, stage
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.numerals import filled, fixed, quantity
 from ramanujan.pages.motion import cache, plots
+from ramanujan.pages.motion.files import sheet
 from ramanujan.pages.motion.plots import Friction
 from ramanujan.record import Record, table
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
-from ramanujan.shell.parameters import Parameter
+from ramanujan.shell.parameters import PARAMETERS, Parameter
 from ramanujan.translation import _
 
 GLIDE = Parameter("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01)
@@ -118,14 +119,23 @@ def greatest_friction(motion: Record) -> tuple[float, str]:
 
 
 def download(motion: Record, mu: float) -> None:
-    """Offer all numbers as a file."""
+    """Offer all numbers as a file for a spreadsheet, and as one for programs."""
+    settings = [(each.label, each.value) for each in (*PARAMETERS.values(), GLIDE, SPIN, MU)]
+    widgets.download(
+        _("Spreadsheet"),
+        sheet(motion, mu, settings),
+        "ramanujan motion spreadsheet.csv",
+        "text/csv",
+        icon=":material/table:",
+        help=_("All numbers of this page, in SI units, as a file that a spreadsheet opens"),
+    )
     widgets.download(
         _("CSV"),
         table(motion, mu),
         "ramanujan motion.csv",
         "text/csv",
         icon=":material/download:",
-        help=_("All numbers of this page, in SI units"),
+        help=_("All numbers of this page, in SI units, for programs: NumPy reads them back exactly"),
     )
 
 

@@ -1,0 +1,69 @@
+"""The file of the page Motion for a spreadsheet: the settings, then every series under a header in words."""
+
+from collections.abc import Iterable
+
+from ramanujan.contact import largest_compression, required_friction
+from ramanujan.derivation.energies import PARTS
+from ramanujan.pages.motion import cache
+from ramanujan.record import Record
+from ramanujan.spreadsheet import Cell, spreadsheet
+from ramanujan.translation import _
+
+
+def sheet(motion: Record, friction_coefficient: float, settings: Iterable[tuple[str, float]]) -> str:
+    """Return a record as a file for a spreadsheet.
+
+    Parameters
+    ----------
+    motion : the record
+    friction_coefficient : μ
+    settings : labels with units, and values
+    """
+    series = columns(motion)
+    values = zip(*(column.tolist() for column in series.values()), strict=True)
+    title = _("Ramanujan’s oscillator in SI units: positive to the right. X, Ẋ and p_X are positive to the left.")
+    head = [*settings, *_results(motion, friction_coefficient)]
+    return spreadsheet([[title], *head, [], list(series), *values])
+
+
+def columns(motion: Record) -> dict[str, Iterable[float]]:
+    """Return every series of a record under a header with its unit, time first, as `record.columns` orders them."""
+    series = {"t [s]": motion.t}
+    series |= dict(zip(("X [m]", "φ [rad]", "Φ [rad]"), motion.q, strict=True))
+    series |= dict(zip(("Ẋ [m/s]", "φ̇ [rad/s]", "Φ̇ [rad/s]"), motion.q_dot, strict=True))
+    energies = {cache.energy_name(key): values for key, values in motion.energies.items()}
+    friction = dict(motion.forces)
+    spring = friction.pop("spring")
+    groups = (
+        (_("displacement relative to the ground: {name} [m]"), _by(PARTS, motion.over_ground)),
+        (_("displacement relative to the block: {name} [m]"), _by(PARTS, motion.over_block)),
+        (_("velocity relative to the ground: {name} [m/s]"), _by(PARTS, motion.velocity_over_ground)),
+        (_("velocity relative to the block: {name} [m/s]"), _by(PARTS, motion.velocity_over_block)),
+        (_("energy: {name} [J]"), energies | {_("total energy"): motion.total_energy}),
+        (_("momentum: {name} [kg·m/s]"), _by(PARTS, motion.body_momenta)),
+        (_("friction: {name} [N]"), _by(cache.CONTACTS, friction)),
+        (_("force: {name} [N]"), {PARTS["spring"]: spring}),
+        (_("normal force: {name} [N]"), _by(cache.CONTACTS, motion.normal_forces)),
+    )
+    for header, group in groups:
+        series |= {header.format(name=name): values for name, values in group.items()}
+    return series | {"p_X [kg·m/s]": motion.momenta["p_X"], "p_Φ [kg·m²/s]": motion.momenta["p_Phi"]}
+
+
+def _results(motion: Record, friction_coefficient: float) -> list[tuple[str, Cell]]:
+    """Return what follows from the settings: labels with units, and values."""
+    needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
+    largest = largest_compression(motion.oscillator, friction_coefficient, spacing=motion.spacing)
+    contact = _("friction coefficient that this contact needs: {name}")
+    return [
+        (_("angular frequency, Ω [rad/s]"), motion.oscillator.natural_frequency),
+        (_("period, T [s]"), motion.oscillator.period),
+        (_("distance between the axes of the lower rollers [m]"), motion.spacing),
+        (_("largest compression without slip [m]"), largest),
+        *((contact.format(name=name), float(value)) for name, value in _by(cache.CONTACTS, needed).items()),
+    ]
+
+
+def _by(names: dict[str, str], values: dict) -> dict:
+    """Return values under the names of their keys."""
+    return {names[key]: each for key, each in values.items()}

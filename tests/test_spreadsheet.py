@@ -1,0 +1,95 @@
+"""Files for a spreadsheet: read back in each language, and opened by LibreOffice where it is installed."""
+
+import csv
+import io
+import json
+import os
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+from ramanujan import Oscillator
+from ramanujan.pages.motion import cache
+from ramanujan.record import columns
+from ramanujan.translation import known
+from tests.browser import ROOT
+
+FILES = """
+import json
+from ramanujan import Oscillator, lesson
+from ramanujan.lesson.class_record import as_spreadsheet
+from ramanujan.lesson.class_states import Asked
+from ramanujan.pages.motion import cache, files
+motion = cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3)
+stop = lesson.STOPS[0]
+votes = {option: number for number, option in enumerate(stop.options)}
+asked = [Asked(stop.id, 1764000000.0, 7, votes, None), Asked(stop.id, 1764000900.0, 7, votes, votes)]
+print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), as_spreadsheet(asked)]))
+"""
+LOCALES = {"de": 1031, "en": 1033, "hu": 1038}
+"""Language → LibreOffice's number of its locale."""
+CELL, ROW, ROWS, COLUMNS = (
+    f"{{urn:oasis:names:tc:opendocument:xmlns:table:1.0}}{name}"
+    for name in ("table-cell", "table-row", "number-rows-repeated", "number-columns-repeated")
+)
+TYPE, VALUE = (f"{{urn:oasis:names:tc:opendocument:xmlns:office:1.0}}{name}" for name in ("value-type", "value"))
+
+
+def made(language: str) -> tuple[str, str]:
+    """Return the file of a motion and that of a class, as a server in this language offers them."""
+    environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
+    done = subprocess.run([sys.executable, "-c", FILES], cwd=ROOT, env=environment, capture_output=True, check=True)
+    return json.loads(done.stdout)
+
+
+def cells(file: Path) -> list[ET.Element]:
+    """Return the cells of a document in rows that have a content; equal neighbours are stored once."""
+    found = []
+    for row in ET.parse(file).iter(ROW):
+        filled = [cell for cell in row.iter(CELL) if cell.get(TYPE)]
+        repeated = [cell for cell in filled for _ in range(int(cell.get(COLUMNS, "1")))]
+        found += repeated * int(row.get(ROWS, "1")) if filled else []
+    return found
+
+
+@pytest.mark.parametrize("language", known())
+def test_a_spreadsheet_has_all_numbers_and_words_of_its_language(language):
+    motion, votes = made(language)
+    comma = language != "en"
+    assert motion.startswith("\ufeff")
+    rows = list(csv.reader(io.StringIO(motion.removeprefix("\ufeff"), newline=""), delimiter=";" if comma else ","))
+    assert rows[1] == ["m [kg]", "2,5" if comma else "2.5"]
+    header, *numbers = rows[rows.index([]) + 1 :]
+    expected = columns(cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3))
+    assert len(set(header)) == len(header) == len(expected)
+    assert not any(set("e." if comma else "e,") & set(cell) for row in numbers for cell in row)
+    for column, series in zip(zip(*numbers, strict=True), expected.values(), strict=True):
+        assert [float(cell.replace(",", ".")) for cell in column] == pytest.approx(series.tolist(), rel=1e-14, abs=0)
+    words = {"en": ("yes", "no"), "de": ("ja", "nein"), "hu": ("igen", "nem")}
+    said = {cell for row in votes.splitlines() for cell in row.split(";" if comma else ",")}
+    if language in words:
+        assert set(words[language]) <= said
+
+
+@pytest.mark.skipif(not shutil.which("soffice"), reason="LibreOffice is not installed")
+@pytest.mark.parametrize("language", LOCALES)
+def test_libreoffice_reads_every_number_as_a_number(language, tmp_path):
+    motion, votes = made(language)
+    separator = ord("," if language == "en" else ";")
+    for name, text in (("motion", motion), ("votes", votes)):
+        (tmp_path / f"{name}.csv").write_text(text, encoding="utf-8", newline="")
+    opened = f"CSV:{separator},34,76,1,,{LOCALES[language]},false,true"
+    profile = f"-env:UserInstallation={(tmp_path / 'profile').as_uri()}"
+    command = ["soffice", profile, "--headless", f"--infilter={opened}", "--convert-to", "fods", "--outdir", tmp_path]
+    subprocess.run([*command, *tmp_path.glob("*.csv")], capture_output=True, timeout=300, check=True)
+    numbers = [float(cell.get(VALUE)) for cell in cells(tmp_path / "motion.fods") if cell.get(TYPE) == "float"]
+    series = columns(cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3))
+    values = [value for row in zip(*(column.tolist() for column in series.values()), strict=True) for value in row]
+    assert numbers[-len(values) :] == pytest.approx(values, rel=1e-14, abs=1e-30)
+    kinds = [cell.get(TYPE) for cell in cells(tmp_path / "votes.fods")]
+    assert kinds.count("date") == 8
+    assert kinds.count("float") == 8 + 8 + 4
