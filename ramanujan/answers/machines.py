@@ -1,23 +1,25 @@
-"""Altered machines, and what is left of their equations of motion when two coordinates are eliminated.
+"""Wrong bodies, and the answers that follow from the equations of motion of an altered machine.
 
-A mistake gives one body, or a group of them, another mass, inertia, velocity or angle than it has. Machines and altered
-procedures go through one elimination, exactly, for any mass ratio.
+A mistake changes the mass, inertia, velocity or angle of one body or of a group. The equations of motion of every
+altered machine are solved exactly, for any mass ratio.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
 import sympy as sp
-from sympy.polys.fields import FracElement, field
+from sympy.polys.fields import FracElement
+from sympy.polys.matrices import DomainMatrix
+from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
 from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi
 from ramanujan.translation import _
 
 CALLED = {
-    # TRANSLATORS: the names of the bodies in sentences; they stand in the slots {body}, {name} and {roller}.
+    # TRANSLATORS: the names of the bodies in sentences; they fill the slots {body}, {name} and {roller}.
     "block": _("the block"),
     "hoop": _("the hoop"),
     "cylinder": _("the lower cylinder"),
@@ -33,14 +35,18 @@ _GROUPS = CALLED | {
     _RIDERS: _("everything on the block"),
 }
 _SHAPES = {
-    model.HOOP: _("a hoop"),
-    model.SOLID_CYLINDER: _("a solid cylinder"),
-    sp.Rational(2, 3): _("a spherical shell"),
-    sp.Rational(2, 5): _("a solid sphere"),
+    model.HOOP: (
+        _("a hoop"),
+        ("lagrangian", "½(3m+2m')X'² + (2m+2m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ' - 2kR²φ²"),
+    ),
+    model.SOLID_CYLINDER: (_("a solid cylinder"), ("kinetic_energy_hoop", "½m'(Rφ'-X')²+¼m'R²φ'²")),
+    sp.Rational(2, 3): (_("a spherical shell"), ("kinetic_energy_hoop", "½m'(Rφ'-X')²+⅓m'R²φ'²")),
+    sp.Rational(2, 5): (_("a solid sphere"), ("kinetic_energy_hoop", "½m'(Rφ'-X')²+⅕m'R²φ'²")),
 }
+"""The name of a body with each shape factor, and the example of a mistake with it."""
 
 right = cache(machine)
-"""The machine as it is."""
+"""Return the right machine."""
 
 
 @dataclass(frozen=True)
@@ -49,26 +55,28 @@ class Mistake:
 
     Parameters
     ----------
-    id : its name
+    id : the name
     hint : a sentence and the question that leads on, with slots for {body}, and for its {mass}, {angle} or {shape}
-    groups : names of bodies, or of several, that it may concern
-    change : body → what is different of it
+    groups : the bodies, and the groups of bodies, that it may concern
+    change : body → its wrong attributes
+    example : a question and the answer of a student who makes the mistake
     """
 
     id: str
     hint: str
     groups: tuple[str, ...]
     change: Callable[[Body], dict[str, Any]]
+    example: tuple[str, str]
 
     @property
     def is_of_inertia(self) -> bool:
-        """Whether it changes nothing but moments of inertia."""
+        """Whether it changes only moments of inertia."""
         return self.id == "no_rotation" or self.id.startswith("inertia")
 
 
 @dataclass(frozen=True)
 class Altered:
-    """The machine as it would be if a mistake about a group of bodies were right."""
+    """The machine with a mistake about a group of bodies."""
 
     mistake: Mistake
     group: str
@@ -76,18 +84,18 @@ class Altered:
 
     @property
     def bodies(self) -> frozenset[str]:
-        """The names of the bodies that are different."""
+        """The names of the altered bodies."""
         return frozenset(self.group.split())
 
     @property
     def hint(self) -> str:
-        """The hint at the mistake."""
+        """The hint, with its slots filled."""
         body = self.machine[self.group.split()[-1]]
         return self.mistake.hint.format(
             body=_GROUPS[self.group],
             mass="m" if body.mass == m else "m′",
             angle="φ" if body.displacement.has(phi) else "Φ",
-            shape=_SHAPES.get(body.shape_factor, ""),
+            shape=_SHAPES.get(body.shape_factor, ("",))[0],
         )
 
 
@@ -103,6 +111,7 @@ MISTAKES = (
         _("You get this result if you leave out the rotation of {body}. What is the energy of a rotation?"),
         (*_ROLLERS.split(), _LOWER, _ROLLERS),
         lambda _body: {"shape_factor": sp.S.Zero},
+        ("kinetic_energy_hoop", "½m'(Rφ'-X')²"),
     ),
     Mistake(
         "rolls_on_ground",
@@ -113,6 +122,7 @@ MISTAKES = (
         ),
         (*_ROLLERS.split(), _LOWER, _ROLLERS),
         lambda body: {"angle": sp.expand(body.displacement / R)},
+        ("kinetic_energy_hoop", "½m'(Rφ'-X')²+½m'(Rφ'-X')²"),
     ),
     Mistake(
         "other_mass",
@@ -120,6 +130,7 @@ MISTAKES = (
         _("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
         (*CALLED, _LOWER),
         lambda body: {"mass": m if body.mass == m_prime else m_prime},
+        ("kinetic_energy_block", "½m'X'²"),
     ),
     Mistake(
         "sign_of_X",
@@ -127,6 +138,7 @@ MISTAKES = (
         _("You get this result if you add X′ to the velocity of {body}. In which direction does the block move?"),
         (*_RIDERS.split(), _LOWER),
         lambda body: {"displacement": body.displacement.subs(X, -X)},
+        ("kinetic_energy_hoop", "½m'(Rφ'+X')²+½m'R²φ'²"),
     ),
     Mistake(
         "relative_to_block",
@@ -134,6 +146,7 @@ MISTAKES = (
         _("You get this result if you take the velocity of {body} relative to the block. How does the block move?"),
         (*_RIDERS.split(), _LOWER, _RIDERS),
         lambda body: {"displacement": body.displacement.subs(X, 0)},
+        ("kinetic_energy_hoop", "m'R²φ'²"),
     ),
     Mistake(
         "slab_as_centres",
@@ -141,6 +154,7 @@ MISTAKES = (
         _("You get this result if {body} moves only as far as the centres of its rollers. How far do their tops move?"),
         ("slab",),
         lambda _body: {"displacement": right()["hoop"].displacement},
+        ("kinetic_energy_slab", "½m(Rφ'-X')²"),
     ),
     Mistake(
         "roller_as_slab",
@@ -148,6 +162,7 @@ MISTAKES = (
         _("You get this result if you let {body} move as far as the slab. How far does the centre of a roller move?"),
         (*_LOWER.split(), _LOWER),
         lambda _body: {"displacement": right()["slab"].displacement},
+        ("kinetic_energy_hoop", "½m'(2Rφ'-X')²+½m'R²φ'²"),
     ),
     Mistake(
         "other_angle",
@@ -155,6 +170,7 @@ MISTAKES = (
         _("You get this result if you use the angle {angle} for {body}. Which bodies turn by this angle?"),
         tuple(_RIDERS.split()),
         _other_angle,
+        ("kinetic_energy_hoop", "½m'(RΦ'-X')²+½m'R²Φ'²"),
     ),
     *(
         Mistake(
@@ -163,8 +179,9 @@ MISTAKES = (
             _("You get this result if {body} has the moment of inertia of {shape}. What is the right one?"),
             tuple(_ROLLERS.split()),
             lambda _body, shape=shape: {"shape_factor": shape},
+            example,
         )
-        for shape in _SHAPES
+        for shape, (_name, example) in _SHAPES.items()
     ),
     Mistake(
         "left_out",
@@ -172,6 +189,7 @@ MISTAKES = (
         _("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
         tuple(CALLED),
         lambda _body: {"mass": sp.S.Zero},
+        ("lagrangian", "(m+m')X'² + ¼(8m+7m')R²φ'² - 2(m+m')RX'φ' - 2kR²φ²"),
     ),
 )
 
@@ -192,9 +210,9 @@ def _changed(body: Body, mistake: Mistake, names: list[str]) -> Body:
 
 
 def named(same: Sequence[Altered]) -> str | None:
-    """Return the hint at the one mistake that gives a result; None if several do, and nobody knows which it was.
+    """Return the hint at the only mistake with a result; None if several mistakes have it.
 
-    Of groups that contain each other the smallest is named: the rest of the mistake has no effect on the result.
+    If groups contain each other, the smallest one is named: the rest of the mistake has no effect on the result.
     """
     least = min(same, key=lambda each: len(each.bodies))
     if all(each.mistake is least.mistake and least.bodies <= each.bodies for each in same):
@@ -204,15 +222,13 @@ def named(same: Sequence[Altered]) -> str | None:
     return None
 
 
-# The elimination
+# The equations of motion
 
 
-_RATIOS = field(epsilon, sp.ZZ)[0]
+_DOMAIN = sp.ZZ.frac_field(epsilon)
 _UNITS = {m: sp.S.One, k: sp.S.One, R: sp.S.One, m_prime: epsilon}
-"""An answer has a unit, and in that unit it is a quotient of polynomials in the mass ratio."""
-
-_Equations = tuple[list[list[FracElement]], FracElement]
-"""The mass matrix and the stiffness ∂²U/∂φ², in units of m, k and R."""
+"""In units of m, k and R, an answer is a quotient of polynomials in the mass ratio."""
+_FORCE_ON_PHI = DomainMatrix([[_DOMAIN.zero], [_DOMAIN.one], [_DOMAIN.zero]], (3, 1), _DOMAIN)
 
 
 @cache
@@ -229,35 +245,38 @@ def _rates_of(path: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(sp.diff(path, q) for q in COORDINATES)
 
 
-@cache
-def _equations(bodies: Machine) -> _Equations:
-    def worth(expression: sp.Expr) -> FracElement:
-        return _RATIOS.from_expr(sp.sympify(expression).xreplace(_UNITS))
+def _solved(name: str, bodies: Machine, factors: dict[tuple[int, int], int]) -> sp.Expr | None:
+    """Return the answer to a question from the equations of motion M a = −∂U/∂q, None if there is none.
 
-    matrix = [list(map(worth, row)) for row in mass_matrix(bodies)]
-    return matrix, worth(k * _rates_of(bodies.deformation)[1] ** 2)
+    Only φ has a force, −∂U/∂φ = −stiffness·φ. So the accelerations are in the ratio of the column φ of M⁻¹, and Ω² is
+    the stiffness times its entry in the row φ. The question about the φ equation writes its last term as 4kRφ.
 
-
-def _solved(name: str, equations: _Equations) -> sp.Expr | None:
-    """Return the answer to a question from the three equations of motion, None if there is none.
-
-    The X and Φ equations, rows 0 and 2, give Ẍ and Φ̈, which go into the φ equation. The question about the φ equation
-    writes its last term as 4kRφ.
+    Parameters
+    ----------
+    name : the question
+    bodies : the machine
+    factors : row and column of an entry of M → its factor, for a slip in the elimination
     """
-    ((a, b, c), (d, e, f), (g, h, i)), stiffness = equations
-    # Without a top cylinder the Φ equation is empty: Φ̈ may be anything, also 0.
-    i = i or i + 1
-    determinant, block, top = a * i - c * g, c * h - b * i, b * g - a * h
-    squared = stiffness * determinant, e * determinant + d * block + f * top
-    above, below, unit = {
-        "block_coupling": (block, determinant, R),
-        "top_coupling": (top, determinant, 1),
-        "phi_equation": (4 * e, stiffness, m * R),
-    }.get(name, (*squared, k / m))
+    matrix = [[_in_units(entry) for entry in row] for row in mass_matrix(bodies)]
+    stiffness = _in_units(k * _rates_of(bodies.deformation)[1] ** 2)
+    for (row, column), factor in factors.items():
+        matrix[row][column] *= factor
+    # Without a top cylinder the Φ equation is empty, and Φ̈ may be 0.
+    matrix[2][2] = matrix[2][2] or _DOMAIN.one
+    try:
+        block, rollers, top = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI).to_list_flat()
+    except DMNonInvertibleMatrixError:
+        return None
+    quotients = {
+        "block_coupling": (block, rollers, R),
+        "top_coupling": (top, rollers, 1),
+        "phi_equation": (4 * matrix[1][1], stiffness, m * R),
+    }
+    above, below, unit = quotients.get(name, (stiffness * rollers, _DOMAIN.one, k / m))
     if not below:
         return None
     if name in ("unit_quadratic", "unit_mass_ratio"):
-        return _condition(name, above / below)
+        return _condition(name, above)
     return unit * (above / below).as_expr()
 
 
@@ -268,43 +287,25 @@ def _condition(name: str, squared: FracElement) -> sp.Expr | None:
         return None
     if name == "unit_mass_ratio":
         return positive_root(condition)
-    # An equation with one term says no more than that this term is zero.
+    # An equation with one term states only that this term is zero.
     return condition.as_expr() if len(condition.terms()) > 1 else None
 
 
+def _in_units(expression: sp.Expr) -> FracElement:
+    return _DOMAIN.from_sympy(sp.sympify(expression).xreplace(_UNITS))
+
+
 def positive_root(condition: sp.Poly) -> sp.Expr | None:
-    """Return the positive root of a quadratic, None if it has not exactly one."""
+    """Return the positive root of a quadratic, None unless it has exactly one."""
     a, b, c = condition.all_coeffs()
     return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2 if a * c < 0 else None
 
 
 def answer(name: str, bodies: Machine) -> sp.Expr | None:
     """Return the answer to a question about the elimination that is right for a machine, None if there is none."""
-    return _solved(name, _equations(bodies))
+    return _solved(name, bodies, {})
 
 
-def procedures(name: str) -> Iterator[tuple[str, sp.Expr | None]]:
-    """Yield hint and result of each slip in the elimination."""
-    hint = _(
-        "You get this result if you leave the acceleration of Φ out of the X equation. What does the Φ equation say "
-        "about it?"
-    )
-    yield hint, _with_a_slip(name, 0, 2, 0)
-    hint = _(
-        "You get this result if you leave out the acceleration of X, as if the block stood still. What does the X "
-        "equation say about it?"
-    )
-    yield hint, _with_a_slip(name, 1, 0, 0)
-    hint = _(
-        "You get this result if you insert the acceleration of {q} with the wrong sign. What does its equation say?"
-    )
-    yield hint.format(q="Φ"), _with_a_slip(name, 2, 0, -1)
-    yield hint.format(q="X"), _with_a_slip(name, 1, 0, -1)
-
-
-def _with_a_slip(name: str, row: int, column: int, factor: int) -> sp.Expr | None:
-    """Return the answer if one entry of the three equations is multiplied by a factor."""
-    matrix, stiffness = _equations(right())
-    slipped = [list(each) for each in matrix]
-    slipped[row][column] *= factor
-    return _solved(name, (slipped, stiffness))
+def with_a_slip(name: str, row: int, column: int, factor: int) -> sp.Expr | None:
+    """Return the answer to a question if one entry of the mass matrix is multiplied by a factor."""
+    return _solved(name, right(), {(row, column): factor})

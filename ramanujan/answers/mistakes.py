@@ -1,159 +1,273 @@
-"""What natural mistakes give as the answer to each question, each with a hint and the question that leads on.
+"""Natural slips: the hint at each, an example of it, and the results to which it leads.
 
-A mistake here is a slip in a formula, a guess, the answer to another question, or a slip in the elimination. No two of
-one question give the same result: a hint names the only one. Bodies taken wrongly are in `machines`.
+A slip is an error in a formula, a guess, the answer to another question, or an error in the elimination. No two slips
+of one question have the same result, so a hint names the only one. Wrong bodies are in `machines`.
 """
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import sympy as sp
 
 from ramanujan.answers import machines
 from ramanujan.derivation.elimination import Elimination, eliminate, phi_ddot
-from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime, phi, t
+from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, R, epsilon, k, m, m_prime, t
 from ramanujan.derivation.numbers import unit_frequency_condition
 from ramanujan.translation import _
 
-Slips = Iterator[tuple[str, sp.Expr | None]]
-"""Hints, and the result of the mistake of each; None where there is no solution."""
+HINTS = {
+    "no_radius": _("You get this result if you leave out R. Which length belongs to an angle?"),
+    # Energies
+    "no_mixed_term": _("You get this result if you square a sum term by term. What is the mixed term of (a + b)²?"),
+    "velocity_not_squared": _(
+        "You get this result if you do not square the velocity. How does kinetic energy depend on velocity?"
+    ),
+    "no_half_of_energy": _("You get this result if you leave out the ½. What is the kinetic energy of a point mass?"),
+    "no_half_of_translation": _(
+        "You get this result if you leave out the ½ in the energy of translation. What is the kinetic energy of a "
+        "point mass?"
+    ),
+    # The ½ of ½Iω² may be missing, or that of a cylinder's moment of inertia.
+    "rotation_twice": _("In your answer the energy of rotation is twice the right one. What is I, and what is ½Iω²?"),
+    "energies_subtracted": _(
+        "You get this result if you subtract one energy from the other. Which sign does each kinetic energy have?"
+    ),
+    # TRANSLATORS: {body} is the hoop, the lower cylinder or the top cylinder.
+    "rotation_alone": _("This is only the energy of rotation of {body}. How fast does its centre move?"),
+    "no_half_of_spring": _("You get this result if you leave out the ½. What is the potential energy of a spring?"),
+    "deformation_not_squared": _(
+        "You get this result if you do not square the deformation. How does a spring’s energy depend on it?"
+    ),
+    "spring_to_ground": _(
+        "You get this result if you take the displacement of the slab relative to the ground. Between which two bodies "
+        "does the spring act?"
+    ),
+    "block_added": _(
+        "You get this result if you take 2Rφ + X for the deformation. Between which two bodies does the spring act, "
+        "and does their distance depend on X?"
+    ),
+    "spring_to_centres": _(
+        "You get this result if the slab moves only as far as the centres of its rollers. How far does the top of a "
+        "rolling body move?"
+    ),
+    # The Lagrangian, and the equations that follow from it
+    "potential_energy_added": _(
+        "You get this result if you add the potential energy. Which sign does it have in the Lagrangian?"
+    ),
+    "kinetic_energy_alone": _("This is the kinetic energy alone. What does the Lagrangian contain besides it?"),
+    "other_momentum": _("This is the momentum of {coordinate}. With respect to which velocity do you differentiate?"),
+    "no_2_of_derivative": _(
+        "You get this result if you leave out the 2 when you differentiate X′². What is the derivative of a square?"
+    ),
+    "block_alone": _("This is the momentum of the block alone. Which other bodies move when X changes?"),
+    "momentum_is_zero": _(
+        "This says that the momentum of X is zero. What does Lagrange’s equation say about its derivative?"
+    ),
+    "other_equation": _("This is the equation of {coordinate}. Which one is asked for?"),
+    "centres_do_not_accelerate": _(
+        "This says that the centres of the lower rollers do not accelerate. Which forces act on them?"
+    ),
+    # The elimination
+    "centres_at_rest": _("With this factor the centres of the lower rollers stay at rest. Which forces act on them?"),
+    "slab_at_rest": _("With this factor the slab stays at rest. Which force acts on it?"),
+    "rollers_turn_alike": _("With this factor all rollers turn alike. Which force makes the top cylinder turn?"),
+    "reciprocal_coupling": _("This is the reciprocal of the right answer. Which acceleration is multiplied by c?"),
+    "other_pair": _(
+        "This is the acceleration of {above} divided by that of {below}. Which two accelerations does the question "
+        "compare?"
+    ),
+    "other_pair_and_radius": _(
+        "Apart from a factor R, this is the acceleration of {above} divided by that of {below}. Which two "
+        "accelerations does the question compare?"
+    ),
+    "after_insertion": _("This is the factor after the other two accelerations are inserted. What is it before?"),
+    "times_radius": _("This is R times the right answer. Which common factor has been cancelled in the equation?"),
+    "reciprocal_factor": _("This is the reciprocal of the right answer. What multiplies the acceleration of φ?"),
+    "equal_masses": _(
+        "This is the answer for equal masses, m′ = m. What changes if the lower rollers have another mass?"
+    ),
+    "masses_interchanged": _("Somewhere in your answer m and m′ are interchanged. Which bodies have the mass m′?"),
+    "no_top_in_block_equation": _(
+        "You get this result if you leave the acceleration of Φ out of the X equation. What does the Φ equation say "
+        "about it?"
+    ),
+    "block_stands_still": _(
+        "You get this result if you leave out the acceleration of X, as if the block stood still. What does the X "
+        "equation say about it?"
+    ),
+    "wrong_sign_inserted": _(
+        "You get this result if you insert the acceleration of {q} with the wrong sign. What does its equation say?"
+    ),
+    "square_root_of_answer": _("This is Ω. The question asks for Ω². What do you get if you square it?"),
+    "square_of_answer": _("This is Ω⁴. The question asks for Ω². What do you get if you take its root?"),
+    "normalized": _("This is Ω² in units of k/m. Which factor turns it into the square of a frequency?"),
+    "plain_mass": _("This is Ω² of a plain mass m on the same spring. Which other bodies move?"),
+    "block_and_slab": _("This is Ω² of the block and the slab alone, joined by the spring. Which other bodies move?"),
+    "one_large_mass": _("This is Ω² of one mass as large as all bodies together. Do all bodies move alike?"),
+    "equal_masses_normalized": _(
+        "This is Ω² for equal masses, m′ = m, in units of k/m. What changes if the lower rollers have another mass?"
+    ),
+    "root_for_equal_masses": _("This is Ω for equal masses, m′ = m. What is Ω² for any two masses?"),
+    "reciprocal_frequency": _("This is the reciprocal of the right answer. Which unit does Ω² have?"),
+    # The mass ratio
+    "other_root": _("This is the other root of the quadratic. Can a ratio of masses be negative?"),
+    "sign_of_b": _("You get this result if b has the wrong sign. Which sign does b have in (−b ± √(b² − 4ac))/(2a)?"),
+    "inverse_ratio": _("This is the ratio m/m′. Which ratio does the question ask for?"),
+    "no_square_root": _(
+        "You get this result if you leave out the square root. What does the quadratic formula do with the "
+        "discriminant?"
+    ),
+    # Both slips lead to √(−c/a), because b² = b here.
+    "no_linear_term": _(
+        "You get this result if you leave out the linear term bε, or if −b is under the root as well. What is b, "
+        "and where does the root end?"
+    ),
+    "only_one_term_divided": _(
+        "You get this result if you divide only one of the two terms by 2a. Where do you need a bracket?"
+    ),
+    "divided_by_a": _("You get this result if you divide by a. By what does the quadratic formula divide?"),
+    "no_b": _("You get this result if you leave out b in front of the root. What is b here?"),
+    "no_b_squared": _("You get this result if you leave out b² under the root. What is the discriminant?"),
+    "no_4_under_root": _("You get this result if you leave out the factor 4 under the root. What is the discriminant?"),
+    "no_term_in_ratio": _("The term with ε is missing. In which terms of the denominator is ε?"),
+    "equation_of_inverse": _("This is the equation for m/m′. Which ratio is ε?"),
+    "sides_added": _("You get this result if you add the two sides of Ω²m/k = 1. What is left when you subtract them?"),
+    "sign_kept": _(
+        "You get this result if {term} keeps its sign when you bring it to the other side. Which sign is right?"
+    ),
+    "no_factor_of_numerator": _(
+        "You get this result if you leave out the factor {factor} of the numerator. What is Ω²m/k?"
+    ),
+    "only_one_term_multiplied": _(
+        "You get this result if you multiply only one term of a bracket. Which terms does the factor multiply?"
+    ),
+}
+"""A sentence about each slip and the question that leads on."""
+
+
+class Slip(NamedTuple):
+    """A slip in the answer to one question.
+
+    Parameters
+    ----------
+    id : its name in `HINTS`
+    hint : the hint, with its slots filled
+    example : an answer of a student who makes the slip, to one of the questions that have it
+    results : the answers to which it leads; None if there is no solution
+    """
+
+    id: str
+    hint: str
+    example: str
+    results: tuple[sp.Expr | None, ...]
+
+
+Slips = Iterator[Slip]
+
+
+def _slip(id: str, example: str, *results: sp.Expr | None, **slots: object) -> Slip:
+    return Slip(id, HINTS[id].format(**slots), example, results)
 
 
 def elimination() -> Elimination:
-    """Return the elimination for the machine as it is."""
+    """Return the elimination for the right machine."""
     return eliminate(machines.right())
+
+
+def no_radius(right: sp.Expr) -> Slip:
+    """Return the slip of leaving out R."""
+    return _slip("no_radius", "½m'(φ'-X')²+½m'φ'²", right.subs(R, 1))
 
 
 # Energies
 
 
 def energy(name: str) -> Slips:
-    """Yield the mistakes in the kinetic energy of one body."""
+    """Yield the slips in the kinetic energy of one body."""
     body = machines.right()[name]
     whole, travel, spin = sp.expand(body.kinetic_energy), body.translation, body.rotation
     squares = [term for term in sp.Add.make_args(whole) if sum(term.has(rate) for rate in VELOCITIES) == 1]
-    hint = _("You get this result if you square a sum term by term. What is the mixed term of (a + b)²?")
-    yield hint, sp.Add(*squares)
-    # A student who forgets the square may count the velocity positive to either side.
-    hint = _("You get this result if you do not square the velocity. How does kinetic energy depend on velocity?")
-    turning = body.moment_of_inertia * body.angle.diff(t)
-    yield hint, (body.mass * body.velocity + turning) / 2
-    yield hint, (-body.mass * body.velocity + turning) / 2
-    yield _("You get this result if you leave out the ½. What is the kinetic energy of a point mass?"), 2 * whole
+    yield _slip("no_mixed_term", "½m'(R²φ'²+X'²)+½m'R²φ'²", sp.Add(*squares))
+    # Without the square, the velocity may be positive to either side.
+    momentum, turning = body.mass * body.velocity, body.moment_of_inertia * body.angle.diff(t)
+    yield _slip("velocity_not_squared", "½mX'", (turning + momentum) / 2, (turning - momentum) / 2)
+    yield _slip("no_half_of_energy", "mX'²", 2 * whole)
     if not spin:
         return
-    hint = _(
-        "You get this result if you leave out the ½ in the energy of translation. What is the kinetic energy of a "
-        "point mass?"
-    )
-    yield hint, 2 * travel + spin
-    # The ½ of ½Iω² may be missing, or that of a cylinder's moment of inertia.
-    yield _("In your answer the energy of rotation is twice the right one. What is I, and what is ½Iω²?"), whole + spin
-    hint = _("You get this result if you subtract one energy from the other. Which sign does each kinetic energy have?")
-    # The difference for a hoop has no φ′², as if that term had been forgotten.
+    yield _slip("no_half_of_translation", "m'(Rφ'-X')²+½m'R²φ'²", 2 * travel + spin)
+    yield _slip("rotation_twice", "½m'(Rφ'-X')²+m'R²φ'²", whole + spin)
+    # The difference for a hoop has no φ′², like an answer without that term.
     if body.shape_factor != 1:
-        yield hint, travel - spin
-        yield hint, spin - travel
-    # TRANSLATORS: {body} is the hoop, the lower cylinder or the top cylinder.
-    alone = _("This is only the energy of rotation of {body}. How fast does its centre move?")
-    yield alone.format(body=machines.CALLED[name]), spin
+        yield _slip("energies_subtracted", "½m'(Rφ'-X')²-¼m'R²φ'²", travel - spin, spin - travel)
+    yield _slip("rotation_alone", "½m'R²φ'²", spin, body=machines.CALLED[name])
 
 
 def spring() -> Slips:
-    """Yield the mistakes in the energy of the spring."""
+    """Yield the slips in the energy of the spring."""
     bodies = machines.right()
-    path, travel = bodies.deformation, bodies["block"].displacement
-    yield _("You get this result if you leave out the ½. What is the potential energy of a spring?"), k * path**2
-    hint = _("You get this result if you do not square the deformation. How does a spring’s energy depend on it?")
-    yield hint, k * path / 2
-    hint = _(
-        "You get this result if you take the displacement of the slab relative to the ground. Between which two bodies "
-        "does the spring act?"
-    )
-    yield hint, k * (path + travel) ** 2 / 2
-    hint = _(
-        "You get this result if you take 2Rφ + X for the deformation. Between which two bodies does the spring act, "
-        "and does their distance depend on X?"
-    )
-    yield hint, k * (path - travel) ** 2 / 2
-    hint = _(
-        "You get this result if the slab moves only as far as the centres of its rollers. How far does the top of a "
-        "rolling body move?"
-    )
-    yield hint, k * (bodies["hoop"].displacement - travel) ** 2 / 2
+    path, block = bodies.deformation, bodies["block"].displacement
+    yield _slip("no_half_of_spring", "k(2Rφ)²", k * path**2)
+    yield _slip("deformation_not_squared", "½k·2Rφ", k * path / 2)
+    yield _slip("spring_to_ground", "½k(2Rφ-X)²", k * (path + block) ** 2 / 2)
+    yield _slip("block_added", "½k(2Rφ+X)²", k * (path - block) ** 2 / 2)
+    yield _slip("spring_to_centres", "½k(Rφ)²", k * (bodies["hoop"].displacement - block) ** 2 / 2)
 
 
-# The Lagrangian, and what is derived from it
+# The Lagrangian, and the equations that follow from it
 
 
 def lagrangian(right: sp.Expr) -> Slips:
-    """Yield the mistakes in the Lagrangian: those with U, and those in the energy of the spring."""
+    """Yield the slips in the Lagrangian: in the sign of U and in U itself."""
     stored = machines.right().potential_energy
-    hint = _("You get this result if you add the potential energy. Which sign does it have in the Lagrangian?")
-    yield hint, right + 2 * stored
-    yield _("This is the kinetic energy alone. What does the Lagrangian contain besides it?"), right + stored
-    for hint, wrong in spring():
-        yield hint, right + stored - wrong
+    kinetic = "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ'"
+    yield _slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * stored)
+    yield _slip("kinetic_energy_alone", kinetic, right + stored)
+    for slip in spring():
+        yield slip._replace(results=tuple(right + stored - wrong for wrong in slip.results))
 
 
 def momentum(right: sp.Expr) -> Slips:
-    """Yield the mistakes in p_X: the momentum of another coordinate or of the block alone, a square’s factor 2 lost."""
-    sentence = _("This is the momentum of {coordinate}. With respect to which velocity do you differentiate?")
-    yield from _of_others(sentence, elimination().momenta)
+    """Yield the slips in p_X."""
     rate = VELOCITIES[0]
-    yield (
-        _("You get this result if you leave out the 2 when you differentiate X′². What is the derivative of a square?"),
-        right - right.coeff(rate) * rate / 2,
-    )
-    yield _("This is the momentum of the block alone. Which other bodies move when X changes?"), m * rate
+    yield from _of_other_coordinates("other_momentum", "(3/2)mR²Φ' - mRX'", elimination().momenta)
+    half_as_much = right - right.coeff(rate) * rate / 2
+    yield _slip("no_2_of_derivative", "½(3m+2m')X' - 2(m+m')Rφ' - mRΦ'", half_as_much)
+    yield _slip("block_alone", "mX'", m * rate)
 
 
 def block_equation(right: sp.Expr) -> Slips:
-    """Yield the mistakes in the equation of X: the momentum itself, the equation of another coordinate, a guess."""
-    yield (
-        _("This says that the momentum of X is zero. What does Lagrange’s equation say about its derivative?"),
-        right.xreplace(dict(zip(ACCELERATIONS, VELOCITIES, strict=True))),
-    )
-    yield from _of_others(_("This is the equation of {coordinate}. Which one is asked for?"), elimination().motion)
-    yield (
-        _("This says that the centres of the lower rollers do not accelerate. Which forces act on them?"),
-        ACCELERATIONS[0] - R * ACCELERATIONS[1],
-    )
+    """Yield the slips in the equation of motion of X."""
+    of_velocities = right.xreplace(dict(zip(ACCELERATIONS, VELOCITIES, strict=True)))
+    yield _slip("momentum_is_zero", "(3m+2m')X' = 2(m+m')Rφ' + mRΦ'", of_velocities)
+    yield from _of_other_coordinates("other_equation", "(3/2)RΦ'' = X''", elimination().motion)
+    yield _slip("centres_do_not_accelerate", "X'' = Rφ''", ACCELERATIONS[0] - R * ACCELERATIONS[1])
 
 
-def _of_others(sentence: str, found: dict[sp.Expr, sp.Expr]) -> Slips:
-    """Yield what belongs to φ and to Φ instead of X."""
-    for q, shown in zip(COORDINATES[1:], "φΦ", strict=True):
-        yield sentence.format(coordinate=shown), found[q]
+def _of_other_coordinates(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
+    """Yield the slips of taking φ or Φ for X."""
+    for q, letter in zip(COORDINATES[1:], "φΦ", strict=True):
+        yield _slip(id, example, results[q], coordinate=letter)
 
 
 # The elimination
 
 
 def coupling(name: str, right: sp.Expr) -> Slips:
-    """Yield the mistakes in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another pair, and those of the elimination."""
+    """Yield the slips in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another pair, and those of the elimination."""
     if name == "block_coupling":
-        yield _("With this factor the centres of the lower rollers stay at rest. Which forces act on them?"), R
-        yield _("With this factor the slab stays at rest. Which force acts on it?"), 2 * R
+        yield _slip("centres_at_rest", "R", R)
+        yield _slip("slab_at_rest", "2R", 2 * R)
     else:
-        yield _("With this factor all rollers turn alike. Which force makes the top cylinder turn?"), sp.S.One
-    yield _("This is the reciprocal of the right answer. Which acceleration is multiplied by c?"), 1 / right
+        yield _slip("rollers_turn_alike", "1", sp.S.One)
+    yield _slip("reciprocal_coupling", "(7m+6m')/(4(m+m'))", 1 / right)
     block, top = (answer_of(each) for each in ("X_from_phi", "Phi_from_phi"))
-    pairs = {"Xφ": block, "Φφ": top, "XΦ": block / top, "ΦX": top / block}
-    asked = _(
-        "This is the acceleration of {above} divided by that of {below}. Which two accelerations does the question "
-        "compare?"
-    )
-    apart = _(
-        "Apart from a factor R, this is the acceleration of {above} divided by that of {below}. Which two "
-        "accelerations does the question compare?"
-    )
-    for (above, below), quotient in pairs.items():
+    for (above, below), quotient in {"Xφ": block, "Φφ": top, "XΦ": block / top, "ΦX": top / block}.items():
         if quotient != right:
-            yield asked.format(above=above, below=below), quotient
-            for factor in (R, 1 / R):
-                yield apart.format(above=above, below=below), quotient * factor
+            pair = {"above": above, "below": below}
+            yield _slip("other_pair", "4(m+m')/(7m+6m')", quotient, **pair)
+            yield _slip("other_pair_and_radius", "2/3", quotient * R, quotient / R, **pair)
     yield from _of_masses(right)
-    yield from machines.procedures(name)
+    yield from procedures(name)
 
 
 def answer_of(equation: str) -> sp.Expr:
@@ -161,107 +275,92 @@ def answer_of(equation: str) -> sp.Expr:
     return getattr(elimination(), equation).coeff(phi_ddot)
 
 
-def equation() -> Slips:
-    """Yield the mistakes in the equation of motion of φ."""
-    right = elimination().motion[phi].coeff(phi_ddot)
-    hint = _("This is the factor after the other two accelerations are inserted. What is it before?")
-    yield hint, answer_of("remaining")
-    yield _("This is R times the right answer. Which common factor has been cancelled in the equation?"), right * R
-    yield _("This is the reciprocal of the right answer. What multiplies the acceleration of φ?"), 1 / right
+def equation(right: sp.Expr) -> Slips:
+    """Yield the slips in the equation of motion of φ."""
+    yield _slip("after_insertion", "R(32m²+49mm'+18m'²)/(2(7m+6m'))", answer_of("remaining"))
+    yield _slip("times_radius", "R²(8m+7m')/2", right * R)
+    yield _slip("reciprocal_factor", "2/(R(8m+7m'))", 1 / right)
     yield from _of_masses(right)
 
 
 def frequency(right: sp.Expr) -> Slips:
-    """Yield the mistakes in Ω²."""
-    yield _("This is Ω. The question asks for Ω². What do you get if you square it?"), sp.sqrt(right)
-    yield _("This is Ω⁴. The question asks for Ω². What do you get if you take its root?"), right**2
-    yield _("This is Ω² in units of k/m. Which factor turns it into the square of a frequency?"), right * m / k
-    yield _("This is Ω² of a plain mass m on the same spring. Which other bodies move?"), k / m
-    yield _("This is Ω² of the block and the slab alone, joined by the spring. Which other bodies move?"), 2 * k / m
-    together = sum(body.mass for body in machines.right().bodies)
-    yield _("This is Ω² of one mass as large as all bodies together. Do all bodies move alike?"), k / together
+    """Yield the slips in Ω²."""
     equal = right.subs(m_prime, m)
-    yield (
-        _("This is Ω² for equal masses, m′ = m, in units of k/m. What changes if the lower rollers have another mass?"),
-        equal * m / k,
-    )
-    yield _("This is Ω for equal masses, m′ = m. What is Ω² for any two masses?"), sp.sqrt(equal)
-    yield _("This is the reciprocal of the right answer. Which unit does Ω² have?"), 1 / right
+    together = sum(body.mass for body in machines.right().bodies)
+    yield _slip("square_root_of_answer", "√(8k(7m+6m')/(32m²+49mm'+18m'²))", sp.sqrt(right))
+    yield _slip("square_of_answer", "(8k(7m+6m')/(32m²+49mm'+18m'²))²", right**2)
+    yield _slip("normalized", "8m(7m+6m')/(32m²+49mm'+18m'²)", right * m / k)
+    yield _slip("plain_mass", "k/m", k / m)
+    yield _slip("block_and_slab", "2k/m", 2 * k / m)
+    yield _slip("one_large_mass", "k/(3m+2m')", k / together)
+    yield _slip("equal_masses_normalized", "104/99", equal * m / k)
+    yield _slip("root_for_equal_masses", "√(104k/(99m))", sp.sqrt(equal))
+    yield _slip("reciprocal_frequency", "(32m²+49mm'+18m'²)/(8k(7m+6m'))", 1 / right)
     yield from _of_masses(right)
-    yield from machines.procedures("natural_frequency_squared")
+    yield from procedures("natural_frequency_squared")
 
 
 def _of_masses(right: sp.Expr) -> Slips:
     """Yield an answer for equal masses, and answers with m and m′ interchanged."""
-    hint = _("This is the answer for equal masses, m′ = m. What changes if the lower rollers have another mass?")
-    for wrong in {right.subs(m_prime, m), right.subs(m, m_prime)}:
-        yield hint, wrong
-    hint = _("Somewhere in your answer m and m′ are interchanged. Which bodies have the mass m′?")
+    yield _slip("equal_masses", "12R/13", right.subs(m_prime, m), right.subs(m, m_prime))
     above, below = sp.fraction(right)
     above_off, below_off = (part.xreplace({m: m_prime, m_prime: m}) for part in (above, below))
-    for wrong in {above_off / below, above / below_off, above_off / below_off}:
-        yield hint, wrong
+    results = above_off / below, above / below_off, above_off / below_off
+    yield _slip("masses_interchanged", "6R(m+m')/(6m+7m')", *results)
+
+
+def procedures(name: str) -> Slips:
+    """Yield the slips in the elimination; each multiplies one entry of the mass matrix by a factor."""
+    # The rows and columns 0, 1 and 2 belong to X, φ and Φ.
+    yield _slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", machines.with_a_slip(name, 0, 2, 0))
+    yield _slip("block_stands_still", "8k/(8m+7m')", machines.with_a_slip(name, 1, 0, 0))
+    for letter, row in (("Φ", 2), ("X", 1)):
+        result = machines.with_a_slip(name, row, 0, -1)
+        yield _slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", result, q=letter)
 
 
 # The mass ratio
 
 
 def ratio() -> Slips:
-    """Yield the mistakes in the unit mass ratio: slips in the quadratic formula, then those in the quadratic."""
+    """Yield the slips in the unit mass ratio: in the quadratic formula, then in the quadratic."""
     condition = unit_frequency_condition()
     (a, b, c), discriminant = condition.quadratic.all_coeffs(), condition.discriminant
     root = sp.sqrt(discriminant)
-    yield _("This is the other root of the quadratic. Can a ratio of masses be negative?"), (-b - root) / (2 * a)
-    hint = _("You get this result if b has the wrong sign. Which sign does b have in (−b ± √(b² − 4ac))/(2a)?")
-    yield hint, (b + root) / (2 * a)
-    yield _("This is the ratio m/m′. Which ratio does the question ask for?"), 1 / condition.root
-    hint = _(
-        "You get this result if you leave out the square root. What does the quadratic formula do with the "
-        "discriminant?"
-    )
-    yield hint, (discriminant - b) / (2 * a)
-    # Both slips lead to √(−c/a), because b² = b here.
-    hint = _(
-        "You get this result if you leave out the linear term bε, or if −b is under the root as well. What is b, "
-        "and where does the root end?"
-    )
-    yield hint, sp.sqrt(-c / a)
-    hint = _("You get this result if you divide only one of the two terms by 2a. Where do you need a bracket?")
-    yield hint, root - b / (2 * a)
-    yield hint, root / (2 * a) - b
-    yield _("You get this result if you divide by a. By what does the quadratic formula divide?"), (root - b) / a
-    yield _("You get this result if you leave out b in front of the root. What is b here?"), root / (2 * a)
-    hint = _("You get this result if you leave out b² under the root. What is the discriminant?")
-    yield hint, (sp.sqrt(-4 * a * c) - b) / (2 * a)
-    hint = _("You get this result if you leave out the factor 4 under the root. What is the discriminant?")
-    yield hint, (sp.sqrt(b**2 - a * c) - b) / (2 * a)
-    for hint, wrong in _sides():
-        yield hint, machines.positive_root(wrong.as_poly(epsilon))
-    yield from machines.procedures("unit_mass_ratio")
+    yield _slip("other_root", "(-√1729-1)/36", (-b - root) / (2 * a))
+    yield _slip("sign_of_b", "(√1729+1)/36", (b + root) / (2 * a))
+    yield _slip("inverse_ratio", "36/(√1729-1)", 1 / condition.root)
+    yield _slip("no_square_root", "(1729-1)/36", (discriminant - b) / (2 * a))
+    yield _slip("no_linear_term", "√(24/18)", sp.sqrt(-c / a))
+    yield _slip("only_one_term_divided", "√1729-1/36", root - b / (2 * a), root / (2 * a) - b)
+    yield _slip("divided_by_a", "(√1729-1)/18", (root - b) / a)
+    yield _slip("no_b", "√1729/36", root / (2 * a))
+    yield _slip("no_b_squared", "(√1728-1)/36", (sp.sqrt(-4 * a * c) - b) / (2 * a))
+    yield _slip("no_4_under_root", "(√433-1)/36", (sp.sqrt(b**2 - a * c) - b) / (2 * a))
+    for slip in _sides():
+        roots = (machines.positive_root(wrong.as_poly(epsilon)) for wrong in slip.results)
+        yield slip._replace(results=tuple(roots))
+    yield from procedures("unit_mass_ratio")
 
 
 def quadratic(right: sp.Expr) -> Slips:
-    """Yield the mistakes in the quadratic equation for the unit mass ratio, those of the elimination among them."""
-    hint = _("The term with ε is missing. In which terms of the denominator is ε?")
-    yield hint, right - right.coeff(epsilon) * epsilon
-    hint = _("This is the equation for m/m′. Which ratio is ε?")
-    yield hint, sp.expand(right.subs(epsilon, 1 / epsilon) * epsilon**2)
+    """Yield the slips in the quadratic equation for the unit mass ratio."""
+    yield _slip("no_term_in_ratio", "18ε² = 24", right - right.coeff(epsilon) * epsilon)
+    of_inverse = sp.expand(right.subs(epsilon, 1 / epsilon) * epsilon**2)
+    yield _slip("equation_of_inverse", "24ε² = ε + 18", of_inverse)
     yield from _sides()
-    yield from machines.procedures("unit_quadratic")
+    yield from procedures("unit_quadratic")
 
 
 def _sides() -> Slips:
     """Yield slips on the way from Ω²m/k = 1 to the quadratic: in signs, and in the product in the numerator."""
     above, below = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
-    hint = _("You get this result if you add the two sides of Ω²m/k = 1. What is left when you subtract them?")
-    yield hint, below + above
+    yield _slip("sides_added", "18ε² + 97ε + 88 = 0", below + above)
     terms = sp.expand(above).as_ordered_terms()
-    kept = _("You get this result if {term} keeps its sign when you bring it to the other side. Which sign is right?")
     for term in terms:
-        yield kept.format(term=str(term).replace("*varepsilon", "ε")), below - sum(terms) + 2 * term
+        shown = str(term).replace("*varepsilon", "ε")
+        yield _slip("sign_kept", "18ε² + 97ε - 24 = 0", below - sum(terms) + 2 * term, term=shown)
     factor, inner = above.as_content_primitive()
-    hint = _("You get this result if you leave out the factor {factor} of the numerator. What is Ω²m/k?")
-    yield hint.format(factor=factor), below - inner
-    hint = _("You get this result if you multiply only one term of a bracket. Which terms does the factor multiply?")
-    for term in inner.as_ordered_terms():
-        yield hint, below - inner - (factor - 1) * term
+    yield _slip("no_factor_of_numerator", "18ε² + 43ε + 25 = 0", below - inner, factor=factor)
+    one_term = (below - inner - (factor - 1) * term for term in inner.as_ordered_terms())
+    yield _slip("only_one_term_multiplied", "18ε² + 49ε + 32 = 8·7 + 6ε", *one_term)

@@ -1,7 +1,7 @@
-"""The questions: prompt, right answer, the results of typical mistakes, hints, and the step that shows the answer.
+"""The questions: prompt, right answer, mistakes, hints, and the step that shows the answer.
 
-The right answers come from the bodies and their elimination, the wrong ones from `mistakes`, hints and step from the
-route of Euler and Lagrange. A new question is one entry of `_ALL`.
+Right answers come from the bodies and their elimination; hints and steps come from the route of Euler and Lagrange. A
+new question is one entry of `_ALL`; its own slips are optional, in `mistakes`.
 """
 
 from collections.abc import Callable, Mapping
@@ -15,7 +15,7 @@ from sympy.polys.fields import FracElement
 from ramanujan.answers import machines, mistakes
 from ramanujan.answers.formulas import leaves, length, without_signs
 from ramanujan.answers.machines import CALLED, Altered
-from ramanujan.answers.mistakes import Slips, elimination
+from ramanujan.answers.mistakes import Slip, Slips, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, Compared, exact
 from ramanujan.answers.values import Mistakes, Values, agree, at_points, up_to_a_factor
@@ -40,12 +40,12 @@ class Question:
     quantity : the quantity asked for, in a few words of plain text
     answer : derives the right answer
     prompt : returns one or two sentences, Markdown with $…$
-    mistakes : takes the answer, yields what natural mistakes give
-    of_machine : takes a machine, returns the answer that is right for it
     example : a formula that shows how to type; it is not the answer
     kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
     steps : keys of steps in the route of Euler and Lagrange that say how it is done; the last one has the answer
     leads_on : the question that a lecturer would ask next
+    mistakes : takes the answer, returns its slips
+    of_machine : takes a machine with wrong bodies, returns the answer for it
     of_terms : product of names, as shown → the next question about its coefficient
     letters : letters of the textbook → what each stands for here, and the question about it
     variables : the names in whose products the answer is written term by term
@@ -57,12 +57,12 @@ class Question:
     quantity: str
     answer: Callable[[], sp.Expr]
     prompt: Callable[[], str]
-    mistakes: Callable[[sp.Expr], Slips]
-    of_machine: Callable[[Machine], sp.Expr | None]
     example: str
     kind: str
     steps: tuple[str, ...]
     leads_on: str
+    mistakes: Callable[[sp.Expr], Slips] = lambda _right: iter(())
+    of_machine: Callable[[Machine], sp.Expr | None] = lambda _machine: None
     of_terms: Mapping[str, str] = field(default_factory=dict)
     letters: Mapping[sp.Symbol, tuple[sp.Expr, str]] = field(default_factory=dict)
     variables: tuple[str, ...] = NAMES
@@ -134,18 +134,21 @@ class Question:
         """
         return Compared(self.terms(formula), self.right_terms, self.terms(without_signs(formula)))
 
+    def all_slips(self) -> list[Slip]:
+        """Return the slips; some may have no effect on the answer."""
+        slips = [*self.mistakes(self.right)]
+        return [mistakes.no_radius(self.right), *slips] if R in leaves(self.right) else slips
+
     @cached_property
     def slips(self) -> Mistakes:
-        """Hint and result of each natural mistake that changes the answer."""
-        found = list(self.mistakes(self.right))
-        if R in leaves(self.right):
-            hint = _("You get this result if you leave out R. Which length belongs to an angle?")
-            found.insert(0, (hint, self.right.subs(R, 1)))
-        return tuple((hint, values) for hint, wrong in found if (values := self._values_of_mistake(wrong)))
+        """Hint and values of each slip that changes the answer."""
+        results = ((slip.hint, result) for slip in self.all_slips() for result in dict.fromkeys(slip.results))
+        slips = [(hint, self._values_of_mistake(result)) for hint, result in results]
+        return tuple((hint, values) for hint, values in slips if values)
 
     @cached_property
     def altered(self) -> Mistakes:
-        """Hint and result of each machine with bodies taken wrongly, if no other mistake about bodies gives it."""
+        """Hint and values of each machine with wrong bodies, if no other mistake about bodies has the same values."""
         found: list[tuple[Values, list[Altered]]] = []
         for each in machines.altered():
             if values := self._values_of_mistake(self.of_machine(each.machine)):
@@ -227,15 +230,15 @@ def _body_question(name: str) -> Question:
         lambda: body.kinetic_energy,
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=called),
-        lambda _right: mistakes.energy(name),
-        lambda bodies: bodies[name].kinetic_energy,
         "3/5 m' (X' + 3 R phi')^2",
         POLYNOMIAL,
         ("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
         leads_on.format(body=called),
-        {term: hint.format(body=called, rate=rate) for term, hint in hints.items()} if rate else {},
-        letters,
-        MOTION,
+        mistakes=lambda _right: mistakes.energy(name),
+        of_machine=lambda bodies: bodies[name].kinetic_energy,
+        of_terms={term: hint.format(body=called, rate=rate) for term, hint in hints.items()} if rate else {},
+        letters=letters,
+        variables=MOTION,
     )
 
 
@@ -247,12 +250,12 @@ def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation
         lambda: _("The equations of motion of $X$ and $\\Phi$ give {relation}. What is $c$?").format(
             relation=f"${latex(acceleration)}=c\\,{latex(phi_ddot)}$"
         ),
-        partial(mistakes.coupling, name),
-        partial(machines.answer, name),
         "R (2m + m')/(5m)" if acceleration == X_ddot else "(2m + m')/(5m)",
         QUOTIENT,
         ("motion", "elimination"),
         _("What do the equations of motion of X and Φ say about the three accelerations?"),
+        mistakes=partial(mistakes.coupling, name),
+        of_machine=partial(machines.answer, name),
         symbol=sp.Symbol("c"),
     )
 
@@ -278,12 +281,11 @@ _ALL = (
         lambda: _("What is the potential energy of the spring when the lower rollers have turned by {angle}?").format(
             angle=f"${latex(phi)}$"
         ),
-        lambda _right: mistakes.spring(),
-        lambda _bodies: None,
         "k (R phi)^2 / 5",
         POLYNOMIAL,
         ("inertia", "energies"),
         _("How far is the spring compressed when the lower rollers have turned by φ?"),
+        mistakes=lambda _right: mistakes.spring(),
         letters={TEXTBOOK["x"]: (machine().deformation, _("What is x in terms of φ?"))},
         variables=MOTION,
     ),
@@ -292,12 +294,12 @@ _ALL = (
         _("the Lagrangian"),
         lambda: elimination().lagrangian,
         lambda: _("What is the Lagrangian of the whole machine?"),
-        mistakes.lagrangian,
-        lambda bodies: bodies.kinetic_energy - bodies.potential_energy,
         "m' X'^2 - k (R phi)^2",
         POLYNOMIAL,
         ("energies", "sum", "lagrangian"),
         _("What are the kinetic energies of the five bodies, and what is the potential energy?"),
+        mistakes=mistakes.lagrangian,
+        of_machine=lambda bodies: bodies.kinetic_energy - bodies.potential_energy,
         variables=MOTION,
         any_form=True,
     ),
@@ -308,12 +310,12 @@ _ALL = (
         lambda: _("What is the momentum {momentum}, written with the velocities?").format(
             momentum=f"${latex(model.MOMENTA[0])}=\\partial\\mathcal L/\\partial\\dot X$"
         ),
-        mistakes.momentum,
-        lambda bodies: _first_row(bodies, model.VELOCITIES),
         "2 m X' - m' R phi'",
         POLYNOMIAL,
         ("momenta",),
         _("Which terms of the Lagrangian contain X′?"),
+        mistakes=mistakes.momentum,
+        of_machine=lambda bodies: _first_row(bodies, model.VELOCITIES),
         variables=MOTION,
     ),
     Question(
@@ -321,13 +323,13 @@ _ALL = (
         _("the equation of motion of X"),
         lambda: elimination().motion[X],
         lambda: _("What is the equation of motion of {coordinate}?").format(coordinate=f"${latex(X)}$"),
-        mistakes.block_equation,
-        # An equation with one term says no more than that this term is zero.
-        lambda bodies: row if (row := _first_row(bodies, model.ACCELERATIONS)).is_Add else None,
         "2 m X'' = m' R phi''",
         EQUATION,
         ("rates", "motion"),
         _("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
+        mistakes=mistakes.block_equation,
+        # An equation with one term says no more than that this term is zero.
+        of_machine=lambda bodies: row if (row := _first_row(bodies, model.ACCELERATIONS)).is_Add else None,
         variables=MOTION,
     ),
     Question(
@@ -335,12 +337,12 @@ _ALL = (
         _("the factor of the acceleration"),
         lambda: elimination().motion[phi].coeff(phi_ddot),
         _equation_prompt,
-        lambda _right: mistakes.equation(),
-        partial(machines.answer, "phi_equation"),
         "R (2m + m')/5",
         POLYNOMIAL,
         ("rates", "motion"),
         _("Which kinetic energies contain φ′², and with which factors?"),
+        mistakes=mistakes.equation,
+        of_machine=partial(machines.answer, "phi_equation"),
         symbol=sp.Symbol("a"),
     ),
     _coupling_question("block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"),
@@ -350,12 +352,12 @@ _ALL = (
         "Ω²",
         lambda: elimination().natural_frequency_squared,
         lambda: _("What is $\\Omega^2$, the square of the natural frequency?"),
-        mistakes.frequency,
-        partial(machines.answer, "natural_frequency_squared"),
         "2k/(3m + m')",
         QUOTIENT,
         ("elimination", "insertion", "frequency"),
         _("What is left of the equation of motion of φ when you insert the other two accelerations?"),
+        mistakes=mistakes.frequency,
+        of_machine=partial(machines.answer, "natural_frequency_squared"),
     ),
     Question(
         "unit_quadratic",
@@ -364,12 +366,12 @@ _ALL = (
         lambda: _("Which quadratic equation for {ratio} follows from $\\Omega^2=k/m$?").format(
             ratio=f"${latex(epsilon)}=m'/m$"
         ),
-        mistakes.quadratic,
-        partial(machines.answer, "unit_quadratic"),
         "5 eps^2 + eps = 3",
         EQUATION,
         ("ratio", "unit"),
         _("What is Ω² in units of k/m, written with ε?"),
+        mistakes=mistakes.quadratic,
+        of_machine=partial(machines.answer, "unit_quadratic"),
         variables=("eps",),
     ),
     Question(
@@ -377,12 +379,12 @@ _ALL = (
         _("the mass ratio"),
         lambda: unit_frequency_condition().root,
         lambda: _("For which mass ratio {ratio} is $\\Omega^2=k/m$ exactly?").format(ratio=f"${latex(epsilon)}=m'/m$"),
-        lambda _right: mistakes.ratio(),
-        partial(machines.answer, "unit_mass_ratio"),
         "(sqrt(5) - 1)/2",
         NUMBER,
         ("unit", "root"),
         _("Which quadratic equation for ε follows from Ω² = k/m?"),
+        mistakes=lambda _right: mistakes.ratio(),
+        of_machine=partial(machines.answer, "unit_mass_ratio"),
     ),
 )
 _ASKED = {each.name: each for each in _ALL}
