@@ -13,6 +13,8 @@ from ramanujan.translation import _
 _SPEED = COMPRESSION / 2 / EQUAL.period
 """The speed of gliding and rolling [m/s], slow enough to watch."""
 _SPACING = drawn_spacing(EQUAL.radius)
+# TRANSLATORS: how many zero modes: no, one, two, three zero modes.
+_COUNTS = (_("no"), _("one"), _("two"), _("three"))
 # TRANSLATORS: inside a sentence, after "the contact".
 _CONTACTS = {
     "hoop_slab": _("between hoop and slab"),
@@ -70,7 +72,7 @@ STOPS = (
             "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes {count} "
             "zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
-        numbers=lambda: {"count": zero_modes(EQUAL)},
+        numbers=lambda: {"count": _COUNTS[zero_modes(EQUAL)]},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
         purpose=_("The answer prepares the spectrum: one oscillating mode and two zero modes."),
         expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),
