@@ -82,7 +82,9 @@ def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] 
     ratio = float_array("mass_ratio", mass_ratio)
     if np.any(ratio < 0):
         raise ValueError("mass_ratio must not be negative")
-    value: NDArray[np.floating] = 1 / effective_mass_ratio(ratio.astype(np.float64))
+    # Beyond ε = 3·10³⁰⁷ the last denominator overflows, and its term vanishes.
+    with np.errstate(over="ignore"):
+        value: NDArray[np.floating] = 1 / effective_mass_ratio(ratio.astype(np.float64))
     return value.astype(ratio.dtype)[()]
 
 

@@ -119,7 +119,7 @@ class Oscillator:
         """Ω² = (k/m)/(M_x/m) [rad²/s²], eq. (12)."""
         return self.k / self.m / effective_mass_ratio(self.mass_ratio)
 
-    @cached_property
+    @property
     def natural_frequency(self) -> float:
         """Ω [rad/s], the angular frequency of the one oscillating mode."""
         return math.sqrt(self.natural_frequency_squared)

@@ -21,10 +21,10 @@ def finite(name: str, value: object) -> float:
     >>> finite("compression", 1)
     1.0
     """
-    number = value if isinstance(value, float) else _float(value)
+    number = _float(value)
     if not math.isfinite(number):
         raise ValueError(f"{name} must be a finite number, not {reprlib.repr(value)}")
-    return float(number)
+    return number
 
 
 def positive(name: str, value: object, *, infinite: bool = False) -> float:
@@ -34,11 +34,11 @@ def positive(name: str, value: object, *, infinite: bool = False) -> float:
     Traceback (most recent call last):
     ValueError: m must be a finite positive number, not -1
     """
-    number = value if isinstance(value, float) else _float(value)
+    number = _float(value)
     if not 0 < number < math.inf and not (infinite and number == math.inf):
         kind = "a positive number or infinity" if infinite else "a finite positive number"
         raise ValueError(f"{name} must be {kind}, not {reprlib.repr(value)}")
-    return float(number)
+    return number
 
 
 def float_array(name: str, values: ArrayLike) -> NDArray[np.floating]:
@@ -74,6 +74,8 @@ def coordinates(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 def _float(value: object) -> float:
     """Return a real number as a float, and NaN for any other object."""
+    if type(value) is float:
+        return value
     if isinstance(value, bool) or not isinstance(value, Real | Decimal):
         return math.nan
     try:
