@@ -202,12 +202,13 @@ def table(motion: Record, friction_coefficient: float) -> str:
         (_("largest compression without slip"), largest, "m"),
         *((friction.format(contact=contact), value, "") for contact, value in needed.items()),
     )
-    said = _("Ramanujan’s oscillator in SI units: positive to the right. X, X_dot and p_X are positive to the left.")
-    skipped = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows")
-    comments = [said, *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters)]
+    title = _("Ramanujan’s oscillator in SI units: positive to the right. X, X_dot and p_X are positive to the left.")
+    advice = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows")
+    comments = [title, *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters)]
     series, text = columns(motion), io.StringIO()
+    # A comment is plain text. The writer would put quotation marks around one with a comma.
+    text.writelines(f"# {comment}\n" for comment in (advice.format(n=len(comments) + 2), *comments))
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerows([f"# {comment}"] for comment in (skipped.format(n=len(comments) + 2), *comments))
     writer.writerow(series)
     writer.writerows(zip(*(values.tolist() for values in series.values()), strict=True))
     return text.getvalue()

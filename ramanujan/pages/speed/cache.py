@@ -153,7 +153,7 @@ def choices() -> Choices:
             closed_form(machine),
             seconds_per_reduction(machine),
             curve_sampling(),
-            arithmetics(machine.mass_ratio),
+            arithmetics(),
             caching(machine),
         )
 
