@@ -6,6 +6,7 @@ import io
 import re
 import sqlite3
 from concurrent.futures import ThreadPoolExecutor
+from datetime import UTC, datetime, timedelta
 
 import pytest
 import streamlit as st
@@ -398,6 +399,42 @@ def test_at_the_end_a_class_sees_what_it_has_learned_and_its_code_goes(lecturer,
 
 def class_seat(student: AppTest) -> classes.Seat:
     return student.session_state["class_seat"]
+
+
+def test_a_class_at_a_stop_of_another_version_goes_on_with_the_lesson(lecturer, school):
+    """The desk is at the first stop, phone and wall are as before the first question, and the votes are not lost."""
+    code, key = code_of(lecturer), address(lecturer)["lecturer"]
+    school.ask(key, "stop-of-another-version", ["yes", "no"])
+    school.vote(school.join(code), "stop-of-another-version", "no")
+    for phase in classes.Phase:
+        school.show(key, phase)
+    desk, student = visitor(lecturer=key), visitor(**{"class": code})
+    wall = visitor(**{"class": code, "wall": "on"})
+    waiting = "The first question will appear here"
+    for page, first in ((desk, STOP.question), (student, waiting), (wall, "Join the class")):
+        assert "at a question that this version of the app does not have" in words(page)
+        assert first in words(page)
+    press(desk, "ask")
+    for page in (student.run(), wall.run()):
+        assert STOP.question in words(page)
+        assert "this version of the app" not in words(page)
+    school.finish(key)
+    assert "No right answer was shown" in words(student.run())
+    rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(key)))))
+    assert [(row["option"], row["first_vote"], row["right"]) for row in rows] == [("yes", "0", ""), ("no", "1", "")]
+
+
+def test_desk_and_phone_name_what_is_stored_and_until_when(school):
+    app = visitor()
+    app.selectbox(key="class_kept").set_value(30 * classes.DAY).run()
+    before = datetime.now(UTC) + timedelta(days=30)
+    [offered] = [caption.value for caption in app.caption if "without names" in caption.value]
+    student = visitor(**{"class": school.open_class(30 * classes.DAY).code})
+    [stored] = [caption.value for caption in student.caption if "without names" in caption.value]
+    after = datetime.now(UTC) + timedelta(days=30)
+    assert "cookie lasts 30 days" in offered
+    for sentence in (offered, stored):
+        assert sentence.endswith((f"{before:%Y-%m-%d}.", f"{after:%Y-%m-%d}."))
 
 
 def test_two_desks_follow_each_other(lecturer):

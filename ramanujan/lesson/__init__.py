@@ -49,6 +49,11 @@ def stop(name: str) -> Stop:
     return {stop.id: stop for stop in STOPS}[name]
 
 
+def has_stop(name: str) -> bool:
+    """Return whether there is a stop with this id; another version of the app may have others."""
+    return any(stop.id == name for stop in STOPS)
+
+
 def task(name: str) -> Task:
     """Return the task with this id."""
     return {task.id: task for task in TASKS}[name]

@@ -22,8 +22,8 @@ def as_csv(asked: Iterable[Asked]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADER)
     for stop, heading, at, present, option, label, is_right, *votes in _rows(asked):
-        row = (stop, heading, at.isoformat(timespec="seconds"), present, option, label, "yes" if is_right else "no")
-        writer.writerow((*row, *votes))
+        answer = {True: "yes", False: "no"}.get(is_right, "")
+        writer.writerow((stop, heading, at.isoformat(timespec="seconds"), present, option, label, answer, *votes))
     return text.getvalue()
 
 
@@ -46,10 +46,17 @@ def as_spreadsheet(asked: Iterable[Asked]) -> str:
 
 
 def _rows(asked: Iterable[Asked]) -> Iterator[tuple]:
-    """Yield stop, heading, time, students present, option, label, whether it is right, and the votes."""
+    """Yield stop, heading, time, students present, option, label, whether it is right, and the votes.
+
+    Of a stop that is unknown, the ids are its heading and labels, and no option is called right or wrong.
+    """
     for each in asked:
-        stop, at = lesson.stop(each.stop), datetime.fromtimestamp(each.at, UTC)
+        at = datetime.fromtimestamp(each.at, UTC)
+        # Another version of the app, in which the class began, may have had other stops.
+        stop = lesson.stop(each.stop) if lesson.has_stop(each.stop) else None
         for option, first in each.first.items():
             second = "" if each.second is None else each.second[option]
-            label, is_right = stop.options[option], option == stop.right
-            yield stop.id, stop.heading, at, each.present, option, label, is_right, first, second
+            heading, label, is_right = each.stop, option, ""
+            if stop:
+                heading, label, is_right = stop.heading, stop.options[option], option == stop.right
+            yield each.stop, heading, at, each.present, option, label, is_right, first, second

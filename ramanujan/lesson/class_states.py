@@ -63,6 +63,7 @@ class Question:
     reached : how far the question has come
     answered : how many of those present have answered
     present : how many students were heard of lately
+    is_known : whether this version of the app has the stop; if not, `stop` is None
     """
 
     stop: str | None
@@ -71,6 +72,7 @@ class Question:
     reached: Phase
     answered: int
     present: int
+    is_known: bool = True
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,11 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from ramanujan.translation import _
 
-PRIVATE = ("lecturer", "key", "exercise_key")
-"""URL parameters of the lecturer alone, in a class or with a worksheet; *Copy link* leaves them out."""
+PRIVATE = ("lecturer", "key", "exercise_key", "frame")
+"""URL parameters of one person: of the lecturer, in a class or with a worksheet, or of one browser in a frame.
+
+*Copy link* leaves them out.
+"""
 
 _PLACE = "address_page"
 """Session state: the page whose address was read last."""

@@ -3,26 +3,29 @@
 The wall also follows the sliders of the lecturer's desk.
 
 It is known from the session, and after a reload from the address (`class_keys`). A student is a browser: the server
-gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote.
+gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote. In a frame of another
+site, `browser/frame.js` puts a random name into the address instead.
 """
 
 import json
 import secrets
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 import streamlit as st
 
-from ramanujan import Oscillator
+from ramanujan import Oscillator, lesson
 from ramanujan.browser import components
 from ramanujan.lesson.class_codes import parts_of, read_code, voter_of
+from ramanujan.lesson.class_states import END, Question
 from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.shell import address, messages, sidebar
 from ramanujan.shell.browser_cookie import NAME
-from ramanujan.shell.class_keys import CLASS, LECTURER, WALL
+from ramanujan.shell.class_keys import CLASS, FRAME, LECTURER, NOTHING_STORED, WALL
 from ramanujan.shell.parameters import MACHINE
 
 FOLLOWED_EVERY = 0.5
@@ -95,6 +98,17 @@ def phase_of(stop: Stop) -> Phase | None:
     return last.phase if last else Phase.ASKED
 
 
+def question(code: str) -> Question:
+    """Return what a class is asked now; a stop that this version of the app does not have counts as no question.
+
+    The class may have begun under another version of the app, before an upgrade or on another machine.
+    """
+    asked = shared().question(code)
+    if asked.stop in (None, END) or lesson.has_stop(asked.stop):
+        return asked
+    return replace(asked, stop=None, is_known=False)
+
+
 def open_class(lifetime: float = DAY) -> None:
     """Become the lecturer of a new class, which is kept for so many seconds."""
     st.session_state[_KEY] = shared().open_class(lifetime, network()).key
@@ -113,8 +127,15 @@ def take_seat(code: str) -> None:
 
 
 def browser() -> str:
-    """Return the random name of this browser; nothing where it keeps no cookies."""
-    return st.context.cookies.get(NAME, "")
+    """Return the random name of this browser; an empty one if the browser stores nothing for this page."""
+    if name := st.context.cookies.get(NAME):
+        return name
+    return "" if forgets_seat() else address.held(FRAME)
+
+
+def forgets_seat() -> bool:
+    """Return whether this page is in a frame of another site, for which the browser stores nothing."""
+    return address.held(FRAME) == NOTHING_STORED and NAME not in st.context.cookies
 
 
 def network() -> str:

@@ -14,6 +14,7 @@ from ramanujan.browser import modules
 from ramanujan.translation import LANGUAGE
 
 _STREAMLIT = Path(st.__file__).parent / "static"
+_FRAME = Path(modules.__file__).parent / "frame.js"
 _FONT = re.compile(rb'<link\s[^>]*as="font"[^>]*>')
 """Streamlit's preload of a font; page.css brings a smaller one."""
 _FIRST = ("begin", "components/services", "components/publish", "stage/stage")
@@ -24,9 +25,9 @@ def content_security_policy() -> str:
     """Return the content security policy: the page loads files of its own server, and blobs that its scripts make.
 
     Streamlit imports the scripts of components from blobs and computes with WebAssembly; it and Plotly write rules of
-    style into the page. Of the scripts in the page itself only those of Streamlit's start page may run.
+    style into the page. Of the scripts in the page itself only those of the start page may run.
     """
-    inline = re.findall(rb"<script>(.*?)</script>", (_STREAMLIT / "index.html").read_bytes(), re.DOTALL)
+    inline = re.findall(rb"<script>(.*?)</script>", html(has_formulas=True), re.DOTALL)
     hashes = " ".join(f"'sha256-{b64encode(sha256(script).digest()).decode()}'" for script in inline)
     return (
         f"default-src 'self' blob: data:; script-src 'self' blob: 'wasm-unsafe-eval' {hashes}; "
@@ -53,6 +54,8 @@ def html(*, has_formulas: bool) -> bytes:
 
     page = (_STREAMLIT / "index.html").read_bytes()
     page = page.replace(b'<html lang="en"', f'<html lang="{LANGUAGE}"'.encode(), 1)
+    # Before Streamlit's own scripts, which read the address.
+    page = page.replace(b"<head>", f"<head><script>{_FRAME.read_text(encoding='utf-8')}</script>".encode(), 1)
     page = _FONT.sub("".join(preloads).encode(), page, count=1)
     # At the end of the body: Streamlit adds its own rules to the head, and the later of two equal rules counts.
     return page.replace(b"</body>", "".join([*links, *scripts, "</body>"]).encode(), 1)

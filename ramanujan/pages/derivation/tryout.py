@@ -1,8 +1,7 @@
 """The section of page 2 in which a student types a formula and is told whether it is right; exercises draw it, too."""
 
 from dataclasses import dataclass
-from datetime import UTC, datetime, tzinfo
-from zoneinfo import ZoneInfo
+from datetime import datetime
 
 import streamlit as st
 
@@ -10,7 +9,7 @@ from ramanujan.answers import QUESTIONS, question
 from ramanujan.answers.questions import EQUATION
 from ramanujan.browser import stage
 from ramanujan.pages.derivation import cache
-from ramanujan.shell import address, sidebar, stages, widgets
+from ramanujan.shell import address, local_time, sidebar, stages, widgets
 from ramanujan.translation import _
 
 QUESTION = address.Choice("question", tuple(QUESTIONS), next(iter(QUESTIONS)))
@@ -67,21 +66,13 @@ def keep(name: str, answer: str, is_right: bool) -> None:
     """Keep an answer for the session; the first right one stays."""
     before = given(name)
     if before is None or not before.right_since:
-        now = datetime.now(_time_zone()) if is_right else None
+        now = datetime.now(local_time.time_zone()) if is_right else None
         st.session_state.setdefault(_GIVEN, {})[name] = Given(answer[:_LONGEST], now)
 
 
 def given(name: str) -> Given | None:
     """Return what has been answered to a question or task."""
     return st.session_state.get(_GIVEN, {}).get(name)
-
-
-def _time_zone() -> tzinfo:
-    try:
-        return ZoneInfo(st.context.timezone or "")
-    except (ValueError, OSError):
-        # Not every browser names it, and not every server knows the names.
-        return UTC
 
 
 def ask(name: str, with_step: bool = True, place: str = "") -> None:

@@ -10,7 +10,7 @@ from ramanujan import lesson
 from ramanujan.lesson.classes import ClassError, Phase, Question, Seats, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
-from ramanujan.shell import widgets
+from ramanujan.shell import local_time, widgets
 from ramanujan.translation import _, ngettext
 
 LEARNED = _("What the class has learned")
@@ -96,7 +96,7 @@ def comment(access: str, stop: Stop, vote: Vote) -> None:
 
 def learned(access: str) -> None:
     """Draw how many were right at each question whose right answer was shown, before and after they had talked."""
-    asked = shared().results(access, Phase.SOLVED)
+    asked = [each for each in shared().results(access, Phase.SOLVED) if lesson.has_stop(each.stop)]
     if not asked:
         st.markdown(_("No right answer was shown to this class."))
         return
@@ -125,6 +125,23 @@ def explain(stop: Stop, chosen: str | None = None) -> None:
         st.markdown(_("**You chose:** {label}\\\n{reply}").format(label=stop.options[chosen], reply=stop.reply(chosen)))
     st.markdown(f":green[:material/check_circle:] **{stop.options[stop.right]}**")
     st.markdown(stop.explanation())
+
+
+def unknown_stop() -> str:
+    """Return a sentence about a class whose present question this version of the app does not have."""
+    return _("The class is at a question that this version of the app does not have.")
+
+
+def storage(expires: float) -> str:
+    """Return what is stored about the students of a class, in two sentences.
+
+    Parameters
+    ----------
+    expires : time at which the class is deleted [s since 1970]
+    """
+    mark = _("A random number in a cookie lasts 30 days; a one-way mark of the network prevents extra votes.")
+    votes = _("The votes are stored without names until {date}.").format(date=local_time.date(expires))
+    return f"{mark} {votes}"
 
 
 def answered(now: Question) -> str:

@@ -7,6 +7,7 @@
 Every screen asks every few seconds what is new: one read by keys.
 """
 
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from datetime import UTC, datetime
@@ -57,7 +58,7 @@ def guests(show: Callable[..., None]) -> None:
     if seat := seat_held():
         seen = None
         with suppress(ClassError):
-            seen = _seen(shared().question(seat.code))
+            seen = _seen(class_session.question(seat.code))
         st.session_state[_DRAWN] = seen
         with st.container(key="class_phone"):
             st.html(NOTHING_TO_SET)
@@ -71,6 +72,8 @@ def guests(show: Callable[..., None]) -> None:
                 st.title(stop.heading, anchor=False)
                 st.markdown(stop.question)
                 show(stop, running, fixed=True)
+        with suppress(ClassError):
+            st.caption(class_results.storage(shared().expires(seat.code)))
         st.stop()
 
 
@@ -113,6 +116,7 @@ def _for_lecturers() -> None:
     with st.container(horizontal=True, vertical_alignment="bottom"):
         kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
         st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
+    st.caption(class_results.storage(time.time() + kept))
 
 
 def panel(stop: Stop, phase: Phase) -> None:
@@ -156,7 +160,7 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
         _warn()
         try:
             shared().code_of(key)
-            now, last = shared().question(code), shared().last(code, place)
+            now, last = class_session.question(code), shared().last(code, place)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
@@ -191,6 +195,8 @@ def _follow(now: Question, place: str) -> None:
 
 def _attendance(place: str, now: Question) -> str:
     """Return who is there and how many have answered, as a sentence."""
+    if not now.is_known:
+        return class_results.unknown_stop()
     if now.stop is None or now.stop == place == END:
         return class_results.joined(now.present)
     if now.stop == END:
@@ -343,7 +349,7 @@ def _phone() -> None:
     if (seat := seat_held()) is None:
         st.rerun()
     try:
-        question = shared().question(seat.code)
+        question = class_session.question(seat.code)
         chosen = shared().chosen(seat, question)
     except SeatError:
         # The lecturer has removed the empty seats while this phone slept.
@@ -357,7 +363,20 @@ def _phone() -> None:
             st.rerun()
         class_session.follow(seat.code)
         _asked(seat, question, chosen)
+        _offer_own_tab(seat.code)
     st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
+
+
+def _offer_own_tab(code: str) -> None:
+    """Offer the class in a tab of its own if this page, in a frame, does not recognize its browser after a reload."""
+    if class_session.forgets_seat():
+        st.warning(
+            _(
+                "Your browser stores nothing for a page inside another site. Your answer counts once, but after a "
+                "reload this page does not know it any more."
+            )
+        )
+        st.link_button(_("Open the class in a tab of its own"), address.link({"class": code}).geturl())
 
 
 def _seen(question: Question | None) -> tuple[str, bool] | None:
@@ -369,6 +388,8 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
     if question.stop is None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
+        if not question.is_known:
+            st.warning(class_results.unknown_stop())
         return
     class_session.forget_refusal((question.stop, question.vote))
     if question.stop == END:

@@ -43,7 +43,7 @@ def _draw(code: str) -> None:
     with st.container(key="class_wall"):
         st.html(WALL_STYLE)
         try:
-            question = shared().question(code)
+            question = class_session.question(code)
         except ClassError:
             st.session_state.pop(_LOOKS, None)
             _watch(code)
@@ -87,7 +87,7 @@ def _show(code: str, stop: Stop, question: Question) -> None:
 def _watch(code: str) -> None:
     """Draw the numbers that change all the time. Rerun the page when the class goes on or ends, and once more later."""
     try:
-        now = shared().question(code)
+        now = class_session.question(code)
     except ClassError as error:
         if st.session_state.pop(_LOOKS, None):
             st.rerun()
@@ -100,7 +100,9 @@ def _watch(code: str) -> None:
         st.rerun()
     class_session.follow(code)
     with st.container(key="class_wall_foot", horizontal=True, vertical_alignment="center", gap="large"):
-        if now.stop is None:
+        if not now.is_known:
+            st.markdown(class_results.unknown_stop(), width="content")
+        elif now.stop is None:
             st.markdown(class_results.joined(now.present), width="content")
         elif now.stop != END:
             if now.reached == Phase.ASKED:
