@@ -1,16 +1,19 @@
 """The app in a browser, for tests and benchmarks: start it, open it, and wait for its answers."""
 
 import contextlib
+import re
 import shutil
 import socket
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.request
 from base64 import b64encode
 from email.message import Message
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Error, Page, WebSocket
 from streamlit.proto.BackMsg_pb2 import BackMsg
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
@@ -75,6 +78,20 @@ def get(address: str, **headers: str) -> tuple[Message, bytes]:
     names = {name.replace("_", "-"): value for name, value in headers.items()}
     with urllib.request.urlopen(urllib.request.Request(address, headers=names), timeout=60) as answer:
         return answer.headers, answer.read()
+
+
+PAGES = pytest.StashKey[list[Page]]()
+"""The pages that a test opened."""
+
+
+def evidence(page: Page, name: str) -> str:
+    """Save a screenshot of a page, and return its place, the address and the console's messages."""
+    folder = Path(tempfile.gettempdir()) / "ramanujan-failures"
+    folder.mkdir(exist_ok=True)
+    picture = folder / (re.sub(r"[^\w-]+", "_", name)[:100] + ".png")
+    page.screenshot(path=picture)
+    console = [f"console {message.type}: {message.text}" for message in page.console_messages()]
+    return "\n".join([f"screenshot: {picture}", f"address: {page.url}", *console])
 
 
 def listen(page: Page) -> None:

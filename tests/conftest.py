@@ -1,12 +1,14 @@
-"""What the tests share: the app under AppTest, a running server, a Chromium.
+"""Fixtures that all tests share: the app under AppTest, a running server, a Chromium.
 
-Browser tests need a Chromium or Chrome on the system; without one they are skipped, unless RAMANUJAN_REQUIRE_BROWSER
-is set, as it is in CI. Each worker starts one browser, and each test opens contexts of its own in it: no test sees a
-tab, a cookie or a stored value of another one. All workers of a run share one server, and what it has worked out.
+A test that uses a browser has the mark `browser`; `pytest -m "not browser"` leaves these tests out. Without its
+browser such a test is skipped, unless RAMANUJAN_REQUIRE_BROWSER is set, as it is in CI. Each worker starts one
+browser, and each test opens contexts of its own in it: no test sees a tab, a cookie or a stored value of another one.
+All workers of a run share one server and its caches.
 """
 
+import contextlib
 import os
-import re
+from collections import Counter
 from collections.abc import Callable, Iterator
 from functools import cache
 from tempfile import TemporaryDirectory
@@ -16,12 +18,8 @@ from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
 
-from tests.browser import CHROMIUM, FLAGS, ROOT, leave_out_figures, open_address, running, started
+from tests.browser import CHROMIUM, FLAGS, PAGES, ROOT, evidence, leave_out_figures, open_address, running, started
 from tests.engines import bare, bare_address, browsers, engine, missing, playwright, some, window  # noqa: F401
-
-IN_A_BROWSER = ("test_browser", "test_deployment")
-SHARED = re.compile(r"firefox|webkit|notebook_|test_(accuracy|browser_files|class_postgres|deployment|rooms)\.py")
-"""In the names of tests, what those have in common that share a browser, a kernel or a server."""
 
 # The classes that tests open are not among those of this machine's own app, which keeps 200 at most.
 _CLASSES = TemporaryDirectory()
@@ -33,26 +31,40 @@ if os.environ.get("RAMANUJAN_REQUIRE_BROWSER"):
     settings.load_profile("ci")
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "browser: the test uses a browser (added by its fixtures)")
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put first what takes longest: what needs a browser, and the larger files."""
-    items.sort(key=lambda item: (not item.path.stem.startswith(IN_A_BROWSER), -item.path.stat().st_size, item.path))
+    """Mark the tests that use a browser, group those that share one, and run the longest files first."""
+    for item in items:
+        if "playwright" not in item.fixturenames:
+            continue
+        item.add_marker("browser")
+        parameters = item.callspec.params if hasattr(item, "callspec") else {}
+        if parameters.get("engine") in ("firefox", "webkit"):
+            # One worker starts this browser for all tests.
+            item.add_marker(pytest.mark.xdist_group(parameters["engine"]))
+    items.sort(key=lambda item: (item.get_closest_marker("browser") is None, -item.path.stat().st_size, item.path))
 
 
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> object:
-    """Give any worker any test, but those that start the same processes to one: pytest-xdist 3.8 loses its own groups.
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Print each reason for skipped tests once, with the number of tests."""
+    reasons = Counter(report.longrepr[2] for report in terminalreporter.stats.get("skipped", []))
+    for reason, count in reasons.items():
+        terminalreporter.write_line(f"{count} skipped: {reason.removeprefix('Skipped: ')}")
 
-    It writes them into the names of tests, where pytest does not look for them from 9.2 on.
-    """
-    from xdist.scheduler import LoadGroupScheduling
 
-    class Scheduling(LoadGroupScheduling):
-        def _split_scope(self, nodeid: str) -> str:
-            shared = SHARED.search(nodeid)
-            return shared[0] if shared else super()._split_scope(nodeid)
-
-    return Scheduling(config, log)
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Iterator[None]:
+    """Save what a failing browser test saw, and name it in the report: screenshot, address, console."""
+    report = yield
+    if report.when == "call" and report.failed:
+        for number, page in enumerate(item.stash.get(PAGES, [])):
+            with contextlib.suppress(Exception):
+                report.sections.append((f"page {number}", evidence(page, f"{item.name}-{number}")))
+    return report
 
 
 @pytest.fixture
@@ -100,7 +112,7 @@ def chromium(playwright: object) -> Iterator[object]:  # noqa: F811
 
 
 @pytest.fixture
-def visit(chromium: object, server: str) -> Iterator[Callable]:
+def visit(request: pytest.FixtureRequest, chromium: object, server: str) -> Iterator[Callable]:
     """Open a page of the app as a new visitor: visit("?m=2", width=390, height=844, theme="dark").
 
     Each call has a browser context of its own, with further options as Playwright names them; `tab=page` opens the
@@ -110,6 +122,7 @@ def visit(chromium: object, server: str) -> Iterator[Callable]:
     second without a graphics card takes a processor of its own. With figures=False there is nothing where they are.
     """
     contexts, errors = [], []
+    pages = request.node.stash.setdefault(PAGES, [])
 
     def open_page(
         address: str = "",
@@ -131,6 +144,8 @@ def visit(chromium: object, server: str) -> Iterator[Callable]:
             contexts[-1].set_default_timeout(60_000)
             contexts[-1].on("weberror", lambda error: errors.append(str(error.error)))
         page = tab or (beside.context if beside else contexts[-1]).new_page()
+        if page not in pages:
+            pages.append(page)
         page.set_viewport_size(size)
         page.emulate_media(color_scheme=theme, reduced_motion=motion)
         if not figures:

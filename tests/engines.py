@@ -15,6 +15,7 @@ import pytest
 
 from tests import webkit
 from tests.bare import Bare, serving
+from tests.browser import PAGES
 
 ENGINES = ("chromium", "firefox", "webkit")
 ANY_ENGINE = pytest.mark.parametrize("engine", ENGINES if os.environ.get("RAMANUJAN_DEEP") else ENGINES[:1])
@@ -90,7 +91,7 @@ def some(engine: str) -> Callable[[Iterable[object]], list[object]]:
 
 
 @pytest.fixture
-def window(engine: str, browsers: Callable) -> Iterator[Callable]:
+def window(request: pytest.FixtureRequest, engine: str, browsers: Callable) -> Iterator[Callable]:
     """Open a window that knows nothing of others, with less motion: window(width, height, engine)."""
     with ExitStack() as stack:
 
@@ -104,6 +105,7 @@ def window(engine: str, browsers: Callable) -> Iterator[Callable]:
             stack.callback(context.close)
             context.add_init_script(REFUSED)
             page = context.new_page()
+            request.node.stash.setdefault(PAGES, []).append(page)
             stack.callback(lambda: _check_refused(page))
             return page
 

@@ -21,6 +21,8 @@ from ramanujan.accuracy.runs import error_history, seconds_per_step
 from ramanujan.accuracy.work_precision import cheapest, work_precision
 from ramanujan.integrators import METHODS, trajectory
 
+pytestmark = pytest.mark.xdist_group("accuracy")
+
 MACHINE = Oscillator(m=1.3, m_prime=0.7, k=40.0)
 
 

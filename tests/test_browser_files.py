@@ -23,6 +23,8 @@ UNPACK = {"gzip": gzip.decompress, "identity": bytes}
 SCRIPT = """
 import streamlit as st
 
+pytestmark = pytest.mark.xdist_group("files")
+
 if __name__ != "__main__":
     from ramanujan.shell import server
     app = st.App(__file__, middleware=server.MIDDLEWARE)

@@ -20,6 +20,8 @@ from ramanujan.lesson.classes import ClassError, Phase
 from tests import test_classes as in_a_file
 from tests.test_classes import NEW_PROCESS, OPTIONS, Clock
 
+pytestmark = pytest.mark.xdist_group("postgres")
+
 PROGRAMS = next(iter(sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)), None)
 USER = {"user": "postgres"} if hasattr(os, "geteuid") and os.geteuid() == 0 else {}
 """The server does not run as root."""

@@ -20,6 +20,8 @@ from ramanujan.shell.browser_cookie import NAME
 from tests.browser import CHROMIUM, get, settle, started
 from tests.deployed import HAPROXY, deployed
 
+pytestmark = pytest.mark.xdist_group("deployment")
+
 STORE = "ramanujan"
 """The cookie that names a visitor's process."""
 

@@ -162,6 +162,7 @@ def result(notebook: object, key: str) -> str:
 
 
 @pytest.mark.parametrize(("name", "numbers"), [*zip(ROUTES, itertools.cycle(MACHINES), strict=False)])
+@pytest.mark.xdist_group("notebook")
 def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     """In symbols and for a machine: what the button hands over ends in the Ω² that the page shows."""
     found = result(executed(page.document.__wrapped__(name, None, "notebook"), kernel), "check")
@@ -175,6 +176,7 @@ def test_the_notebook_of_the_download_button_runs(name, numbers, kernel):
     assert ("'Omega^2 m/k': 1," in distance) == (numbers == IN_STEP)
 
 
+@pytest.mark.xdist_group("notebook")
 def test_a_notebook_refuses_a_wrong_frequency(kernel):
     """Negative control."""
     notebook = json.loads(to_notebook(ROUTES["energy"]))

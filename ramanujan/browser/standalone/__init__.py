@@ -70,6 +70,7 @@ def html() -> str:
         "policy": _policy(imports, script),
         "settings": json.dumps(_settings(), ensure_ascii=False).replace("<", "\\u003c"),
         "imports": imports,
+        "script": script,
     }
     return Template((_HERE / "page.html").read_text(encoding="utf-8")).substitute(slots)
 
@@ -85,7 +86,7 @@ def _imports() -> dict[str, str]:
         if f"ramanujan/{name}" in addresses:
             continue
         script = _COMMENT.sub("", contents[name])
-        names += [each for each in (_resolved(name, path) for *_, path in _IMPORT.findall(script)) if each in contents]
+        names += [each for each in (_resolved(name, found[2]) for found in _IMPORT.findall(script)) if each in contents]
         addresses[f"ramanujan/{name}"] = _address(_IMPORT.sub(lambda each, name=name: _absolute(name, each), script))
     return addresses
 

@@ -3,7 +3,7 @@
 
 export function makeSlider(key, { min, max, step, value, label = "" }, send) {
   const outer = document.createElement("div");
-  outer.className = `st-key-${key} stSlider`;
+  outer.className = `st-key-${key} slider`;
   outer.innerHTML = '<div role="group"><input type="range" /></div>';
   const group = outer.firstChild, input = group.firstChild;
   Object.assign(input, { min, max, step, ariaLabel: label });
