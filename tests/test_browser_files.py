@@ -17,13 +17,12 @@ import streamlit
 from ramanujan.browser import modules
 from tests.browser import get, running
 
+pytestmark = pytest.mark.xdist_group("files")
 FOLDER = Path(streamlit.__file__).parent / "static"
 FILES = [f"/{path.relative_to(FOLDER).as_posix()}" for path in FOLDER.glob("static/**/*.[jc]s*")]
 UNPACK = {"gzip": gzip.decompress, "identity": bytes}
 SCRIPT = """
 import streamlit as st
-
-pytestmark = pytest.mark.xdist_group("files")
 
 if __name__ != "__main__":
     from ramanujan.shell import server

@@ -15,6 +15,7 @@ import ramanujan.pages
 from ramanujan.shell import navigation, server
 from tests.browser import ROOT
 
+pytestmark = pytest.mark.xdist_group("rooms")
 LANGUAGE = {"catalogue", "translation", "numerals"}
 """Rooms that every room may import."""
 
@@ -90,8 +91,6 @@ def test_the_first_page_loads_nothing_that_only_other_pages_need():
     script = f"""
 import sys
 from streamlit.testing.v1 import AppTest
-
-pytestmark = pytest.mark.xdist_group("rooms")
 app = AppTest.from_file({str(ROOT / "app.py")!r}, default_timeout=60).run()
 assert not app.exception and app.title
 for room in {OTHER_PAGES!r}:
