@@ -3,6 +3,7 @@
 They fit a narrow phone, too, where nothing scrolls sideways.
 """
 
+import re
 from collections.abc import Iterator
 
 import pytest
@@ -18,9 +19,8 @@ STREAMLITS_OWN = (
         f"aria-label: {label}"
         for label in ("Expand sidebar", "Decrement", "Increment", "Copy to clipboard", "Fullscreen")
     ),
-    *(f"aria-label: {label}" for label in ("Download plot (SVG)", "Download plot (PNG)", "Autoscale", "Reset axes")),
 )
-"""What Streamlit and Plotly say by themselves, in English always; no setting changes it."""
+"""Streamlit's own words, which are always English; no setting changes them."""
 NAMES = ("float32", "float64", "Markdown")
 """Names of formats, the same in every language."""
 FORGOTTEN = script("forgotten")
@@ -85,6 +85,28 @@ def test_no_sentence_was_forgotten_and_longer_words_fit_on_a_screen_and_on_a_nar
         found = page.evaluate(OVERLAPS)
         assert all(any(cover in pair for pair in found) for cover in covers), found
         client.detach()
+
+
+def test_hovers_and_sliders_have_decimal_commas_and_minus_signs(visit, pseudo):
+    page = visit("motion?glide=-4.5&mu=0.2", network=pseudo)
+    values = page.locator("[data-testid=stSliderThumbValue]")
+    assert {"−4,5", "0,20"} <= {value.get_attribute("data-written") for value in values.all()}
+    slider = page.locator(".st-key-glide input[type=range]")
+    assert slider.get_attribute("aria-valuetext") == "−4,5"
+    slider.press("ArrowLeft")
+    settle(page)
+    assert values.filter(has_text="-5.0").get_attribute("data-written") == "−5,0"
+    shown = ""
+    for graph in page.locator(".js-plotly-plot").all():
+        graph.scroll_into_view_if_needed()
+        panel = graph.locator(".nsewdrag").first
+        box = panel.bounding_box()
+        for share in (0.3, 0.45, 0.6):
+            panel.hover(position={"x": share * box["width"], "y": box["height"] / 2})
+            page.wait_for_timeout(300)
+            shown += " ".join(page.locator(".hoverlayer").all_text_contents())
+    assert re.search(r"−\d", shown), shown
+    assert not re.search(r"-\d|\d\.\d", shown), shown
 
 
 def become_phone(client, width: int, height: int) -> None:

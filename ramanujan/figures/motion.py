@@ -97,7 +97,7 @@ def phase_plane(
     """
     traces = [
         line(orbit.values.astype(np.float32), velocity.astype(np.float32), **orbit.look)
-        | {"name": orbit.name, "hovertemplate": "%{x:.3~g} cm, %{y:.3~g} cm/s"}
+        | {"name": orbit.name, "hovertemplate": "%{x} cm, %{y} cm/s", "xhoverformat": ".3~g", "yhoverformat": ".3~g"}
         for orbit, velocity in zip(orbits, velocities, strict=True)
     ]
     centred = {**_zero_line(colors), "nticks": 7}
@@ -199,7 +199,7 @@ def _area(panel: Panel, axis: str, end: float, height: float, width: float) -> A
 
 def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) -> dict[str, Any]:
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
-    hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y:.3~g}", unit=panel.unit) + NO_NAME
+    hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME
     if several and curve is panel.curves[0]:
         # One box reads all panels. The first curve of each brings its title.
         hover = f"<b>{panel.title}</b><br>{hover}"
@@ -215,6 +215,8 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "line": curve.look,
         # Plotly itself writes a space before the colon.
         "hovertemplate": hover,
+        # With the format here Plotly writes a true minus sign; with the format in the template, a hyphen.
+        "yhoverformat": ".3~g",
     }
     if curve.stacked:
         trace |= {"stackgroup": "stack", "fillcolor": curve.color, "line": {**trace["line"], "width": 0.5}}

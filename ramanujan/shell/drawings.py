@@ -8,9 +8,26 @@ from plotly.basedatatypes import BaseFigure
 
 from ramanujan.figures import in_large_print
 from ramanujan.shell import display_mode
+from ramanujan.translation import LANGUAGE, _
 
 STILL = {"displaylogo": False, "modeBarButtons": [["toImage"]], "scrollZoom": False}
 """Plotly's options for a figure that is only looked at, clicked and saved."""
+
+
+# Plotly's own words that a figure can show: its buttons, and the notes about a saved file and a zoom.
+_PLOTLY_WORDS = {
+    "Download plot": _("Save the figure"),
+    "Autoscale": _("Show everything"),
+    "Reset axes": _("Reset axes"),
+    "Zoom": _("Zoom"),
+    "Pan": _("Pan"),
+    "Zoom in": _("Zoom in"),
+    "Zoom out": _("Zoom out"),
+    "Double-click to zoom back out": _("Double-click to zoom back out"),
+    "Preparing image - this may take a few seconds": _("The image is being prepared. This may take a few seconds."),
+    "Image download succeeded": _("The image was saved."),
+}
+_LOCALE = {"locale": LANGUAGE, "locales": {LANGUAGE: {"dictionary": _PLOTLY_WORDS}}}
 
 
 def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STILL, **options: Any) -> None:
@@ -27,7 +44,7 @@ def plot(figure: BaseFigure, key: str, alt: str, *, config: dict[str, Any] = STI
     if display_mode.is_projector():
         figure, height = in_large_print(figure), "stretch"
     saved = {"toImageButtonOptions": {"format": "svg", "filename": f"ramanujan-{key}", "scale": 3}}
-    st.plotly_chart(figure, key=key, theme=None, height=height, config=saved | config, alt=alt, **options)
+    st.plotly_chart(figure, key=key, theme=None, height=height, config=_LOCALE | saved | config, alt=alt, **options)
 
 
 def draw(svg: str, *, alt: str, style: str) -> None:

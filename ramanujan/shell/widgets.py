@@ -6,7 +6,6 @@ from typing import Any
 
 import streamlit as st
 
-from ramanujan.numerals import DECIMAL
 from ramanujan.shell import address
 from ramanujan.shell.address import Choice, Count
 from ramanujan.shell.parameters import LONGEST, Parameter
@@ -131,8 +130,8 @@ def slider(parameter: Parameter, **more: Any) -> float:
         parameter.most,
         parameter.default,
         parameter.step,
-        # Streamlit writes a comma only where it writes numbers as the browser's own language has them.
-        format=parameter.format if DECIMAL == "." else "localized",
+        # components/slider_values.js writes the value in the language of the server.
+        format=parameter.format,
         key=parameter.name,
         bind="query-params",
         **more,

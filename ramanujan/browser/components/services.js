@@ -5,6 +5,7 @@ import connection from "./connection.js";
 import copy from "./copy.js";
 import reach from "./reach.js";
 import ring from "./ring.js";
+import sliderValues from "./slider_values.js";
 import { dom } from "./streamlit_dom.js";
 import theme from "./theme.js";
 import touch from "./touch.js";
@@ -19,6 +20,6 @@ dom.watchGraphs(dom.offerFormats, new AbortController().signal);
 if (new URLSearchParams(location.search).get("view") === "projector") import("./pager.js");
 
 export default function (component, signal) {
-  const updates = [theme, voice, reach, ring, connection, touch, arrival].map((begin) => begin(component, signal));
+  const updates = [theme, voice, reach, ring, connection, touch, arrival, sliderValues].map((begin) => begin(component, signal));
   return () => updates.forEach((update) => update?.());
 }

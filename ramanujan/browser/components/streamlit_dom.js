@@ -41,6 +41,25 @@ export const dom = {
     dom.moveSlider(slider, value);
   },
 
+  /**
+   * Show every slider's number as a function writes it, above the thumb and for screen readers, until the signal aborts. React
+   * keeps its own text, which page.css hides where there is another.
+   */
+  watchSliderValues(write, signal) {
+    const look = () => {
+      for (const input of document.querySelectorAll("[data-testid=stSlider] input[type=range]")) {
+        const text = input.ariaValueText ?? "";
+        if (!/^-?\d+(\.\d+)?$/.test(text)) continue;
+        const thumb = input.closest("[data-testid=stSlider]").querySelector("[data-testid=stSliderThumbValue]");
+        const written = write(text);
+        if (written !== text) input.ariaValueText = written;
+        if (thumb && thumb.dataset.written !== written) thumb.dataset.written = written;
+      }
+    };
+    observe(document.body, { subtree: true, childList: true, attributeFilter: ["aria-valuetext"] }, look, signal);
+    look();
+  },
+
   /** Whether a pointer holds a slider's thumb, and how much of its range a pixel is. */
   isDragged: (slider) => Boolean(slider?.closest("[data-dragging]")),
   perPixel: (slider) => (slider.max - slider.min) / slider.closest("[role=group]").clientWidth,

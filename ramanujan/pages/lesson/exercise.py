@@ -93,7 +93,15 @@ def compose() -> None:
     if display_mode.is_projector():
         return
     with st.expander(_("Make an exercise of questions and tasks, as a link for students")):
-        chosen = st.multiselect(_("Questions and tasks, in their order"), ITEMS, format_func=title, key="composed")
+        chosen = st.multiselect(
+            _("Questions and tasks, in their order"),
+            ITEMS,
+            format_func=title,
+            key="composed",
+            placeholder=_("Choose questions and tasks"),
+            # Streamlit has no translation of "Select all".
+            select_all=False,
+        )
         if not chosen:
             return
         machine = {each.name: f"{each.value:g}" for each in PARAMETERS.values() if each.value != each.default}

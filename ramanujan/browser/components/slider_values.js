@@ -1,0 +1,9 @@
+// Writes the value above a slider's thumb with the decimal mark of the server's language and a true minus sign. Streamlit writes a
+// point, or the mark of the browser's own language.
+
+import { DECIMAL } from "./language.js";
+import { dom } from "./streamlit_dom.js";
+
+export default function (component, signal) {
+  dom.watchSliderValues((text) => text.replace("-", "−").replace(".", DECIMAL), signal);
+}
