@@ -30,7 +30,7 @@ SWEEP = address.Choice("sweep", SWEEPS, "ratio_float64")
 _CHOICES = (
     _(
         "**Motion, stage and figures**: the closed form. For equal masses of 1\u202fkg and k\u00a0=\u00a01\u202fN/m "
-        "its phase error is at most {phase_error:2↑ rad} from {first} to {last:2} periods, and a state takes {state}. "
+        "its phase error is at most {phase_error:2↑ rad} from {first} to {last:2} periods. A state takes {state}. "
         "The error grows with the number of periods. If whole turns were subtracted first, it would stay below "
         "{reduced_error:2↑ rad}, but each state would take {reduced} more."
     ),
