@@ -1,6 +1,5 @@
 """The verdict on a student's formula: right, right but not simplified, wrong and how it differs, or unreadable."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
@@ -15,10 +14,10 @@ from ramanujan.answers.spelling import SYMBOLS, TEXTBOOK, UnknownNameError, Unre
 from ramanujan.translation import _, ngettext
 
 _OF_SLIPS, _OF_BODIES = 3, 5
-"""Significant digits with which a decimal may be the result of a slip, or of one of the many bodies taken wrongly."""
+"""The fewest significant digits of a decimal that is compared with the results of slips, and of wrong bodies."""
 
 _HALF = 0.5
-"""Units of the last digit that rounding leaves."""
+"""The largest rounding error in units of the last digit."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +29,7 @@ class Verdict:
 
 
 def judge(question: str, text: str) -> Verdict:
-    """Return the verdict on a student's answer; never raises, whatever it is given.
+    """Return the verdict on a student's answer; never raises.
 
     Two formulas are equal if they agree at random points, to 1,150 digits. A right formula counts as unsimplified if
     it contains a symbol that it does not need, or if it is longer than the derived one, expanded and factored too.
@@ -70,7 +69,7 @@ def _letters_in(typed: sp.Expr) -> list[sp.Symbol]:
 
 
 def _without_letters(it: Question, typed: sp.Expr) -> sp.Expr:
-    """Return a formula with what v, I, ω and x stand for; a letter of which the question has no use is refused."""
+    """Replace v, I, ω and x by their meanings; raise for a letter that the question does not use."""
     for letter in _letters_in(typed):
         if letter not in it.letters:
             refusal = _("Type only the right side of the equation: a formula without Ω.")
@@ -98,7 +97,7 @@ def _verdict(it: Question, typed: sp.Expr, letters: list[sp.Symbol]) -> Verdict:
 
 
 def _has_denominator(it: Question, typed: sp.Expr) -> bool:
-    """Tell whether an equation is the right one, divided by something that depends on what it is about."""
+    """Whether an equation is the right one divided by an expression that contains its variables."""
     if it.kind != EQUATION:
         return False
     try:
@@ -109,47 +108,43 @@ def _has_denominator(it: Question, typed: sp.Expr) -> bool:
     return bool(numerator) and factor.isdisjoint(it.variables)
 
 
-def _advice(it: Question, typed: sp.Expr, given: values.Values) -> Iterator[str]:
-    """Yield what was found, then the question that leads to the next step."""
-    is_equation = it.kind == EQUATION
+def _advice(it: Question, typed: sp.Expr, given: values.Values) -> list[str]:
+    """Return sentences about a wrong answer, the last one with the question that leads on.
+
+    The first account that explains the answer is returned: a known slip or a rounded number, the whole formula or its
+    cancelling terms, wrong bodies, and else the unit, the names and single terms.
+    """
     if not any(given):
-        yield _("Both sides of your equation are equal.") if is_equation else _("Your answer is zero.")
-        yield it.leads_on
-        return
-    known = _first_hint(it.slips, given) or (None if is_equation else _rounded(it, typed))
-    if known:
-        yield known
-        return
-    try:
-        differs = difference(it, typed, given)
-    except terms.NotComparableError as error:
-        differs = Difference([str(error)])
+        zero = _("Both sides of your equation are equal.") if it.kind == EQUATION else _("Your answer is zero.")
+        return [zero, it.leads_on]
+    if hint := _first_hint(it.slips, given) or _rounded(it, typed):
+        return [hint]
+    found = _difference(it, typed, given)
     # A missing term or a wrong sign is more natural than a wrong body. In one body’s energy a wrong sign belongs to
     # the velocity, but terms that cancel were typed.
-    is_explained = differs.asks or differs.is_whole or (differs.is_slip and not it.of_one_body)
-    if not is_explained and (known := _body_taken_wrongly(it, given)):
-        yield known
-        return
-    wrong_unit = None if differs.is_whole else _wrong_unit(it, typed)
-    if wrong_unit:
-        yield wrong_unit
-    own = leaves(it.right)
-    others = {name: symbol for name, symbol in SYMBOLS.items() if name != "eps" and symbol not in own}
-    of_ratio = SYMBOLS["eps"] in own
-    foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, of_ratio=of_ratio)]
-    if foreign:
-        yield _depends_on(it, foreign)
-    # If the unit is wrong as a whole, every term is wrong, and a list of them says nothing.
-    if differs.term is not None or not (wrong_unit or foreign):
-        yield from differs.sentences
-    yield differs.asks or it.of_terms.get(differs.term or "", it.leads_on)
+    is_explained = found.asks or found.is_whole or (found.is_slip and not it.of_one_body)
+    if not is_explained and (hint := _wrong_bodies(it, given)):
+        return [hint]
+    faults = [] if found.is_whole else [_wrong_unit(it, typed), _foreign_names(it, typed)]
+    sentences = [fault for fault in faults if fault]
+    # If the unit is wrong as a whole, every term is wrong, and a list of terms does not help.
+    if found.term is not None or not sentences:
+        sentences += found.sentences
+    return [*sentences, found.asks or it.of_terms.get(found.term or "", it.leads_on)]
+
+
+def _difference(it: Question, typed: sp.Expr, given: values.Values) -> Difference:
+    try:
+        return difference(it, typed, given)
+    except terms.NotComparableError as error:
+        return Difference([str(error)])
 
 
 def _first_hint(mistakes: values.Mistakes, given: values.Values) -> str | None:
     return next((hint for hint, wrong in mistakes if values.agree(given, wrong)), None)
 
 
-def _body_taken_wrongly(it: Question, given: values.Values) -> str | None:
+def _wrong_bodies(it: Question, given: values.Values) -> str | None:
     known = _first_hint(it.altered, given)
     if known is None and it.of_one_body:
         known = _first_hint(it.altered, tuple(value / 2 for value in given))
@@ -160,7 +155,7 @@ def _body_taken_wrongly(it: Question, given: values.Values) -> str | None:
 def _rounded(it: Question, typed: sp.Expr) -> str | None:
     """Return a hint if one decimal number of the answer is an exact one, rounded; else None."""
     numbers = values.decimals(typed)
-    if not numbers:
+    if not numbers or it.kind == EQUATION:
         return None
     off = values.units_off(typed, it.right_values)
     if off is not None:
@@ -176,7 +171,14 @@ def _rounded(it: Question, typed: sp.Expr) -> str | None:
     return None
 
 
-def _depends_on(it: Question, foreign: list[str]) -> str:
+def _foreign_names(it: Question, typed: sp.Expr) -> str | None:
+    """Return a sentence about the names on which the answer depends and the right one does not, if there are any."""
+    own = leaves(it.right)
+    others = {name: symbol for name, symbol in SYMBOLS.items() if name != "eps" and symbol not in own}
+    of_ratio = SYMBOLS["eps"] in own
+    foreign = [name for name, symbol in others.items() if values.depends_on(typed, symbol, of_ratio=of_ratio)]
+    if not foreign:
+        return None
     if it.name == "potential_energy" and foreign in (["X"], ["Phi"]):
         spring = _("Your answer depends on {name}, but {name} does not deform the spring.")
         return spring.format(name=terms.listed(foreign))
@@ -189,6 +191,7 @@ def _depends_on(it: Question, foreign: list[str]) -> str:
 
 
 def _wrong_unit(it: Question, typed: sp.Expr) -> str | None:
+    """Return a sentence about the unit of the answer, if it is not that of the right one."""
     right, quantity = values.unit(it.right), it.quantity
     try:
         found = values.unit(typed)

@@ -4,15 +4,13 @@ A formula is an element of SymPy's fraction field ℤ(m, m′, k, R, X, …), wh
 Degrees and digits are bounded before anything is computed. Every sentence states an exact result.
 """
 
-from collections import Counter
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from math import inf, prod
 
 import sympy as sp
 from sympy.polys.fields import FracElement, field
 
-from ramanujan.answers.formulas import is_number, weights
+from ramanujan.answers.formulas import weights
 from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.answers.values import decimals
 from ramanujan.derivation.model import epsilon, m, m_prime
@@ -28,11 +26,8 @@ _MOST_SENTENCES = 3
 FIELD = field(list(SYMBOLS.values()), sp.ZZ)[0]
 _GENERATORS = dict(zip(NAMES, FIELD.gens, strict=True))
 
-_MAX_WEIGHT, _MAX_BITS, _MAX_TERMS = 60, 60_000, 120
-"""Limits on the names and numbers of a quotient, on the integers of a search for common factors, on the terms of a
-polynomial."""
-_FEWEST_BITS = 6
-"""The bits of the integers with which that search begins."""
+_MAX_WEIGHT, _MAX_TERMS = 40, 120
+"""Limits on the names and numbers of a quotient, and on the terms of a polynomial."""
 
 
 @dataclass(frozen=True)
@@ -97,31 +92,12 @@ _TOO_LARGE = _("Your answer differs from the right one. It cannot be compared te
 
 
 def _check_size(expression: sp.Expr) -> None:
-    """Refuse a formula whose lowest terms would take long to find.
+    """Raise if the lowest terms of a formula would take long to find.
 
-    A sum of few terms is multiplied out at once. Common factors of a quotient are searched with integers in place of
-    one name after another (the heuristic gcd): a name of degree n makes the integers n + 1 times as long.
+    A sum of few terms is multiplied out at once. The common factors of a quotient take longer.
     """
-    if _terms(expression) <= _MAX_TERMS:
-        return
-    counted = weights(expression)
-    bits = _FEWEST_BITS + sum(times * _bits(leaf) for leaf, times in counted.items() if is_number(leaf))
-    if counted.total() > _MAX_WEIGHT or bits * prod(n + 1 for n in _degrees(counted).values()) > _MAX_BITS:
+    if _terms(expression) > _MAX_TERMS and weights(expression).total() > _MAX_WEIGHT:
         raise NotComparableError(_TOO_LARGE)
-
-
-def _bits(number: sp.Expr) -> int:
-    """Return how many bits a number, as it was typed, adds to the integers of a product."""
-    return sum(part.bit_length() - 1 for part in Fraction(str(number)).as_integer_ratio() if part)
-
-
-def _degrees(counted: Counter[sp.Expr]) -> Counter[sp.Expr]:
-    """Return the degree of each name; ε stands for m′/m."""
-    degrees = Counter()
-    for leaf, times in counted.items():
-        if not is_number(leaf):
-            degrees.update(dict.fromkeys((m, m_prime) if leaf == epsilon else (leaf,), times))
-    return degrees
 
 
 def _terms(expression: sp.Expr) -> float:
