@@ -347,6 +347,7 @@ def _by_acceleration(contact: Contact, solution: dict[sp.Expr, sp.Expr]) -> sp.E
     return sp.factor(solution[contact.force] / solution[angular_acceleration("hoop")]) * phi.diff(t, 2)
 
 
+_FRICTION = _("Friction on the rollers, to the right: S from the slab, F from the block.")
 CELLS = {
     "rolling": """\
 a = dict(zip(("block", "hoop", "cylinder", "slab", "top"), sp.symbols("a_block a_hoop a_cylinder a_slab a_top")))
@@ -354,8 +355,8 @@ alpha = dict(zip(("hoop", "cylinder", "top"), sp.symbols("alpha_hoop alpha_cylin
 rolling = [sp.Eq(a[name] - R * alpha[name], a["block"]) for name in alpha]
 rolling += [sp.Eq(a[name] + R * alpha[name], a["slab"]) for name in ("hoop", "cylinder")]
 rolling""",
-    "forces": """\
-# Friction on the rollers, to the right: S from the slab, F from the block.
+    "forces": f"# {_FRICTION}\n"
+    """\
 S = dict(zip(("hoop", "cylinder"), sp.symbols("S_hoop S_cylinder")))
 F = dict(zip(("hoop", "cylinder", "top"), sp.symbols("F_hoop F_cylinder F_top")))
 spring = k * sp.expand(x_slab - x_block)

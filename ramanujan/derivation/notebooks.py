@@ -5,7 +5,14 @@ of its route. `CHECK` then compares its Ω² with the root of det(K − ω²M) =
 computes how far that machine is from Ω² = k/m (`DISTANCE`) and its Ω² (`FREQUENCY`).
 """
 
-BODIES = """\
+from ramanujan.derivation.energies import PARTS
+from ramanujan.translation import _
+
+_SIGNS = _(
+    "Displacements relative to the ground are positive to the right, X is positive to the left, angles are clockwise."
+)
+
+BODIES = f"""\
 import sympy as sp
 
 m, m_prime, k, R = sp.symbols("m m' k R", positive=True)
@@ -14,7 +21,7 @@ X, phi, Phi = (sp.Function(name)(t) for name in ("X", "varphi", "Phi"))
 q = (X, phi, Phi)
 q_dot = tuple(x.diff(t) for x in q)
 
-# Displacements relative to the ground are positive to the right, X is positive to the left, angles are clockwise.
+# {_SIGNS}
 x_block = -X
 x_roller = x_block + R * phi
 x_slab = x_roller + R * phi
@@ -27,8 +34,8 @@ def kinetic_energy(mass, x, inertia=0, angle=sp.S.Zero):
 
 T = (
     kinetic_energy(m, x_block)
-    + kinetic_energy(m_prime, x_roller, m_prime * R**2, phi)  # hoop
-    + kinetic_energy(m_prime, x_roller, m_prime * R**2 / 2, phi)  # cylinder
+    + kinetic_energy(m_prime, x_roller, m_prime * R**2, phi)  # {PARTS["hoop"]}
+    + kinetic_energy(m_prime, x_roller, m_prime * R**2 / 2, phi)  # {PARTS["cylinder"]}
     + kinetic_energy(m, x_slab)
     + kinetic_energy(m, x_top, m * R**2 / 2, Phi)
 )
