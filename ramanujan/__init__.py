@@ -40,9 +40,9 @@ A notebook needs this package alone:
     machine = Oscillator(m=1, m_prime=1.127, k=10)
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
-The other equations are steps of `derivation`: README lists all of them. `number_theory` says why it is 1729, `accuracy`
-measures what computing costs, `figures` and `browser` draw, `pages` has one folder for each page, and `shell` what all
-pages share.
+The other equations are steps of `derivation`: .github/paper.md lists all of them. `number_theory` explains the number
+1729, `accuracy` measures what computing costs, `figures` and `browser` draw, `pages` has one folder for each page, and
+`shell` what all pages share.
 """
 
 from ramanujan.contact import (

@@ -1,4 +1,4 @@
-"""The paper’s equations, typed here as printed: each is in the step of the Euler–Lagrange route that README names."""
+"""The paper’s equations, typed here as printed, against the steps that .github/paper.md names."""
 
 import re
 from pathlib import Path
@@ -71,11 +71,11 @@ PAPER = {
 }  # fmt: skip
 """Number → equation, with R, m and the motion as they are; Λ_qℒ is written out."""
 
-README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
-TABLE = re.findall(r"^\| \(([\w, ]+)\) \| (any|equal) \| (\d+) \| (.*) \| `(\w+)` \|$", README, re.MULTILINE)
+PLACES = (Path(__file__).parent.parent / ".github" / "paper.md").read_text(encoding="utf-8")
+TABLE = re.findall(r"^\| \(([\w, ]+)\) \| (any|equal) \| (\d+) \| (.*) \| `(\w+)` \|$", PLACES, re.MULTILINE)
 
 
-def test_every_equation_of_the_paper_is_in_the_step_that_readme_names():
+def test_every_equation_of_the_paper_is_in_the_step_that_its_list_names():
     steps = {number: step for numbers, *step in TABLE for number in numbers.split(", ")}
     assert steps.keys() == PAPER.keys()
     for place, printed in PAPER.items():

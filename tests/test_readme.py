@@ -1,7 +1,8 @@
-"""What README promises to whoever uses the package, or tests the app, from another folder: it runs as printed."""
+"""The promises of README and CONTRIBUTING.md: the printed commands and programs run as printed."""
 
 import os
 import re
+import shlex
 import socket
 import subprocess
 import sys
@@ -15,33 +16,44 @@ from ramanujan.translation import known
 from tests.browser import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-EVERY_PAGE = """
-
-def test_every_page():
-    for page in __import__("pathlib").Path("oscillator/ramanujan/pages").glob("*/page.py"):
-        at = AppTest.from_file("oscillator/app.py", default_timeout=60).run().switch_page(str(page.resolve())).run()
-        assert at.slider(key="m_prime").set_value(2.0).run().title, page
-        assert not at.exception, page
-"""
+CONTRIBUTING = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
 
 
 def block(name: str) -> str:
-    """Return the Python that README has below a comment with this name."""
-    (code,) = re.findall(rf"<!-- {name} -->\n```python\n(.*?)```", README, re.DOTALL)
+    """Return the code in README below a comment with this name."""
+    (code,) = re.findall(rf"<!-- {name} -->\n```\w+\n(.*?)```", README, re.DOTALL)
     return code
 
 
 def run(folder: Path, *command: str) -> subprocess.CompletedProcess:
-    """Run Python in a folder beside which the checkout is, with nothing of the suite's own."""
-    (folder / "oscillator").symlink_to(ROOT)
-    own = {name: text for name, text in os.environ.items() if not name.startswith(("PYTHON", "PYTEST", "RAMANUJAN"))}
-    return subprocess.run([sys.executable, *command], cwd=folder, env=own, capture_output=True, text=True, check=False)
+    """Run a command beside a folder `oscillator` with the app and its environment, without the suite's settings."""
+    app = folder / "oscillator"
+    app.mkdir()
+    for path in ROOT.iterdir():
+        if path.name != ".venv":
+            (app / path.name).symlink_to(path)
+    (app / ".venv").symlink_to(sys.prefix)
+    environment = {
+        name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "PYTEST", "RAMANUJAN"))
+    }
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
 
 
-def test_the_app_test_runs_in_a_folder_of_its_own(tmp_path):
-    (tmp_path / "test_in_step.py").write_text(block("an app test") + EVERY_PAGE)
-    done = run(tmp_path, "-m", "pytest", "-q", "-p", "no:cacheprovider", "test_in_step.py")
-    assert "2 passed" in done.stdout, done.stdout[-2000:]
+def test_the_app_test_runs_by_the_printed_commands_in_a_folder_of_its_own(tmp_path):
+    (tmp_path / "test_in_step.py").write_text(block("an app test"))
+    done = run(tmp_path, "bash", "-c", block("run the app test"))
+    assert "1 passed" in done.stdout, done.stdout[-2000:] + done.stderr[-2000:]
+    assert done.returncode == 0
+
+
+@pytest.mark.parametrize("name", ["the start command", "the start command on Windows"])
+def test_an_older_python_stops_the_start_with_one_sentence(name):
+    _python, _option, check = shlex.split(block(name).partition("&&")[0].partition("; if")[0])
+    for version, sentence in (((3, 10, 18), "This app needs Python 3.11 or newer.\n"), ((3, 11, 0), "")):
+        script = f"import sys; sys.version_info = {version}\n{check}"
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+        assert done.stderr == sentence
+        assert (done.returncode == 0) == (not sentence)
 
 
 def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it_is(tmp_path):
@@ -50,7 +62,7 @@ def test_the_package_is_found_from_another_folder_by_the_lines_that_say_where_it
     asks = "\nprint(Oscillator(1, 1, 1).normalized_frequency_squared)"
     for name, lines, said in (("elsewhere", there, "1.0505"), ("alone", here, "")):
         (tmp_path / name).mkdir()
-        done = run(tmp_path / name, "-c", lines + asks)
+        done = run(tmp_path / name, sys.executable, "-c", lines + asks)
         assert done.stdout.startswith(said), done.stderr
         assert ("No module named 'ramanujan'" in done.stderr) == (not said)
 
@@ -64,7 +76,7 @@ def test_every_benchmark_is_named_and_prints_its_help(monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["", "--help"])
     for file in (ROOT / "tests/benchmarks").glob("*.py"):
         if hasattr(benchmark := import_module(f"tests.benchmarks.{file.stem}"), "main"):
-            assert f"python -m {benchmark.__name__}`" in README
+            assert f"python -m {benchmark.__name__}`" in CONTRIBUTING
             with pytest.raises(SystemExit, match="0"):
                 benchmark.main()
             assert benchmark.__doc__.split()[:4] == capsys.readouterr().out.partition("\n\n")[2].split()[:4]

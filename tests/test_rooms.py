@@ -1,4 +1,4 @@
-"""Which room may import which, and what the first page may load: the table of the README, held."""
+"""The imports of the rooms against the table in CONTRIBUTING.md, and the modules that the first page loads."""
 
 import ast
 import asyncio
@@ -20,18 +20,20 @@ LANGUAGE = {"catalogue", "translation", "numerals"}
 """Rooms that every room may import."""
 
 
-def readme_s_table() -> dict[str, tuple[set[str], set[str]]]:
-    """Room → rooms it may import from, besides those of `LANGUAGE`; third-party packages."""
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    found = {}
-    for row in readme.partition("| room |")[2].partition("\n\n")[0].splitlines()[2:]:
-        names, *allowed = row.split("|")[1:4]
+def import_table() -> dict[str, tuple[set[str], set[str]]]:
+    """Return room → rooms from which it may import, besides those of `LANGUAGE`; third-party packages."""
+    guide = (ROOT / ".github" / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    rows = guide.partition("| room |")[2].partition("\n\n")[0].splitlines()[2:]
+    table = {}
+    for row in rows:
+        names, inside, outside = row.split("|")[1:4]
+        allowed = set(re.findall(r"\w+", inside)), set(re.findall(r"\w+", outside))
         for room in re.findall(r"\w+", names.partition("(")[0]):
-            found[room] = tuple(set(re.findall(r"\w+", each)) for each in allowed)
-    return found
+            table[room] = allowed
+    return table
 
 
-ROOMS = readme_s_table()
+ROOMS = import_table()
 
 OTHER_PAGES = (
     "accuracy",

@@ -5,6 +5,7 @@
     states at a million times   against the sine and the cosine of as many phases
 """
 
+import argparse
 import math
 import sys
 import time
@@ -81,6 +82,7 @@ def ratios() -> dict[str, float]:
 
 def main() -> int:
     """Print the ratios, and return how many exceed their limits."""
+    argparse.ArgumentParser(description=__doc__.split("\n")[0]).parse_args()
     found = ratios()
     for name, ratio in found.items():
         print(f"{name:<28} {ratio:.2f} of at most {LIMITS[name]}")
