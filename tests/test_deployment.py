@@ -61,9 +61,9 @@ def test_expired_answers_are_deleted_when_the_server_starts(hall: deployed) -> N
 
 
 def test_visitors_are_spread_and_each_keeps_its_process(hall: deployed) -> None:
-    # The proxy looks once a second whether a process is up.
+    # The proxy checks every second whether a process is up, and prefers the one with fewer open connections.
     cookies: set[str | None] = set()
-    for _ in range(40):
+    for _ in range(240):
         cookies.add(cookie_of(hall))
         time.sleep(0.25)
         if len(cookies) == 2:
@@ -135,9 +135,9 @@ def test_over_https_a_first_visit_is_small(hall: deployed, chromium: object) -> 
     sent = {number: answer for number, answer in answers.items() if answer["url"].startswith("https")}
     scripts = [answer for answer in sent.values() if answer["url"].endswith(".js")]
     assert len(scripts) > 20
-    assert {answer["headers"].get("content-encoding") for answer in scripts} == {"br"}
+    assert {answer["headers"].get("content-encoding") for answer in scripts} == {"gzip"}
     # A class of thirty loads it over one Wi-Fi.
-    assert sum(sizes.get(number, 0) for number in sent) < 2.5e6
+    assert sum(sizes.get(number, 0) for number in sent) < 2.6e6
 
 
 def test_another_language_keeps_the_page_the_machine_and_the_options(hall: deployed, visit: Callable) -> None:
