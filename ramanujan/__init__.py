@@ -19,11 +19,11 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
     2Rφ             deformation of the spring, positive in compression;   x₀ its value at release
     Ω               natural frequency [rad/s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
 
-The core is eight files. An `Oscillator` is four numbers; with an `InitialState` it has one motion (q, q̇), in closed
-form. From a state follow the energies, the momenta and the contact forces, and a record has all of them as a table. A
-function takes floats or arrays and returns arrays; nothing is rounded, cached or looked up on the way.
+The core is eight files of plain floating-point arithmetic. An `Oscillator` is four numbers; with an `InitialState` it
+has one motion (q, q̇), in closed form. Energies, momenta and contact forces are functions of the state, and a record has
+all of them as a table.
 
-    file           equations of the paper                                      what it gives
+    file           equations of the paper                                      results
     frequency      (8) 104/99, (12) Ω², (13) inverse, (14) ε*                  Ω²m/k over ε, ε for a given Ω²m/k
     oscillator     (9) L as M and K, (10) M q̈ + K q = 0, (11) mode shape       Ω, T, M_x, matrices of one machine
     motion         x = 2Rφ, (1) velocities, (11) and (12) integrated           q(t), q̇(t), motion of each body
@@ -31,7 +31,7 @@ function takes floats or arrays and returns arrays; nothing is rounded, cached o
     contact        none: the constraints of the paper need these forces        forces, friction, first slip
     record         none                                                        all of this at equal times, CSV
     integrators    none                                                        step methods for x″ = a(x)
-    validation     none                                                        what counts as a number
+    validation     none                                                        checks of numbers and arrays
 
 A notebook needs this package alone:
 
@@ -40,9 +40,9 @@ A notebook needs this package alone:
     machine = Oscillator(m=1, m_prime=1.127, k=10)
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
-The other equations are steps of `derivation`: .github/paper.md lists all of them. `number_theory` explains the number
-1729, `accuracy` measures what computing costs, `figures` and `browser` draw, `pages` has one folder for each page, and
-`shell` what all pages share.
+The other equations are steps of `derivation`; `.github/paper.md` has a table of all equations. `number_theory` explains 1729,
+`accuracy` measures errors and costs, `figures` and `browser` draw, `pages` has one folder for each page, and `shell` is
+shared by all pages.
 """
 
 from ramanujan.contact import (

@@ -181,7 +181,7 @@ def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: flo
     Parameters
     ----------
     oscillator : the machine
-    compression : x₀ [m]; 0 stands for the limit of a small one. It matters only if spacing is finite.
+    compression : x₀ [m]; 0 means the limit of a small compression. It matters only if spacing is finite.
     spacing : L, distance between the axes of hoop and lower cylinder [m]
 
     Returns

@@ -1,4 +1,4 @@
-"""Energies and momenta of a state: how the energy is distributed at one moment, and what the motion conserves.
+"""Energies and momenta of a state: the energy of each body, and the two momenta that the motion conserves.
 
 Each is a function of a state (q, q̇), whether it comes from the closed form or from an integrator.
 

@@ -11,8 +11,8 @@ Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
     Python float, and constants are Python floats, so that float32 stays float32.
  4. A step changes no argument in place and keeps nothing between calls.
  5. A step that ends with a(q) returns the same object q, and a step that begins with a(q) evaluates it at the object
-    that it received. `trajectory` evaluates it once for both, and `Method.evaluations` counts it once. A velocity
-    Verlet step by itself evaluates twice.
+    that it received. `trajectory` evaluates it once for both, and `Method.evaluations` counts it once. A single
+    velocity Verlet step evaluates twice.
  6. The implicit method needs a linear acceleration, a(q) = q·a(1).
 
 References

@@ -137,7 +137,7 @@ def motion(
     >>> q[1].round(12)
     array([0.4, 0.4])
     """
-    times = finite("t", t) if isinstance(t, float) else float_array("t", t)
+    times = finite("t", t) if isinstance(t, float) else float_array("t", t).astype(np.float64, copy=False)
     sin = math.sin if isinstance(times, float) else np.sin
     Omega, Omega_squared = oscillator.natural_frequency, oscillator.natural_frequency_squared
     kappa_R, lambda_ = oscillator.block_coupling * oscillator.radius, oscillator.top_coupling

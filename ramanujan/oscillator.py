@@ -9,8 +9,8 @@ so there is one oscillating mode and there are two zero modes. The spring feels 
     Ω² = k/M_x = (k/m)/(M_x/m),    mode shape (X, φ, Φ) ∝ (κR, 1, λ),    κ = (1 + ε)/(7/6 + ε),    λ = 2κ/3.
 
 Ω² has an error of at most 5 units in the last place wherever k/m and ε = m′/m are normal floating-point numbers. A
-machine whose ε, k/m or Ω² is not a finite positive number is an error. No other range is checked: a radius of 10²⁰⁰ m
-makes the moments of inertia infinite.
+machine whose ε, k/m or Ω² is not a finite positive number is an error. No other range is checked here: for a radius of
+10²⁰⁰ m, Python raises `OverflowError` where a moment of inertia is computed.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ class Oscillator:
 
     @property
     def effective_mass(self) -> float:
-        """M_x = 3m′/8 + (m/2)(8m + 7m′)/(7m + 6m′) [kg], the mass that the spring feels."""
+        """M_x = 3m′/8 + (m/2)(8m + 7m′)/(7m + 6m′) [kg], the mass that the spring feels; Ω² = k/M_x."""
         return self.m * effective_mass_ratio(self.mass_ratio)
 
     @cached_property

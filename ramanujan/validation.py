@@ -1,4 +1,4 @@
-"""Checks of what a caller passes to the core: numbers and arrays of numbers.
+"""Checks of arguments: real numbers and arrays of real numbers.
 
 Each function returns its value as a float or as an array of floats. A value that is of no use raises `ValueError` with
 one sentence that begins with the name of the parameter.

@@ -1,6 +1,6 @@
-"""One physics: what the derivation says, as functions of mpmath, to which test_whole_range holds the numeric core.
+"""The expressions of the derivation as functions of mpmath, with which test_whole_range compares the numeric core.
 
-What the browser gets of it is held to it here, run by the JavaScript engine that Playwright brings.
+The formulas of the browser are compared with them here, in the JavaScript engine that Playwright brings.
 """
 
 import json
@@ -42,10 +42,7 @@ def evaluated(expression, oscillator, q=(0, 0, 0), q_dot=(0, 0, 0), digits=50, *
 
 
 def derived(bodies):
-    """What the derivation says of a machine with these bodies, in groups: name → expression.
-
-    That the core has these numbers, whatever the size of a machine, is asked by test_whole_range.
-    """
+    """The expressions of the derivation for a machine with these bodies, in groups: name → expression."""
     spring, block = bodies.potential_energy, bodies["block"]
     squared = ROUTES["newton"].natural_frequency_squared
     rolling = {phi.diff(t, 2): -squared * phi}

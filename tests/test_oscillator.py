@@ -1,4 +1,4 @@
-"""The Ω² curve and its inverse against mpmath, and what a machine refuses; its numbers are in test_whole_range.py."""
+"""The Ω² curve and its inverse against mpmath, and machines as values. test_whole_range.py has their numbers."""
 
 import math
 
@@ -58,6 +58,7 @@ def test_the_marked_values_are_exact(dtype):
     assert f(dtype(1)) == dtype(104 / 99)
     assert f(dtype(UNIT_MASS_RATIO)) == 1
     assert mass_ratio_for(dtype(1)) == dtype(UNIT_MASS_RATIO)
+    assert mass_ratio_for(dtype(1)).dtype == dtype
     assert Oscillator(3.0, 3 * UNIT_MASS_RATIO).normalized_frequency_squared == 1
     assert Oscillator(7.0, 7.0, 99.0).natural_frequency_squared == pytest.approx(104 / 7, rel=1e-15)
 
@@ -72,30 +73,9 @@ def test_the_curve_falls_from_one_float_to_the_next(dtype):
     wide = np.geomspace(10.0**-decades, 10.0**decades, 200_001, dtype=dtype)
     for ratios in (*neighbours, wide):
         values = normalized_frequency_squared(ratios)
+        assert (values.dtype, values.shape) == (dtype, ratios.shape)
         assert np.all(np.diff(values) <= 0)
         assert values[0] <= 7 / 4
-
-
-@BOTH
-def test_arrays_keep_their_type_and_shape(dtype):
-    ratios = np.geomspace(1e-3, 1e6, 301, dtype=dtype).reshape(7, 43)
-    values = normalized_frequency_squared(ratios)
-    back = mass_ratio_for(values)
-    assert (values.dtype, values.shape, back.dtype, back.shape) == (dtype, (7, 43), dtype, (7, 43))
-    # f falls by |εf′/f| ≤ 1 of a relative step, but is flat where ε is small: there the inverse can know less.
-    assert np.all(np.abs(back / ratios - 1) <= 20 * np.finfo(dtype).eps * (1 + 1 / ratios))
-
-
-@pytest.mark.parametrize("w", [0, -1, 7 / 4, 2, 5e-324])
-def test_the_inverse_refuses_what_no_machine_has(w):
-    with pytest.raises(ValueError, match="normalized_frequency_squared"):
-        mass_ratio_for(w)
-
-
-@pytest.mark.parametrize("ratio", [-1, -1e-300, [1, -1], [1, math.nan]])
-def test_a_bad_mass_ratio_is_refused_by_name(ratio):
-    with pytest.raises(ValueError, match="mass_ratio"):
-        normalized_frequency_squared(ratio)
 
 
 def test_an_oscillator_is_a_value():

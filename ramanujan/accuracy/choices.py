@@ -52,9 +52,10 @@ class ClosedForm:
 
 
 def curve_sampling() -> dict[str, dict[int, float]]:
-    """Return how far two curves are from the chords between so many points, when they fill the figure's height.
+    """Return the distance of two curves from their chords, for several numbers of points.
 
-    The curves are "cosine", one period of it, and "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO.
+    Each curve fills the height of the figure. The curves are "cosine", one period of it, and "frequency", Ω²m/k for
+    0 ≤ ε ≤ LARGEST_MASS_RATIO.
 
     Returns
     -------
@@ -134,11 +135,11 @@ def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
 
 
 def caching(oscillator: Oscillator) -> dict[str, float]:
-    """Return how many times faster it is to keep a result, or to ask for many values at once.
+    """Return the speed-up of a stored result, and of many values in one call.
 
     Parameters
     ----------
-    oscillator : the machine that is asked again; the first calls use machines with a slightly different spring
+    oscillator : the machine of the repeated calls; a first call uses a machine with a slightly different spring
 
     Returns
     -------
@@ -173,7 +174,7 @@ def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
 
 
 def _with_digits(digits: int, epsilon: float) -> Callable[[], mpmath.mpf]:
-    """Return the evaluation of Ω²m/k in an mpmath context of its own, with that many digits."""
+    """Return a function that evaluates Ω²m/k with `digits` digits, in a separate mpmath context."""
     context = mpmath.MPContext()
     context.dps = digits
     return lambda: _at(context.mpf(epsilon))

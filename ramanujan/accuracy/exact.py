@@ -1,7 +1,7 @@
 """What exactness takes: Ω² from exact arithmetic, and a phase from which whole turns are subtracted.
 
-The app uses neither (`ramanujan.oscillator`, `ramanujan.motion`). They are the references and the rivals of its own
-formulas in the experiments on the extremes.
+The app uses neither: `ramanujan.oscillator` and `ramanujan.motion` compute in plain floating point. The experiments on
+the extremes compare the formulas of the app with these.
 """
 
 from __future__ import annotations

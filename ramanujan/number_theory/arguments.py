@@ -1,4 +1,4 @@
-"""Checks of what a caller passes to the number theory: exact numbers below a stated bound."""
+"""Checks of arguments: integers and fractions below a stated bound."""
 
 from __future__ import annotations
 

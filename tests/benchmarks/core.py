@@ -1,8 +1,8 @@
-"""What the numeric core costs, in ratios within one run: `python -m tests.benchmarks.core`.
+"""The cost of the numeric core, in ratios within one run: `python -m tests.benchmarks.core`.
 
-    Ω² of a new machine         against a bare frozen dataclass with the same checks and the same formula
-    a new machine, one state    against a closed form in ten lines without checks
-    states at a million times   against the sine and the cosine of as many phases
+Ω² of a new machine         against a bare frozen dataclass with the same checks and the same formula
+a new machine, one state    against a closed form in ten lines without checks
+states at a million times   against the sine and the cosine of as many phases
 """
 
 import argparse
@@ -18,7 +18,7 @@ import numpy as np
 from ramanujan import InitialState, Oscillator, motion
 
 LIMITS = {"Ω² of a new machine": 2.5, "a new machine, one state": 4.0, "states at a million times": 4.0}
-"""What is measured → the largest ratio."""
+"""Measurement → the largest ratio."""
 _MACHINE = (1.0, 1.2, 10.0, 0.1)
 _REPEATS = 40
 
@@ -65,7 +65,7 @@ def seconds(call: Callable[[], object], number: int) -> float:
 
 
 def ratios() -> dict[str, float]:
-    """Return what is measured → the time of the core divided by that of the bare program."""
+    """Return measurement → the time of the core divided by that of the bare program."""
     initial, times, machine = InitialState(phi=0.4), np.linspace(0, 100, 10**6), Oscillator(*_MACHINE)
     own = (
         seconds(lambda: Oscillator(*_MACHINE).natural_frequency_squared, 2000),
