@@ -40,9 +40,9 @@ A notebook needs this package alone:
     machine = Oscillator(m=1, m_prime=1.127, k=10)
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
-The other equations are steps of `derivation`; `.github/paper.md` has a table of all equations. `number_theory` explains 1729,
-`accuracy` measures errors and costs, `figures` and `browser` draw, `pages` has one folder for each page, and `shell` is
-shared by all pages.
+The other equations are steps of `derivation`; `.github/paper.md` has a table of all of them. `number_theory` explains
+1729, `accuracy` measures errors and costs, `figures` and `browser` draw, `pages` has one folder for each page, and
+`shell` is shared by all pages.
 """
 
 from ramanujan.contact import (
