@@ -21,6 +21,14 @@ def read(text: str) -> float:
     return float(f"{size if size.strip('-') else size + '1'}e{plain[len(digits) :].translate(_RAISED)}")
 
 
+def wide_formulas(block: Any) -> list[Any]:
+    """Return what AppTest found of text and formulas, without the formulas that only a phone shows."""
+    narrow = [
+        id(each) for inner in block if (getattr(inner, "key", None) or "").startswith("narrow_") for each in inner.latex
+    ]
+    return [each for each in block if each.type in ("markdown", "latex") and id(each) not in narrow]
+
+
 def array(given: Any) -> np.ndarray:
     """Return the values of a figure's array, which it may hold as bytes."""
     if isinstance(given, dict):

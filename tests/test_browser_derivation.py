@@ -4,6 +4,7 @@ import json
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import expect
 
 from ramanujan.derivation import ROUTES
@@ -284,3 +285,34 @@ def check_projector(page) -> None:
         assert 0 < box["y"] <= 720 - box["height"]
 
     walk(page, "newton", beside)
+
+
+ON_A_PHONE = """() => [...document.querySelectorAll('.katex-display')].filter((box) => box.offsetParent).map((box) => {
+  const operations = [...box.querySelectorAll('.sizing.reset-size6.size4')];
+  const signs = [...box.querySelectorAll('.mrel')].filter((sign) => !sign.closest('.sizing'));
+  const height = (part) => { const { top, bottom } = part.getBoundingClientRect(); return (top + bottom) / 2; };
+  return {
+    letters: parseFloat(getComputedStyle(box.querySelector('.katex')).fontSize),
+    operations: operations.length,
+    behind: operations.filter((part) => signs.some((sign) => Math.abs(height(sign) - height(part)) < 8)).length,
+    marked: box.scrollWidth <= box.clientWidth + 1 || 'scrolls' in box.dataset,
+  };
+})"""
+"""Of each formula: how large its letters are, its operations, those behind an equals sign, and whether it scrolls."""
+
+
+@pytest.mark.parametrize(("path", "letters"), [("derivation?show=reading", 15), ("", 16)])
+def test_on_a_phone_formulas_are_large_and_operations_stand_below_their_lines(visit, path, letters):
+    page = visit(path, width=390, height=844)
+    if not path:
+        page.locator(".st-key-summary_4 summary").click()
+    page.locator(".katex-display:visible").first.wait_for()
+    settle(page)
+    boxes = page.evaluate(ON_A_PHONE)
+    assert min(box["letters"] for box in boxes) >= letters
+    assert all(box["marked"] for box in boxes)
+    assert sum(box["operations"] for box in boxes) > 1
+    assert sum(box["behind"] for box in boxes) == 0
+    page.set_viewport_size({"width": 820, "height": 1180})
+    settle(page)
+    assert any(box["behind"] for box in page.evaluate(ON_A_PHONE))

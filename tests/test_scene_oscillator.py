@@ -16,6 +16,7 @@ from ramanujan.shell.parameters import PARAMETERS
 from ramanujan.shell.sidebar import PRESETS, take_exact
 from tests.browser import ROOT
 from tests.latex import equations
+from tests.reading import wide_formulas
 
 KEYS = list(PARAMETERS)
 
@@ -58,7 +59,7 @@ def steps(app):
         app.session_state[f"summary_{number}"] = True
     app.run()
     folded = [app.expander(key=f"summary_{number}") for number in range(1, 7)]
-    return "\n".join("\n".join([each.label, *(text.value for text in each.markdown)]) for each in folded)
+    return "\n".join("\n".join([each.label, *(text.value for text in wide_formulas(each))]) for each in folded)
 
 
 def test_the_first_run_shows_the_defaults(app):

@@ -296,3 +296,8 @@ def test_a_name_leads_to_no_key():
         patch.setattr(hashlib, "scrypt", lambda *_, n, r, **__: asked.append(128 * n * r) or bytes(64))
         worksheet_keys.name(key_of(1729))
     assert min(asked) >= 2**24
+
+
+def test_the_key_calculates_with_the_masses_as_they_were_typed():
+    (first, *_others) = [each for each in questions(Oscillator(1.56, 1.08, 7.5), "1") if each.working]
+    assert first.working[0] == r"\varepsilon=\frac{m'}{m}=\frac{1.08}{1.56}=\frac{9}{13}"

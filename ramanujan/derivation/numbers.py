@@ -178,7 +178,7 @@ def stated(numbers: Numbers) -> str:
     >>> print(stated(Numbers(1.85, 0.86, 33.5)))
     The numbers are for $m=1.85\\,\\mathrm{kg}$, $m'=0.86\\,\\mathrm{kg}$ and $k=33.5\\,\\mathrm{N/m}$, in SI units.
     """
-    mass, roller_mass, stiffness = (_short(numbers.exact[symbol]) for symbol in (m, m_prime, k))
+    mass, roller_mass, stiffness = (as_typed(numbers.exact[symbol]) for symbol in (m, m_prime, k))
     sentence = _("The numbers are for {mass}, {roller_mass} and {stiffness}, in SI units.").format(
         mass=rf"$m={mass}\,\mathrm{{kg}}$",
         roller_mass=rf"$m'={roller_mass}\,\mathrm{{kg}}$",
@@ -190,8 +190,12 @@ def stated(numbers: Numbers) -> str:
     return f"{sentence} {nearest}"
 
 
-def _short(value: sp.Expr) -> str:
-    """Return a number as LaTeX, as a decimal if that has only a few places."""
+def as_typed(value: sp.Expr) -> str:
+    """Return a number of the machine as LaTeX, as a decimal if that has only a few places.
+
+    >>> as_typed(sp.Rational(27, 25)), as_typed(sp.Rational(5, 6))
+    ('1.08', '\\\\frac{5}{6}')
+    """
     if value.is_Rational and value.q > 1 and 10**15 % value.q == 0:
         return in_latex(f"{Decimal(value.p) / Decimal(value.q):f}")
     return latex(value)

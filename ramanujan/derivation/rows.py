@@ -31,6 +31,8 @@ _MARK = r"\underline"
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _SHORT, _SHORTEST = 8, 20
 """Characters of a left side that take no room from the right one, and of the shortest line of a right side."""
+_PHONE = 28
+"""Characters of a line that fits on a phone, in letters of 15 px."""
 _BELOW = r" \\[.15em] &"
 """Begins a line for an operation."""
 _INVISIBLE = re.compile(r"\\textcolor\{#\w+\}|\\[a-zA-Z]+|\\,|[{}^_ ]")
@@ -199,6 +201,11 @@ def aligned(shown: Sequence[Row], width: int, gap: str = ".5em", room: float = m
     return rf"\begin{{aligned}}{lines}\end{{aligned}}" if lines else ""
 
 
+def on_a_phone(shown: Sequence[Row]) -> str:
+    """Return rows as one display that is narrow enough for a phone: short lines, each operation below its line."""
+    return aligned(shown, _PHONE, ".8em", room=0)
+
+
 def widest(shown: Iterable[Row]) -> int:
     """Return about how many characters the longest left side has."""
     return max((extent(each.left) for each in shown), default=0)
@@ -208,6 +215,6 @@ def _marked(shown: Row, to_zero: bool, width: int, beside: int, longest: int, ro
     first, *others = lines = shown.lines(width, beside)
     made, taken, behind = f"&{shown.latex}", extent(shown.left + shown.right), ""
     if not to_zero:
-        made = rf"{shown.left} &= {first}" + "".join(rf" \\[.15em] &\quad {other}" for other in others)
+        made = rf"{shown.left} &= {first}" + "".join(rf" \\[.3em] &\quad {other}" for other in others)
         taken, behind = beside + (longest or extent(lines[-1])), " &&" if longest else ""
     return f"{made}{behind if taken <= room else _BELOW}{shown.margin}" if shown.margin else made

@@ -15,7 +15,7 @@ import sympy as sp
 
 from ramanujan.derivation import ROUTES
 from ramanujan.derivation.model import epsilon, k, m, m_prime
-from ramanujan.derivation.numbers import Numbers, unit_frequency_condition, with_decimal
+from ramanujan.derivation.numbers import Numbers, as_typed, unit_frequency_condition, with_decimal
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.steps import Step
 from ramanujan.lesson import CHAPTERS, Stop
@@ -137,6 +137,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
     formula = unit_frequency_condition().normalized_frequency_squared
     above, below = (sp.expand(part.subs(epsilon, ratio)) for part in sp.fraction(formula))
     normalized = sp.radsimp(above / below)
+    typed = {symbol: as_typed(value) for symbol, value in values.items()}
     squared = sp.radsimp(normalized * values[k] / values[m])
     felt = sp.radsimp(values[k] / squared)
     a, b, c = BodyChoice(target=target).quadratic
@@ -146,7 +147,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
             f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
             working=(
-                f"\\varepsilon=\\frac{{m'}}{{m}}=\\frac{{{latex(values[m_prime])}}}{{{latex(values[m])}}}",
+                f"\\varepsilon=\\frac{{m'}}{{m}}=\\frac{{{typed[m_prime]}}}{{{typed[m]}}}={latex(ratio)}",
                 f"\\frac{{\\Omega^2m}}{{k}}={latex(formula)}=\\frac{{{latex(above)}}}{{{latex(below)}}}",
             ),
             space=5,
@@ -158,7 +159,7 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             ),
             working=(
                 f"\\frac{{\\Omega^2m}}{{k}}\\cdot\\frac{{k}}{{m}}={latex(normalized)}\\cdot"
-                f"\\frac{{{latex(values[k])}}}{{{latex(values[m])}}}\\,\\mathrm{{s^{{-2}}}}",
+                f"\\frac{{{typed[k]}}}{{{typed[m]}}}\\,\\mathrm{{s^{{-2}}}}",
                 f"T=\\frac{{2\\pi}}{{\\Omega}}=\\frac{{2\\pi}}{{{in_latex(f'{float(sp.sqrt(squared)):.5g}')}}}\\,\\mathrm{{s}}",
             ),
             space=4,
@@ -169,8 +170,8 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
                 felt=latex(felt), total=quantity(3 * machine.m + 2 * machine.m_prime, "kg", 4)
             ),
             working=(
-                f"M_x=\\frac{{k}}{{\\Omega^2}}=\\frac{{{latex(values[k])}}}{{{latex(squared)}}}\\;\\mathrm{{kg}}",
-                f"3m+2m'=3\\cdot{latex(values[m])}+2\\cdot{latex(values[m_prime])}\\;\\mathrm{{kg}}",
+                f"M_x=\\frac{{k}}{{\\Omega^2}}=\\frac{{{typed[k]}}}{{{latex(squared)}}}\\;\\mathrm{{kg}}",
+                f"3m+2m'=3\\cdot{typed[m]}+2\\cdot{typed[m_prime]}\\;\\mathrm{{kg}}",
             ),
             space=4,
         ),

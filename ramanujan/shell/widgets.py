@@ -68,6 +68,18 @@ def table(rows: Sequence[Sequence[str]], key: str) -> None:
         st.markdown("\n".join(f"| {line} |" for line in lines))
 
 
+def equations(key: str, wide: str, narrow: str) -> None:
+    """Draw equations for a wide window and for a phone; page.css shows one of the two."""
+    if wide == narrow:
+        st.latex(wide)
+        return
+    # No server knows how wide a window is.
+    with st.container(key=f"equations_{key}"):
+        st.latex(wide)
+    with st.container(key=f"narrow_{key}"):
+        st.latex(narrow)
+
+
 def download(label: str, content: str, name: str, mime: str, **more: Any) -> None:
     """Offer a file that is there before it is asked for.
 

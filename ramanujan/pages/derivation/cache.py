@@ -20,7 +20,7 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder
 from ramanujan.derivation.printers import colored
 from ramanujan.derivation.remarks import conserved_momenta
-from ramanujan.derivation.rows import Dress, Row, aligned, row, rows
+from ramanujan.derivation.rows import Dress, Row, aligned, on_a_phone, row, rows
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way, route
@@ -47,12 +47,15 @@ def step(
     *,
     equal_masses: bool = False,
     wide: bool = False,
-) -> tuple[str, str, str]:
-    """Return heading, reason and equations of a step of a route, counted from 0, what belongs to a part in its ink."""
+) -> tuple[str, str, str, str]:
+    """Return heading, reason and equations of a step of a route, counted from 0, what belongs to a part in its ink.
+
+    The equations come twice: with each operation behind its line, and for a phone with each below its line.
+    """
     symbolic = route(name, equal_masses).steps[number]
     said = symbolic.about(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return said.heading, said.reason, _aligned(shown, math.inf if wide else _ROOM)
+    return said.heading, said.reason, _aligned(shown, math.inf if wide else _ROOM), on_a_phone(shown)
 
 
 def all_routes() -> list[Route]:
@@ -167,4 +170,4 @@ def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, 
 def _aligned(shown: list[Row], room: float = _ROOM) -> str:
     """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
     lines = sum(len(each.lines(LINE_WIDTH)) for each in shown)
-    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".15em", room)
+    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".3em", room)

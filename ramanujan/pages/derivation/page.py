@@ -186,7 +186,7 @@ def draw(setting: Setting, number: int) -> None:
     """Draw a step, counted from 1."""
     colors = theme.colors()
     inks = (*((part, colors[f"{part}_ink"]) for part in PARTS), ("cube", colors["primary"]))
-    heading, reason, equations = cache.step(
+    heading, reason, *equations = cache.step(
         setting.route,
         number - 1,
         setting.numbers,
@@ -200,7 +200,7 @@ def draw(setting: Setting, number: int) -> None:
             stacks()
     st.markdown(f"## {number}. {heading}\n\n{reason}")
     asked = () if setting.numbers or setting.equal_masses else cache.asked_in(setting.route, number - 1)
-    result(setting.route, equations, asked if not display_mode.is_projector() else ())
+    result(f"{setting.route}_{number}", *equations, asked if not display_mode.is_projector() else ())
     if is_last:
         onward = navigation.PAGES["taxicab"]
         with st.container(key="onward"):
@@ -208,8 +208,9 @@ def draw(setting: Setting, number: int) -> None:
 
 
 @st.fragment
-def result(route: str, equations: str, asked: tuple[str, ...]) -> None:
+def result(step: str, wide: str, narrow: str, asked: tuple[str, ...]) -> None:
     """Draw the equations of a step. A reader who types one first sees them once it is right."""
+    route = step.rpartition("_")[0]
     if asked and st.toggle(_("Type it yourself first"), key=f"first_{route}_{asked[0]}"):
         key = f"asked_{route}_{asked[0]}"
         name = asked[0] if len(asked) == 1 else st.selectbox(_("Which one?"), asked, format_func=title, key=key)
@@ -217,7 +218,7 @@ def result(route: str, equations: str, asked: tuple[str, ...]) -> None:
         ask(name, with_step=False, place=route)
         if not is_solved(name):
             return
-    st.latex(equations)
+    widgets.equations(step, wide, narrow)
 
 
 def explain(setting: Setting) -> None:

@@ -81,11 +81,11 @@ def figure(light_or_dark: str) -> Drawn:
 
 @dataclass(frozen=True)
 class Way:
-    """How results are found: a step of the route, its equations between them, or "", and all of its equations."""
+    """How results are found: a step of the route, its equations between them, and all of its equations as LaTeX."""
 
     heading: str
     reason: str
-    between: str
+    between: tuple[Row, ...]
     equations: str
 
 
@@ -147,7 +147,7 @@ def _line(wanted: Mapping[str, slice], given: Numbers | None) -> SummaryStep:
             Way(
                 step.heading,
                 step.reason,
-                aligned([row for row in found if row not in results], LINE_WIDTH),
+                tuple(row for row in found if row not in results),
                 aligned(found, _BESIDE),
             )
             for step, found in steps.values()

@@ -1,17 +1,18 @@
 """Page 1: the machine in motion, its frequency on the curve, and the derivation in six steps."""
 
 import math
+from collections.abc import Sequence
 
 import streamlit as st
 
 from ramanujan import Oscillator
 from ramanujan.browser import components, stage
 from ramanujan.derivation.numbers import Numbers, stated
-from ramanujan.derivation.rows import aligned
+from ramanujan.derivation.rows import Row, aligned, on_a_phone
 from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache, story, texts
 from ramanujan.pages.oscillator.story import gained
-from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme
+from ramanujan.shell import address, display_mode, drawings, first_run, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
 from ramanujan.translation import _
 
@@ -199,26 +200,30 @@ def six_steps() -> None:
             if line.open:
                 shown = True
                 with line:
-                    one_step(step, numbers)
+                    one_step(n, step, numbers)
     sidebar.follow(*followers(), *(["steps"] if shown else []))
 
 
-def one_step(step: cache.SummaryStep, numbers: Numbers | None) -> None:
+def one_step(n: int, step: cache.SummaryStep, numbers: Numbers | None) -> None:
     """Say how a step of the derivation finds its results, and what they are for the present machine."""
-    st.markdown("\n\n".join(part for way in step.ways for part in (way.reason, in_display(way.between))))
-    with_numbers(aligned(step.numbers, cache.LINE_WIDTH), f"{stated(numbers)}\n\n" if numbers else "")
+    for place, way in enumerate(step.ways):
+        st.markdown(way.reason)
+        draw_equations(f"{n}_{place}", way.between)
+    with_numbers(n, step.numbers, cache.LINE_WIDTH, stated(numbers) if numbers else "")
 
 
-def with_numbers(formula: str, stated: str = "") -> None:
+def with_numbers(n: int, rows: Sequence[Row], width: int, stated: str = "") -> None:
     """Draw equations with the present numbers, if there are any."""
-    if formula:
+    if rows:
         heading = _("Your machine")
-        st.markdown(f"### {heading}\n{stated}{in_display(formula)}")
+        st.markdown(f"### {heading}\n{stated}")
+        draw_equations(f"{n}_numbers", rows, width)
 
 
-def in_display(formula: str) -> str:
-    """Return a block of LaTeX as Markdown has it; nothing of nothing."""
-    return formula and f"$$\n{formula}\n$$"
+def draw_equations(key: str, rows: Sequence[Row], width: int = cache.LINE_WIDTH) -> None:
+    """Draw equations aligned at their equals signs, if there are any."""
+    if rows:
+        widgets.equations(key, aligned(rows, width), on_a_phone(rows))
 
 
 def on_slides(steps: list[cache.SummaryStep]) -> None:
@@ -236,7 +241,7 @@ def on_slides(steps: list[cache.SummaryStep]) -> None:
                 with picture:
                     drawings.draw(machine, alt=_("The machine with its coordinates."), style="width:100%")
                     if way == step.ways[-1]:
-                        with_numbers(aligned(step.numbers, 24))
+                        with_numbers(n, step.numbers, 24)
 
 
 if __name__ == "__main__":
