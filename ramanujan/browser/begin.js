@@ -7,6 +7,8 @@
 
 import { MARKUP } from "./markup.js";
 
+const CONTRAST = `<link rel="stylesheet" media="(forced-colors: active)" href="${new URL("components/contrast.css", import.meta.url)}">`;
+
 const filled = new WeakSet(); // parentElements that have their HTML
 const lives = new WeakMap(); // parentElement → { component, stop, calls, update }
 
@@ -16,7 +18,7 @@ export async function begin(component) {
   if (!filled.has(parentElement)) {
     filled.add(parentElement);
     const markup = document.createElement("template");
-    markup.innerHTML = MARKUP[name] ?? "";
+    markup.innerHTML = MARKUP[name] ? MARKUP[name] + CONTRAST : "";
     parentElement.append(markup.content);
     parentElement.host?.toggleAttribute("data-begun", true);
   }

@@ -31,7 +31,8 @@ _MARKUP = {"turn": "steps"}
 @cache
 def contents() -> dict[str, bytes]:
     """Return path → content of all that the server offers: modules, the rules for all pages and their fonts."""
-    patterns = ("**/*.js", *(f"components/{name}.css" for name in ("page", "print", "projector", "type")), "**/*.woff2")
+    sheets = ("contrast", "page", "print", "projector", "type")
+    patterns = ("**/*.js", *(f"components/{name}.css" for name in sheets), "**/*.woff2")
     offered = [path for pattern in patterns for path in sorted(_HERE.glob(pattern))]
     components = sorted(f"components/{path.stem}" for path in offered if path.match("components/*.js"))
     sentences = {**words.SENTENCES, **labels(), "slips": words.SLIPS, "bodies": words.BODIES}

@@ -47,7 +47,11 @@ def html(*, has_formulas: bool) -> bytes:
     preloads = [f'<link rel="preload" as="font" crossorigin href="{name}">' for name in fonts]
 
     # pager.js switches the projector's style sheet on.
-    media = {"components/print.css": "print", "components/projector.css": "not all"}
+    media = {
+        "components/contrast.css": "(forced-colors: active)",
+        "components/print.css": "print",
+        "components/projector.css": "not all",
+    }
     sheets = [name for name in sorted(modules.contents()) if name.endswith(".css")]
     links = [f'<link rel="stylesheet" href="{place}/{name}" media="{media.get(name, "all")}">' for name in sheets]
     scripts = [f'<script type="module" async src="{place}/{name}.js"></script>' for name in _FIRST]

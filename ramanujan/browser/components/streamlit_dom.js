@@ -215,6 +215,12 @@ export const dom = {
   /** The link to which the last step of a lecture leads. */
   onward: () => document.querySelector(".st-key-lecture .st-key-onward a"),
 
+  /** Exclude formulas, figures and codes from translation. */
+  keepFromTranslation() {
+    const nodes = document.querySelectorAll(":is(.katex, .js-plotly-plot, code, .st-key-class_letters):not([translate])");
+    for (const node of nodes) node.translate = false;
+  },
+
   /** The formulas in a node; the formula that contains a node; its LaTeX, and whether it has lines of its own. */
   formulas: (node) => [...node.querySelectorAll(".katex")],
   formulaOf: (node) => (node.closest ? node : node.parentElement)?.closest(".katex-display, .katex"),

@@ -1,0 +1,257 @@
+"""The app in forced colours, a system's contrast theme: every control is seen in each state, every formula is legible.
+
+Pixels are compared: the system's colours replace those of the style sheets, and backgrounds and shadows are not drawn.
+"""
+
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Locator, Page
+
+from ramanujan.shell.navigation import PAGES
+from tests.browser import script, settle
+from tests.engines import CALM, FIREFOX, missing
+from tests.test_browser_access import OPEN
+
+MARGIN = 7
+"""Pixels around a control that belong to it: the ring of the focus lies outside of it."""
+CONTROLS = script("controls")
+BOX = """(i) => {
+  const box = controls[i].shape.getBoundingClientRect();
+  return { x: box.x, y: box.y, width: box.width, height: box.height };
+}"""
+SHOW = """(i) => {
+  const { node, shape } = controls[i];
+  shape.scrollIntoView({ block: "center" });
+  node.blur();
+}"""
+FOCUS = "(i) => controls[i].node.focus({ focusVisible: true, preventScroll: true })"
+CALM_PAGE = (
+    "[data-testid=stSliderThumbValue] { visibility: hidden } *, ::before, ::after { transition: none !important }"
+)
+"""A slider must be seen without its number, and no state while it changes into another."""
+
+
+def painted(page: Page, control: int) -> np.ndarray:
+    """Return the pixels of a control and of its margin."""
+    box = page.evaluate(BOX, control)
+    clip = {
+        "x": max(round(box["x"]) - MARGIN, 0),
+        "y": max(round(box["y"]) - MARGIN, 0),
+        "width": round(box["width"]) + 2 * MARGIN,
+        "height": round(box["height"]) + 2 * MARGIN,
+    }
+    picture = Image.open(io.BytesIO(page.screenshot(clip=clip, animations="disabled"))).convert("RGB")
+    return np.asarray(picture, dtype=int)
+
+
+def differ(first: np.ndarray, second: np.ndarray) -> bool:
+    """Tell whether two pictures differ for the eye: in more than a few pixels, and by much."""
+    if abs(first.shape[0] - second.shape[0]) > 2 or abs(first.shape[1] - second.shape[1]) > 2:
+        return True
+    height, width = (min(sizes) for sizes in zip(first.shape[:2], second.shape[:2], strict=True))
+    off = np.abs(first[:height, :width] - second[:height, :width]).max(axis=2)
+    return bool((off > 60).sum() > 12)
+
+
+def is_seen(picture: np.ndarray) -> bool:
+    """Tell whether there is something inside the margin that stands out from it."""
+    paper = np.median(picture[0], axis=0)
+    inside = picture[MARGIN:-MARGIN, MARGIN:-MARGIN]
+    return bool((np.abs(inside - paper).max(axis=2) > 60).sum() > 12)
+
+
+def has_outline(picture: np.ndarray) -> bool:
+    """Tell whether the left edge of a control stands out from what is beside it."""
+    middle = picture[picture.shape[0] // 2]
+    return bool((np.abs(middle[MARGIN - 1 : MARGIN + 3] - middle[MARGIN - 4]).max(axis=1) > 6).any())
+
+
+def check_controls(page: Page, skipped: str) -> int:
+    """Check that each control is seen, has the outline that it has in other colours, and shows the focus."""
+    controls, outlined, wrong = page.evaluate(CONTROLS, skipped), set(), []
+    page.emulate_media(forced_colors="none")
+    for i, control in enumerate(controls):
+        if control["tag"] == "button":
+            page.evaluate(SHOW, i)
+            if has_outline(painted(page, i)):
+                outlined.add(i)
+    page.emulate_media(forced_colors="active")
+    for i, control in enumerate(controls):
+        page.evaluate(SHOW, i)
+        picture = painted(page, i)
+        if not is_seen(picture):
+            wrong.append(("is not seen", control))
+        if i in outlined and not has_outline(picture):
+            wrong.append(("has lost its outline", control))
+        if not control["isDisabled"] and control["tag"] != "span":
+            page.evaluate(FOCUS, i)
+            if not differ(picture, painted(page, i)):
+                wrong.append(("does not show the focus", control))
+    assert wrong == []
+    return len(controls)
+
+
+def check_states(page: Page, skipped: str) -> set[str]:
+    """Check of one control of each kind that no two of its states look alike; return the kinds."""
+    kinds = set()
+    for kind in {control["kind"] for control in page.evaluate(CONTROLS, skipped)}:
+        controls = page.evaluate(CONTROLS, skipped)
+        of_kind = [i for i, each in enumerate(controls) if each["kind"] == kind and not each["isDisabled"]]
+        states = ("checkbox", "switch", "range", "radio", "tab")
+        i = next((i for i in of_kind if controls[i]["type"] in states and not is_on(page, i)), None)
+        if i is None:
+            continue
+        page.evaluate(SHOW, i)
+        pictures = both(page, i)
+        turn_on(page, i, controls[i]["type"])
+        if not is_on(page, i):  # such as a preset, which is carried out at once
+            continue
+        kinds.add(controls[i]["type"])
+        pictures += both(page, i)
+        alike = [(a, b) for a in range(4) for b in range(a) if not differ(pictures[a], pictures[b])]
+        assert alike == [], controls[i]
+    return kinds
+
+
+def both(page: Page, control: int) -> list[np.ndarray]:
+    """Return the pixels of a control without the focus and with it."""
+    page.evaluate("(i) => controls[i].node.blur()", control)
+    pictures = [painted(page, control)]
+    page.evaluate(FOCUS, control)
+    return [*pictures, painted(page, control)]
+
+
+def is_on(page: Page, control: int) -> bool:
+    return page.evaluate(
+        """(i) => ((node) => node.checked || node.ariaChecked === "true" || node.ariaSelected === "true"
+          || node.type === "range" && node.value === node.max)(controls[i].node)""",
+        control,
+    )
+
+
+def turn_on(page: Page, control: int, kind: str) -> None:
+    """Press a control, or move a slider to its other end."""
+    if kind == "range":
+        page.evaluate(FOCUS, control)
+        page.keyboard.press("End")
+    else:
+        page.evaluate("(i) => controls[i].node.click()", control)
+    settle(page)
+
+
+STATES = {
+    "derivation": {"checkbox", "range"},
+    "motion": {"tab", "range"},
+    "speed": {"radio", "checkbox", "range"},
+    "worksheet": set(),
+}
+EVERYWHERE = ".stSidebar, header, .st-key-bar"
+"""What every page has; one page stands for all."""
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_every_control_is_seen_in_forced_colours(visit, name):
+    page = visit(PAGES[name].address, forced_colors="active")
+    page.evaluate(OPEN)
+    settle(page)
+    page.add_style_tag(content=CALM_PAGE)
+    skipped = "[data-none]" if name == "derivation" else EVERYWHERE
+    assert check_controls(page, skipped) > 4
+    assert check_states(page, EVERYWHERE) >= STATES.get(name, {"range"})
+
+
+def test_desk_phone_and_wall_show_what_is_chosen(visit):
+    def screen(query: str, **options: object) -> Page:
+        page = visit(f"lesson?{query}", forced_colors="active", **options)
+        page.add_style_tag(content=CALM_PAGE)
+        return page
+
+    desk = screen("")
+    desk.locator(".st-key-class_door button").first.click()
+    desk.locator(".st-key-class_open button").wait_for()
+    assert check_controls(desk, f"{EVERYWHERE}, main") > 2
+    desk.locator(".st-key-class_open button").click()
+    settle(desk)
+    query = desk.locator("a[href*='wall=on']").get_attribute("href").partition("?")[2]
+    wall, phone = screen(query, theme="dark"), screen(query.replace("&wall=on", ""), width=390, height=844)
+    onward = desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]")
+    onward.click()
+    phone.locator(".st-key-class_phone [role=radiogroup]").wait_for()
+    settle(phone)
+    assert check_controls(desk, EVERYWHERE) > 4
+    assert check_controls(phone, "[data-none]") > 4
+    assert check_states(phone, EVERYWHERE) == {"radio"}
+    onward.click()
+    for page in (desk, wall):
+        # Nobody has chosen the first option, and everybody another one.
+        bars = page.locator("[data-testid=stProgressBarTrack]")
+        bars.first.wait_for()
+        settle(page)
+        pictures = [Image.open(io.BytesIO(bar.screenshot())).convert("RGB").getcolors() for bar in bars.all()]
+        assert len({max(colors)[1] for colors in pictures}) == 2
+        assert all(len(colors) > 1 for colors in pictures)
+
+
+FORMULAS = ".stMarkdown .katex:has(.accent)"
+"""Formulas with dotted letters."""
+
+
+def ink(formula: Locator) -> np.ndarray:
+    """Return where there is ink in a formula."""
+    picture = np.asarray(Image.open(io.BytesIO(formula.screenshot(animations="disabled"))).convert("L"), dtype=float)
+    contrast = np.abs(picture - np.median(picture))
+    return contrast > contrast.max() / 2
+
+
+def lost(usual: np.ndarray, forced: np.ndarray) -> float:
+    """Return the share of ink without any ink at the same place, or beside it, in the other picture."""
+    height, width = (min(sizes) for sizes in zip(usual.shape, forced.shape, strict=True))
+    around = np.pad(forced[:height, :width], 1)
+    near = np.any([around[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
+    return (usual[:height, :width] & ~near).sum() / usual.sum()
+
+
+def check_formulas(usual: Page, forced: Page) -> None:
+    """Check that no dotted letter has lost a part of it."""
+    places = usual.locator(f"{FORMULAS} >> visible=true").count()
+    assert places > 10
+    for place in range(min(places, 20)):
+        inks = [ink(page.locator(f"{FORMULAS} >> visible=true").nth(place)) for page in (usual, forced)]
+        assert lost(*inks) < 0.03, place
+
+
+def test_dotted_letters_are_whole_on_the_screen_and_on_paper(visit):
+    address = "derivation?show=reading"
+    usual, forced = visit(address, figures=False), visit(address, figures=False, forced_colors="active")
+    check_formulas(usual, forced)
+    for page in (usual, forced):
+        page.emulate_media(media="print")
+        page.add_style_tag(content=".stBidiComponent { display: none }")  # on a screen it would lie over the words
+    check_formulas(usual, forced)
+    # Negative control: each letter with a plate of its own.
+    forced.add_style_tag(content=".katex, .katex * { forced-color-adjust: auto !important }")
+    with pytest.raises(AssertionError):
+        check_formulas(usual, forced)
+
+
+def test_dotted_letters_are_whole_in_firefox(server, browsers, playwright):
+    if not FIREFOX:
+        missing("firefox-esr")
+    pages = []
+    prefs = CALM | {"browser.display.document_color_use": 2}
+    contrast = playwright.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, firefox_user_prefs=prefs)
+    for browser in (browsers("firefox"), contrast):
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        page.goto(f"{server}/derivation?show=reading")
+        page.locator(".stMarkdown", has_text="Multiply the").first.wait_for(timeout=120_000)
+        page.wait_for_timeout(1000)  # fonts
+        pages.append(page)
+    try:
+        assert pages[1].evaluate("matchMedia('(forced-colors: active)').matches")
+        check_formulas(*pages)
+    finally:
+        pages[0].close()
+        contrast.close()

@@ -1,0 +1,103 @@
+"""A page that the browser has translated: what it shows after a change is what an untranslated page shows."""
+
+import re
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from ramanujan import Oscillator, lesson
+from ramanujan.shell.navigation import PAGES
+from tests.browser import script, settle
+from tests.test_browser_class import ASK_WHEN_TOLD, VOTES, hear
+
+TRANSLATE = script("translate")
+WORDS = """() => [...document.querySelectorAll("main, .stSidebar")].map((part) => part.innerText).join(" ")
+  .toUpperCase().replace(/\\s+/g, " ")"""
+TRANSLATED = "() => document.querySelectorAll('main font').length"
+KEPT = (
+    "() => [...document.querySelectorAll('.katex, .js-plotly-plot, code')].every((node) => !node.querySelector('font'))"
+)
+
+
+def set_number(page: Page, key: str, text: str) -> None:
+    box = page.locator(f".st-key-{key}_exact input")
+    box.fill(text)
+    box.press("Enter")
+    settle(page)
+
+
+def change(page: Page) -> None:
+    """Change the machine, then each choice of the page, a toggle, and the machine again."""
+    set_number(page, "m_prime", "2.5")
+    for group in page.locator("main [role=radiogroup]:not(.st-key-preset *) >> visible=true").all():
+        group.get_by_role("radio").last.click()
+        settle(page)
+    for key in ("step", "turn"):
+        for button in page.locator(f"main .st-key-lecture_{key} button.primary, .st-key-{key} button.primary").all():
+            button.click()
+            settle(page)
+    set_number(page, "m_prime", "1.05")
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_translated_page_shows_what_an_untranslated_one_shows(visit, name):
+    shown = []
+    for is_translated in (False, True):
+        page = visit(PAGES[name].address, figures=False)
+        if is_translated:
+            page.evaluate(TRANSLATE)
+            assert page.evaluate(TRANSLATED) > 5
+        change(page)
+        settle(page)
+        shown.append(page.evaluate(WORDS))
+        assert page.evaluate(KEPT)
+    assert shown[0] == shown[1]
+
+
+def test_your_machine_shows_the_numbers_of_the_core(visit):
+    page = visit("", figures=False)
+    page.evaluate(TRANSLATE)
+    for m_prime in (1.05, 4.0, 0.3):
+        set_number(page, "m_prime", str(m_prime))
+        text = page.locator(".st-key-your_machine").inner_text()
+        shown = [
+            float(number) for number in re.findall(r"= ?(\d+\.?\d*)", text.replace("\u202f", " ").replace("\xa0", " "))
+        ]
+        machine = Oscillator(1.0, m_prime, 10.0)
+        expected = [machine.mass_ratio, machine.normalized_frequency_squared, machine.natural_frequency]
+        assert shown[:3] == pytest.approx(expected, rel=1e-4)
+        assert "YOUR MACHINE" in text
+
+
+def test_a_translated_class_shows_the_present_question(visit):
+    def screen(query: str, **options: object) -> Page:
+        page = visit(f"lesson?{query}", ASK_WHEN_TOLD, **options)
+        page.evaluate(TRANSLATE)
+        return page
+
+    desk = screen("")
+    desk.locator(".st-key-class_door button").first.click()
+    desk.locator(".st-key-class_open button").click()
+    settle(desk)
+    query = desk.locator("a[href*='wall=on']").get_attribute("href").partition("?")[2]
+    wall = screen(query)
+    phone = screen(query.replace("&wall=on", ""), width=390, height=844)
+    stops = [stop for stop in lesson.STOPS if stop.short][:2]
+    for stop in stops:
+        for phase in range(4):
+            desk.locator(".st-key-class_moves [data-testid=stBaseButton-primary]").click()
+            settle(desk)
+            for page in (phone, wall):
+                hear(page)
+                settle(page)
+                hear(page)
+                expect(page.locator("h1")).to_have_text(stop.heading.upper())
+            if phase == 0:
+                phone.locator(VOTES).nth(1).click()
+                settle(phone)
+            others = [other.heading.upper() for other in lesson.STOPS if other is not stop]
+            for page in (phone, wall):
+                words = page.evaluate(WORDS)
+                assert [heading for heading in others if heading in words] == []
+                if phase > 0:
+                    assert "1 OF 1, 100" in words
