@@ -85,7 +85,7 @@ def update(language: str) -> Catalog:
     catalogue = merged(language)
     with file.open("wb") as written:
         # Line numbers would change with every edit of a program.
-        write_po(written, catalogue, width=120, include_lineno=False, include_previous=True)
+        write_po(written, catalogue, width=120, include_lineno=False)
     return catalogue
 
 

@@ -1,6 +1,10 @@
 """No address breaks a page: every key of every page with values that nobody means, old labels, and each option's id."""
 
+import socket
+from pathlib import Path
+
 import pytest
+import streamlit as st
 from streamlit.testing.v1 import AppTest
 
 from ramanujan.shell import address as addresses
@@ -173,3 +177,44 @@ def test_a_key_of_another_page_or_of_none_is_told_once(app):
         (warning,) = app.warning
         assert "newton" not in warning.value
         assert not app.run().warning
+
+
+@pytest.mark.parametrize(
+    ("place", "listens", "port", "is_reachable"),
+    [
+        ("http://localhost:8501/lesson", None, 8501, True),
+        ("http://127.0.0.1:8501/hu/lesson", "0.0.0.0", 8501, True),
+        ("http://[::1]:8502/lesson", "::", 8502, True),
+        ("http://localhost:8501/lesson", "localhost", 8501, False),
+        # A proxy or a tunnel on this computer: the address that other computers need is unknown.
+        ("http://localhost/lesson", None, 8501, False),
+    ],
+)
+def test_a_page_at_localhost_knows_its_address_in_the_network(monkeypatch, place, listens, port, is_reachable):
+    options = {"server.address": listens, "server.port": port}
+    monkeypatch.setattr(st, "get_option", options.get)
+    monkeypatch.setattr(type(st.context), "url", property(lambda _context: f"{place}?m=2"))
+    link = addresses.link_for_others({"class": "ABC"})
+    if has_network() and is_reachable:
+        assert not addresses.is_for_this_computer_alone()
+        assert link.port == port
+        # Only an address of this computer can be bound.
+        with socket.create_server((link.hostname, 0)):
+            assert not link.hostname.startswith("127.")
+    else:
+        assert addresses.is_for_this_computer_alone()
+        assert link.geturl().startswith(place)
+    assert link.geturl().endswith(f"{place.partition('/')[2].partition('/')[2].partition('/')[2]}?class=ABC")
+
+
+def test_an_address_of_the_network_stays_as_the_browser_has_it(monkeypatch):
+    monkeypatch.setattr(type(st.context), "url", property(lambda _context: "https://school.example/hu/lesson"))
+    assert addresses.link_for_others({}).geturl() == "https://school.example/hu/lesson"
+    assert not addresses.is_for_this_computer_alone()
+
+
+def has_network() -> bool:
+    """Tell whether this computer has a route to others; where Linux's list of routes is missing, assume it."""
+    routes = Path("/proc/net/route")
+    lines = routes.read_text(encoding="ascii").splitlines()[1:] if routes.exists() else ["any"]
+    return any(not line.startswith("lo") for line in lines)

@@ -28,6 +28,12 @@ def inside(key: str) -> str:
     return f"document.querySelector('.st-key-{key} [data-testid=stBidiComponentIsolated]').shadowRoot"
 
 
+def counted(page) -> list[str]:
+    """Return the number of the present stop as written, and the sentence for screen readers."""
+    root = inside("turn")
+    return page.evaluate(f"[{root}.querySelector('output').textContent, {root}.querySelector('input').ariaValueText]")
+
+
 def predict(page, label: str) -> None:
     page.get_by_role("button", name=label, exact=True).click()
     settle(page)
@@ -48,12 +54,15 @@ def test_a_student_goes_through_the_lesson_and_a_link_holds_the_place(visit):
     other = visit(address)
     assert heading(other) == f"3. {lesson.STOPS[2].heading}"
     assert other.locator(".st-key-m_prime input[type=range]").input_value() == "5.01"
+    assert counted(other) == [f"3/{len(lesson.STOPS)}", f"Stop 3 of {len(lesson.STOPS)}: {lesson.STOPS[2].heading}"]
     other.get_by_role("button", name="Back").click()
     other.get_by_role("button", name="Back").click()
     settle(other)
     assert other.get_by_text("Right answer:").is_visible()
     check_machines(visit("lesson?stop=zero-modes&chosen=zero-modes.two", tab=other))
     check_stopwatch(visit("lesson?part=tasks&task=period", tab=other))
+    # The ending is no stop.
+    assert counted(visit("lesson?stop=end", tab=other)) == ["✓", "What you have seen"]
 
 
 def check_prediction(page) -> None:

@@ -15,6 +15,7 @@ from streamlit.testing.v1 import AppTest
 from ramanujan import lesson
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_record import as_csv
+from ramanujan.shell import address as class_address
 from ramanujan.shell import class_session, server
 from tests.browser import ROOT
 from tests.test_scene_lesson import walked
@@ -68,6 +69,17 @@ def answer(app: AppTest, option: str) -> AppTest:
 def lecturer() -> AppTest:
     """A lecturer who has opened a class and gone to the first stop."""
     return press(visitor(), "open")
+
+
+@pytest.mark.parametrize("host", ["192.168.1.20", None])
+def test_a_class_at_localhost_shows_the_address_in_the_network_or_a_warning(monkeypatch, host):
+    monkeypatch.setattr(type(st.context), "url", property(lambda _context: "http://localhost:8501/lesson"))
+    monkeypatch.setattr(class_address, "_network_host", lambda: host)
+    desk = visitor()
+    assert ("Phones cannot open the address of this page" in words(desk)) == (host is None)
+    wall = visitor(**{"class": address(press(desk, "open"))["class"]}, wall="on")
+    assert ("Phones cannot open the address of this page" in words(wall)) == (host is None)
+    assert f"{host or 'localhost'}:8501/lesson" in words(wall)
 
 
 def test_no_preset_tells_the_answer_before_the_class_has_seen_it():

@@ -13,10 +13,11 @@ import pytest
 from babel.messages.catalog import Message
 from babel.messages.extract import extract_from_dir
 
+from ramanujan import catalogue
 from ramanujan.browser import modules
 from ramanujan.browser.stage import words
 from ramanujan.catalogue import COMPLETE, Translations, difference, languages, translations
-from tests.catalogue import KEYWORDS, PACKAGE, merged, remaining, sentence, strings, template, texts, translated
+from tests.catalogue import KEYWORDS, PACKAGE, merged, remaining, sentence, strings, template, texts, translated, update
 
 SHORTEST_LIMIT = 30
 """Words of the longest sentence."""
@@ -168,6 +169,22 @@ def test_an_unusable_translation_is_shown_in_english(flags, translation, reason)
     english = "{n:3 s} of $x$, **exactly** {exactly}"
     assert [fault.reason for fault in catalogue.faults] == [reason] * bool(reason)
     assert catalogue.gettext(english) == (english if reason else translation)
+
+
+def test_the_translation_of_an_edited_sentence_is_shown_and_listed_as_fuzzy(tmp_path, monkeypatch):
+    """The old English text, over several lines, once made the catalogue unreadable."""
+    contents = catalogue.catalogue_file("de").read_text(encoding="utf-8")
+    monkeypatch.setattr(catalogue, "LOCALE", tmp_path)
+    file = catalogue.catalogue_file("de")
+    file.parent.mkdir(parents=True)
+    entries = polib.pofile(contents)
+    entry = max((each for each in entries if not each.msgid_plural), key=lambda each: len(each.msgid))
+    today, translation = entry.msgid, entry.msgstr
+    entry.msgid = today.replace("the", "every", 1)
+    entries.save(str(file))
+    for _run in range(2):
+        assert len(remaining(update("de"))["fuzzy"]) == 1
+        assert translations("de").gettext(today) == translation
 
 
 def test_a_lost_slot_formula_or_mark_is_found():

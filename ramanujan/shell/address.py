@@ -8,7 +8,9 @@ Only sliders of real numbers are bound to the address by Streamlit itself, so th
 server. Streamlit's other bindings write labels, and break off the run where a value is empty or infinite.
 """
 
+import ipaddress
 import re
+import socket
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,6 +27,12 @@ PRIVATE = ("lecturer", "key", "exercise_key", "frame")
 
 *Copy link* leaves them out.
 """
+
+_THIS_COMPUTER = ("localhost", "127.0.0.1", "::1")
+_EVERYWHERE = (None, "", "0.0.0.0", "::")
+"""Values of Streamlit's option `server.address` with which the app listens in every network of its computer."""
+_ELSEWHERE = ("198.51.100.1", 9)
+"""An address and port outside of every network, reserved for documentation."""
 
 _PLACE = "address_page"
 """Session state: the page whose address was read last."""
@@ -215,6 +223,37 @@ def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:
     here = urlsplit(st.context.url or "")
     path = here.path if path is None else f"{here.path.rpartition('/')[0]}/{path}"
     return here._replace(path=path, query=urlencode(query, safe=","), fragment="")
+
+
+def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitResult:
+    """Return what `link` returns, as other computers open it.
+
+    A browser on the server's own computer may have opened the app at `localhost`, which no other computer can open.
+    """
+    here = link(query, path)
+    if here.hostname not in _THIS_COMPUTER:
+        return here
+    host = _network_host()
+    return here._replace(netloc=f"{host}:{here.port}") if host and here.port == st.get_option("server.port") else here
+
+
+def is_for_this_computer_alone() -> bool:
+    """Tell whether no address is known under which other computers can open this page."""
+    return link_for_others({}).hostname in _THIS_COMPUTER
+
+
+def _network_host() -> str | None:
+    """Return the IP address of this computer in its network; None without one, or if the app does not listen there."""
+    if st.get_option("server.address") not in _EVERYWHERE:
+        return None
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            # Connecting a datagram socket sends nothing. The system chooses the network card for the way.
+            probe.connect(_ELSEWHERE)
+        except OSError:
+            return None
+        host = probe.getsockname()[0]
+    return None if ipaddress.ip_address(host).is_loopback else host
 
 
 def fits(parameter: URLParameter) -> bool:

@@ -226,18 +226,19 @@ def turn(
     place: str = _("Stop {now} of {count}: {heading}"),
     held: str = "",
 ) -> Any:
-    """Put on the page what turns the stops of a lesson; the server draws one of them at a time.
+    """Draw the control that turns the stops of a lesson; the server draws one stop at a time.
 
     Parameters
     ----------
-    headings : of the stops in their order, for screen readers
-    place : the template by which a screen reader says where one is
-    now : the number of the stop that is drawn, from 1 on
-    on_turned : called with the number of the stop that is asked for
+    headings : of the stops in their order and of the ending, which has no number; for screen readers
+    now : number of the stop that is drawn, from 1 on; one more at the ending
+    on_turned : called with the number of the requested stop
     clicker : whether the page keys turn stops, too
+    place : template of a screen reader's sentence on the present stop
     held : changes when the server has refused a turn
     """
-    data = {"headings": list(headings), "now": now, "place": place, "clicker": clicker, "held": held}
+    settings = {"place": place, "clicker": clicker, "held": held, "ending": True}
+    data = {"headings": list(headings), "now": now, **settings}
     return asks("components/turn", "turn", data, "to", lambda to: on_turned(min(max(to, 1), len(headings))), now)
 
 

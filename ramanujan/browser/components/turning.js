@@ -49,13 +49,15 @@ export class Turner {
 
   /** Show where one is. */
   show(now) {
-    const { headings, place, onward } = this.component.data, count = headings.length;
+    const { headings, place, onward, ending } = this.component.data, last = headings.length;
+    const heading = headings[now - 1], isEnding = ending && now === last;
+    const count = ending ? last - 1 : last; // the ending has a heading, but no number
     this.now = now;
-    const ariaValueText = fill(place, { now, count, heading: headings[now - 1] });
-    Object.assign(this.slider, { max: count, value: now, ariaValueText });
-    this.output.textContent = `${now}/${count}`;
+    const ariaValueText = isEnding ? heading : fill(place, { now, count, heading });
+    Object.assign(this.slider, { max: last, value: now, ariaValueText });
+    this.output.textContent = isEnding ? "✓" : `${now}/${count}`;
     const [back, next] = this.buttons;
     back.ariaDisabled = now === 1;
-    next.ariaDisabled = now === count && !onward;
+    next.ariaDisabled = now === last && !onward;
   }
 }

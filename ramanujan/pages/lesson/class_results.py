@@ -10,7 +10,7 @@ from ramanujan import lesson
 from ramanujan.lesson.classes import ClassError, Phase, Question, Seats, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
-from ramanujan.shell import local_time, widgets
+from ramanujan.shell import address, local_time, widgets
 from ramanujan.translation import _, ngettext
 
 LEARNED = _("What the class has learned")
@@ -167,6 +167,17 @@ def taken(seats: Seats) -> str:
     """Return how many seats there are, and how many of them are empty, as sentences."""
     said = ngettext("{n} seat is taken. Empty: {empty}.", "{n} seats are taken. Empty: {empty}.", seats.taken)
     return f"{said.format(n=seats.taken, empty=seats.taken - seats.present)} {lately(seats)}"
+
+
+def warn_of_unreachable_address() -> None:
+    """Draw a warning if students' phones cannot open the address of this page."""
+    if address.is_for_this_computer_alone():
+        st.warning(
+            _(
+                "Phones cannot open the address of this page, because it means this computer only. Start the app "
+                "without `--server.address`, and open it under this computer’s address in the network."
+            )
+        )
 
 
 def qr_code(address: str) -> None:

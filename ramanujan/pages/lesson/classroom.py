@@ -117,6 +117,7 @@ def _for_lecturers() -> None:
         kept = st.selectbox(_("Keep the answers for"), LIFETIMES, format_func=words.__getitem__, key="class_kept")
         st.button(_("Open a class"), key="class_open", type="primary", on_click=attempt, args=(open_class, kept))
     st.caption(class_results.storage(time.time() + kept))
+    class_results.warn_of_unreachable_address()
 
 
 def panel(stop: Stop, phase: Phase) -> None:
@@ -278,7 +279,7 @@ def _foot(key: str, code: str) -> None:
     )
     with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
-        class_results.qr_code(address.link({"class": code, "lecturer": key}).geturl())
+        class_results.qr_code(address.link_for_others({"class": code, "lecturer": key}).geturl())
     with st.popover(_("Seats"), key="class_seats", type="tertiary"):
         _seats(key)
     with st.popover(_("Results as a file"), key="class_files", type="tertiary"):

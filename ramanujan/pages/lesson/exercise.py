@@ -107,7 +107,7 @@ def compose() -> None:
         machine = {each.name: f"{each.value:g}" for each in PARAMETERS.values() if each.value != each.default}
         key = st.session_state.setdefault("composed_key", worksheet_keys.new())
         asked = {**machine, EXERCISE.name: EXERCISE.write(tuple(chosen)), WORKSHEET.name: worksheet_keys.name(key)}
-        link = address.link(asked, PAGES["lesson"].path).geturl()
+        link = address.link_for_others(asked, PAGES["lesson"].path).geturl()
         st.markdown(_("For your students:"))
         st.code(link, language=None, wrap_lines=True)
         st.markdown(_("For you, with the key:"))

@@ -28,7 +28,6 @@ _LOOKS, _AGAIN = "wall_looks", 6
 
 A busy server can lose elements of a run if the page requests the next run meanwhile (Streamlit issue 9921).
 """
-_ONLY_HERE = ("localhost", "127.0.0.1", "::1")
 
 
 def guests() -> None:
@@ -107,13 +106,13 @@ def _watch(code: str) -> None:
         elif now.stop != END:
             if now.reached == Phase.ASKED:
                 st.markdown(f"**{class_results.answered(now)}**", width="content")
-            here = address.link({})
+            here = address.link_for_others({})
             st.text(f"{here.netloc}{here.path}  ·  {spaced(code)}", width="content")
 
 
 def _look_back(code: str) -> None:
     """Draw what the class has learned, and where the whole lesson is; the code of the class has gone."""
-    here = address.link({})
+    here = address.link_for_others({})
     table, words = display_mode.picture_and_words()
     with table:
         st.title(class_results.LEARNED, anchor=False)
@@ -126,7 +125,7 @@ def _look_back(code: str) -> None:
 
 def _how_to_join(code: str) -> None:
     """Draw code and address so that the last row can read them."""
-    here = address.link({"class": code})
+    here = address.link_for_others({"class": code})
     picture, words = display_mode.picture_and_words(2)
     with picture:
         class_results.qr_code(here.geturl())
@@ -137,10 +136,4 @@ def _how_to_join(code: str) -> None:
         st.container(key="class_address").text(f"{here.netloc}{here.path}")
         st.markdown(_("then choose **Class** and type"))
         st.container(key="class_letters").text(spaced(code))
-        if here.hostname in _ONLY_HERE:
-            st.warning(
-                _(
-                    "Phones cannot open this address, because it means this computer only. Open the app under the "
-                    "computer’s address in the network, then open a class there."
-                )
-            )
+        class_results.warn_of_unreachable_address()
