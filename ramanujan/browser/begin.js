@@ -7,7 +7,10 @@
 
 import { MARKUP } from "./markup.js";
 
-const CONTRAST = `<link rel="stylesheet" media="(forced-colors: active)" href="${new URL("components/contrast.css", import.meta.url)}">`;
+// The page without a server has its modules in data: addresses, which have no folder.
+const CONTRAST = import.meta.url.startsWith("data:")
+  ? ""
+  : `<link rel="stylesheet" media="(forced-colors: active)" href="${new URL("components/contrast.css", import.meta.url)}">`;
 
 const filled = new WeakSet(); // parentElements that have their HTML
 const lives = new WeakMap(); // parentElement → { component, stop, calls, update }
