@@ -8,8 +8,8 @@ import pytest
 from ramanujan import lesson
 from ramanujan.answers import QUESTIONS, judge, question, shown_step
 from ramanujan.derivation.printers import latex
-from ramanujan.pages.derivation import cache
 from ramanujan.shell import worksheet_keys
+from ramanujan.shell.sections import questions
 from tests.test_answers import RIGHT
 from tests.test_scene_lesson import sent, sound
 from tests.test_worksheet import key_of, name_of
@@ -149,4 +149,4 @@ def test_a_session_lists_what_has_been_solved(app):
     assert app.button(key=f"hint_{name}").label == "Show me this step"
     hint(app, name)
     assert len(app.latex) == before + 1
-    assert cache.step_to_answer(name) in app.latex[-1].value
+    assert questions.step_to_answer(name) in app.latex[-1].value

@@ -16,6 +16,7 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
+from ramanujan.shell.sections import questions
 from tests.reading import wide_formulas
 
 PAGE = "ramanujan/pages/derivation/page.py"
@@ -215,5 +216,5 @@ def test_every_question_can_be_asked(page):
 def test_what_is_read_is_shown_as_it_was_typed(page):
     for text in ("(m/m)^(-2)", "k/(m/m)^(-2)", "(√(R/R))^(-12)", "1/0"):
         answer(page, "potential_energy", text)
-        assert cache.as_read(text) in formulas(page), text
-    assert cache.as_read("m +") is None
+        assert questions.as_read(text) in formulas(page), text
+    assert questions.as_read("m +") is None

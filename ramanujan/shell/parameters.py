@@ -110,6 +110,9 @@ PARAMETERS = {
     )
 }
 """What every page has in its sidebar and keeps in its address, in the order of the sliders."""
+GLIDE = Parameter("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01)
+SPIN = Parameter("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
+"""What a person may give the machine at release: on page 3, and in tasks."""
 MACHINE = tuple(field.name for field in fields(Oscillator) if field.name in PARAMETERS)
 """The parameters that make an `Oscillator`."""
 URL_PARAMETERS = tuple(PARAMETERS.values())

@@ -8,8 +8,7 @@ import streamlit as st
 import sympy as sp
 
 from ramanujan import Oscillator
-from ramanujan.answers import QUESTIONS, Verdict, judge, question, shown_step
-from ramanujan.answers.grammar import UnreadableError, typeset
+from ramanujan.answers import QUESTIONS, question
 from ramanujan.answers.questions import Question
 from ramanujan.derivation import ROUTES, Route, Step
 from ramanujan.derivation.energies import belongs_to, names, terms
@@ -20,16 +19,11 @@ from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import InOrder
 from ramanujan.derivation.printers import colored
 from ramanujan.derivation.remarks import conserved_momenta
-from ramanujan.derivation.rows import Dress, Row, aligned, on_a_phone, row, rows
+from ramanujan.derivation.rows import Dress, Row, on_a_phone, row, rows
 from ramanujan.lesson.picture import machine_tikz
 from ramanujan.shell import theme
 from ramanujan.shell.cache import giving_way, route
-
-LINE_WIDTH, _ROOM = 34, 37
-"""Characters of a formula that fit beside the machine, longer sums are broken; and with an operation behind it."""
-
-_MANY = 6
-"""Lines of equations that stand closer together."""
+from ramanujan.shell.formulas import ROOM, beside_the_machine
 
 _CUBE = sp.Integer(3)
 """The power of a side in a volume."""
@@ -55,7 +49,7 @@ def step(
     symbolic = route(name, equal_masses).steps[number]
     said = symbolic.about(numbers)
     shown = rows(symbolic, numbers, partial(_row, numbers=numbers, inks=dict(inks)))
-    return said.heading, said.reason, _aligned(shown, math.inf if wide else _ROOM), on_a_phone(shown)
+    return said.heading, said.reason, beside_the_machine(shown, math.inf if wide else ROOM), on_a_phone(shown)
 
 
 def all_routes() -> list[Route]:
@@ -97,29 +91,7 @@ def spectrum(numbers: Numbers | None) -> tuple[list[str], str]:
     name = dict(zip(COORDINATES, MOMENTA, strict=True))
     momenta = [row(equation(name[q], p), numbers) for q, p in conserved_momenta().items()]
     shapes = [row(equation("v", shape), numbers).latex for shape in (found.mode_shape, *found.zero_modes)]
-    return shapes, _aligned(momenta)
-
-
-@st.cache_data(show_spinner=False)
-def step_to_answer(name: str) -> str:
-    """Return the step that leads to the answer of a question, as one block of LaTeX."""
-    return _aligned([row(each) for each in shown_step(name)])
-
-
-@st.cache_data(show_spinner=False, max_entries=512)
-@giving_way()
-def verdict(name: str, text: str) -> Verdict:
-    """Return the verdict on an answer; the first one of a question also derives its answer and typical mistakes."""
-    return judge(name, text)
-
-
-@st.cache_data(show_spinner=False, max_entries=512)
-def as_read(text: str, is_equation: bool = False) -> str | None:
-    """Return a formula as LaTeX, as the parser has read it, or None if it cannot read it."""
-    try:
-        return typeset(text, is_equation=is_equation)
-    except UnreadableError:
-        return None
+    return shapes, beside_the_machine(momenta)
 
 
 @st.cache_data(show_spinner=False, max_entries=64)
@@ -165,9 +137,3 @@ def _row(symbolic: sp.Eq, label: str, dress: Dress, *, numbers: Numbers | None, 
         )
     highlight = tuple((each, inks[part]) for part, own in named.items() for each in sorted(own, key=str))
     return row(symbolic, numbers, highlight, label, dress)
-
-
-def _aligned(shown: list[Row], room: float = _ROOM) -> str:
-    """Return the equations as one block, aligned at the equals signs; those that say … = 0, at the left."""
-    lines = sum(len(each.lines(LINE_WIDTH)) for each in shown)
-    return aligned(shown, LINE_WIDTH, ".5em" if lines < _MANY else ".3em", room)

@@ -13,11 +13,11 @@ from ramanujan.derivation.numbers import Numbers, stated
 from ramanujan.derivation.remarks import remarks
 from ramanujan.pages.derivation import cache
 from ramanujan.pages.derivation.modes import MODES, three_modes
-from ramanujan.pages.derivation.tryout import QUESTION, ask, is_solved, take, title, try_it
-from ramanujan.pages.taxicab.page import stacks
 from ramanujan.shell import address, display_mode, messages, navigation, sidebar, stages, theme, widgets
 from ramanujan.shell.cache import giving_way, symbols
 from ramanujan.shell.display_mode import columns, slide
+from ramanujan.shell.sections.cubes import stacks
+from ramanujan.shell.sections.questions import QUESTION, ask, is_solved, take, title, try_it
 from ramanujan.translation import _
 
 LONGEST_ROUTE = 99

@@ -7,10 +7,11 @@ import streamlit as st
 
 from ramanujan import lesson
 from ramanujan.browser import components
-from ramanujan.pages.lesson import classroom, exercise, progress, stops, tasks, wall
+from ramanujan.pages.lesson import classroom, progress, stops, wall
 from ramanujan.shell import address, class_session, sidebar, widgets
 from ramanujan.shell.display_mode import columns, is_projector, slide
 from ramanujan.shell.navigation import PAGES
+from ramanujan.shell.sections import exercise, tasks
 from ramanujan.translation import _, ngettext
 
 URL_PARAMETERS = (*progress.URL_PARAMETERS, *tasks.URL_PARAMETERS, *exercise.URL_PARAMETERS)

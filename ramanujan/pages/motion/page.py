@@ -15,11 +15,9 @@ from ramanujan.pages.motion.plots import Friction
 from ramanujan.record import Record, table
 from ramanujan.shell import address, display_mode, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import columns, slide
-from ramanujan.shell.parameters import PARAMETERS, Parameter
+from ramanujan.shell.parameters import GLIDE, PARAMETERS, SPIN, Parameter
 from ramanujan.translation import _
 
-GLIDE = Parameter("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01)
-SPIN = Parameter("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
 MU = Parameter("mu", "μ", _("Coefficient of static friction"), "", 0.01, 1.5, 0.2, 0.01, "%.2f")
 FIGURES = {
     "displacements": _("Displacements"),

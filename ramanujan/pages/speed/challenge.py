@@ -14,9 +14,9 @@ from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting
 from ramanujan.lesson.answer_tasks import PERIODS, WITHIN
-from ramanujan.pages.lesson import tasks
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
+from ramanujan.shell.sections import tasks
 from ramanujan.translation import _
 
 TASK = lesson.task("cheapest")

@@ -13,13 +13,12 @@ from ramanujan.numerals import in_latex
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
+from ramanujan.shell.sections.bodies import PAPER, PLACE_WORDS
 from ramanujan.translation import _, ngettext
 
 WORDS = {"hoop": _("hoop"), "shell": _("shell"), "cylinder": _("cylinder"), "sphere": _("sphere")}
 """Body → what one calls it."""
-PAPER = dict(zip(("left", "right", "top"), BodyChoice().bodies, strict=True))
 URL_PARAMETERS = tuple(address.Choice(place, WORDS, body) for place, body in PAPER.items())
-PLACE_WORDS = {"left": _("Left roller"), "right": _("Right roller"), "top": _("Body on top")}
 STAGE = "stage_bodies"
 FOLLOWERS = ("bodies_machine", "bodies_numbers")
 """Keys of the fragments that depend on the machine of the sidebar."""

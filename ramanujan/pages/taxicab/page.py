@@ -5,12 +5,12 @@ from fractions import Fraction
 import streamlit as st
 
 from ramanujan import number_theory
-from ramanujan.browser import components
 from ramanujan.numerals import DECIMAL, in_latex, number
 from ramanujan.pages.taxicab import cache, other_bodies, other_targets
 from ramanujan.pages.taxicab.cache import PAPER
 from ramanujan.shell import address, sidebar, widgets
 from ramanujan.shell.display_mode import columns, folded, is_projector, picture_and_words, slide
+from ramanujan.shell.sections.cubes import stacks
 from ramanujan.translation import _, ngettext
 
 DIGITS = address.Count("digits", number_theory.integers.MOST_DIGITS, 100)
@@ -121,25 +121,6 @@ def two_stacks() -> None:
     )
     with words:
         st.markdown(sentence.format(expanded=expanded, sum=same_terms))
-
-
-def stacks() -> None:
-    """Draw the two stacks, each with its sum, which a line breaks before a sign of equality alone."""
-    components.cubes(
-        [(larger, smaller) for smaller, larger in PAPER.cubes],
-        [in_words(*cubes) for cubes in PAPER.cubes],
-        [f"{x}³ + {y}³ =\u00a0{x**3}\u00a0+\u00a0{y**3} =\u00a0{PAPER.discriminant}" for x, y in PAPER.cubes],
-    )
-
-
-def in_words(smaller: int, larger: int) -> str:
-    """Return what is seen of two cubes that add up to the number."""
-    sees = _(
-        "Two cubes built of unit cubes, {larger} and {smaller} along each edge. Together they have {volumes} = "
-        "{number} unit cubes."
-    )
-    volumes = f"{smaller**3} + {larger**3}"
-    return sees.format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant)
 
 
 if __name__ == "__main__":

@@ -9,10 +9,10 @@ from ramanujan import Oscillator
 from ramanujan.lesson.class_codes import ALPHABET, spaced
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
-from ramanujan.pages.lesson import exercise
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import PARAMETERS
+from ramanujan.shell.sections import exercise
 from ramanujan.translation import _, ngettext
 
 # TRANSLATORS: a worksheet, and the right answers to it.

@@ -1,15 +1,18 @@
-"""The section of page 2 in which a student types a formula and is told whether it is right; exercises draw it, too."""
+"""A question with a box for a typed formula, hints and a verdict: on page 2, and in exercises."""
 
 from dataclasses import dataclass
 from datetime import datetime
 
 import streamlit as st
 
-from ramanujan.answers import QUESTIONS, question
+from ramanujan.answers import QUESTIONS, Verdict, judge, question, shown_step
+from ramanujan.answers.grammar import UnreadableError, typeset
 from ramanujan.answers.questions import EQUATION
 from ramanujan.browser import stage
-from ramanujan.pages.derivation import cache
+from ramanujan.derivation.rows import row
 from ramanujan.shell import address, local_time, sidebar, stages, widgets
+from ramanujan.shell.cache import giving_way
+from ramanujan.shell.formulas import beside_the_machine
 from ramanujan.translation import _
 
 QUESTION = address.Choice("question", tuple(QUESTIONS), next(iter(QUESTIONS)))
@@ -59,7 +62,7 @@ def is_solved(name: str) -> bool:
 def take(name: str, place: str = "") -> None:
     """Judge what has been typed as the answer to a question, and keep it."""
     if text := st.session_state.get(f"answer_{place}{name}"):
-        keep(name, text, cache.verdict(name, text).kind == "right")
+        keep(name, text, verdict_on(name, text).kind == "right")
 
 
 def keep(name: str, answer: str, is_right: bool) -> None:
@@ -113,12 +116,34 @@ def pose(name: str, with_step: bool, place: str = "") -> None:
         )
         st.form_submit_button(_("Check"), type="primary")
     if text:
-        verdict, read = cache.verdict(name, text), cache.as_read(text, asked.kind == EQUATION)
+        verdict, read = verdict_on(name, text), as_read(text, asked.kind == EQUATION)
         box, icon = VERDICTS[verdict.kind]
         if read:
             st.latex(read)
         box(widgets.plain(verdict.message), icon=icon)
     if not place and widgets.hints(name, asked.hints, _("Show me this step") if with_step else ""):
-        st.latex(cache.step_to_answer(name))
+        st.latex(step_to_answer(name))
     with st.spinner(_("Deriving the answer …"), show_time=False):
-        cache.verdict(name, "1")
+        verdict_on(name, "1")
+
+
+@st.cache_data(show_spinner=False)
+def step_to_answer(name: str) -> str:
+    """Return the step that leads to the answer of a question, as one block of LaTeX."""
+    return beside_the_machine([row(each) for each in shown_step(name)])
+
+
+@st.cache_data(show_spinner=False, max_entries=512)
+@giving_way()
+def verdict_on(name: str, text: str) -> Verdict:
+    """Return the verdict on an answer; the first one of a question also derives its answer and typical mistakes."""
+    return judge(name, text)
+
+
+@st.cache_data(show_spinner=False, max_entries=512)
+def as_read(text: str, is_equation: bool = False) -> str | None:
+    """Return a formula as LaTeX, as the parser has read it, or None if it cannot read it."""
+    try:
+        return typeset(text, is_equation=is_equation)
+    except UnreadableError:
+        return None

@@ -9,12 +9,11 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.answers import QUESTIONS, question
 from ramanujan.browser import components
-from ramanujan.pages.derivation import cache, tryout
-from ramanujan.pages.lesson import tasks
 from ramanujan.shell import address, display_mode, widgets, worksheet_keys
 from ramanujan.shell.display_mode import slide
 from ramanujan.shell.navigation import PAGES
 from ramanujan.shell.parameters import PARAMETERS
+from ramanujan.shell.sections import questions, tasks
 from ramanujan.translation import _
 
 ITEMS = (*QUESTIONS, *(task.id for task in lesson.TASKS))
@@ -39,19 +38,19 @@ def show(items: tuple[str, ...]) -> None:
     elif (name := items[now - 1]) in QUESTIONS:
         with slide("question", title(name)):
             st.title(title(name), anchor=False)
-            tryout.take(name)
-            tryout.ask(name, with_step=with_key)
+            questions.take(name)
+            questions.ask(name, with_step=with_key)
             if with_key:
-                st.latex(cache.step_to_answer(name))
+                st.latex(questions.step_to_answer(name))
     else:
         judged = tasks.draw(lesson.task(name))
         if judged.done:
-            tryout.keep(name, judged.sentence, is_right=True)
+            questions.keep(name, judged.sentence, is_right=True)
 
 
 def title(item: str) -> str:
     """Return the title of a question or task."""
-    return tryout.title(item) if item in QUESTIONS else lesson.task(item).heading
+    return questions.title(item) if item in QUESTIONS else lesson.task(item).heading
 
 
 def finish(items: tuple[str, ...]) -> None:
@@ -72,7 +71,7 @@ def written_worksheet(items: tuple[str, ...]) -> str:
     for number, item in enumerate(items, start=1):
         is_question = item in QUESTIONS
         text = question(item).prompt() if is_question else lesson.task(item).text
-        found = tryout.given(item)
+        found = questions.given(item)
         lines.append(f"{number}. **{title(item)}.** {text}")
         if found is None:
             lines.append("   - " + (_("Not answered.") if is_question else _("Not done yet.")))

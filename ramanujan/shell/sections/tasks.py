@@ -12,20 +12,19 @@ from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting, Task, Verdict
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
-from ramanujan.pages.motion import page as motion
-from ramanujan.pages.taxicab import other_bodies
-from ramanujan.shell import address, sidebar, stages, widgets
+from ramanujan.shell import address, parameters, sidebar, stages, widgets
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
+from ramanujan.shell.sections import bodies
 from ramanujan.translation import _
 
 RELEASE = Parameter("task_x0", "x₀", _("Compression at release"), "cm", 0.0, 12.0, 8.0, 0.1, "%.1f", 0.01)
-GLIDE, SPIN = replace(motion.GLIDE, name="task_glide"), replace(motion.SPIN, name="task_spin")
+GLIDE, SPIN = replace(parameters.GLIDE, name="task_glide"), replace(parameters.SPIN, name="task_spin")
 METHOD = address.Choice("task_method", {name: method.title for name, method in METHODS.items()}, "rk4")
 STEPS = address.Count("task_steps", STEPS_PER_PERIOD[-1], 100, STEPS_PER_PERIOD[0])
 PERIODS = address.Count("task_periods", 100, 10)
 WORDS = {body: BODY_WORDS[body] for body in BODIES}
-PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in other_bodies.PAPER.items()]
+PLACES = [address.Choice(f"task_{place}", WORDS, body) for place, body in bodies.PAPER.items()]
 URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 _EXAMPLE = _("For example {entry}")
 
@@ -88,7 +87,7 @@ def machine(task: Task, setting: Setting) -> None:
 
 
 def _bodies() -> tuple[str, ...]:
-    labels = other_bodies.PLACE_WORDS.values()
+    labels = bodies.PLACE_WORDS.values()
     return tuple(widgets.beside(3, *(partial(widgets.selectbox, *each) for each in zip(PLACES, labels, strict=True))))
 
 
