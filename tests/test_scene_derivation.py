@@ -170,7 +170,7 @@ def test_each_line_names_the_operation_that_leads_to_it(page):
     for operation in (r"\times \frac{3}{2}", insert, r"\text{cancel $8$}", collect, r"\times 72", r"+\,1"):
         assert rf"\vert\ {operation}" in shown, operation
     assert shown.count(r"\underline{") == 15
-    marked = {name for name in ROUTES if any(places for step in ROUTES[name].steps for places in step.marks)}
+    marked = {name for name in ROUTES if any(map(any, (step.marks for step in ROUTES[name].steps)))}
     # The matrix route has no line that adds, drops or moves a term of another.
     assert marked == {*ROUTES} - {"matrix"}
     for way in (*(ROUTES[name] for name in ROUTES), ROUTES.with_equal_masses("euler_lagrange")):

@@ -68,6 +68,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             _("Bring all terms to one side. Common factors cancel."),
             *(equation(result.motion[q], zero) for q in COORDINATES),
             labels=coordinates,
+            marks=("", "left 3", ""),
             operations=tuple(
                 "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
             ),
@@ -83,6 +84,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             *result.merged,
             equation(X_ddot, result.X_from_phi),
             equation(Phi_ddot, result.Phi_from_phi),
+            marks=("", "left 2, right 1", "left 2", "", ""),
             operations=(
                 rf"+\,{latex(result.merged[0].rhs)}",
                 rf"\times {latex(result.times)}",
@@ -99,6 +101,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             equation(in_order(spring / numerator * in_order(*terms) * phi_ddot, spring * phi), zero),
             equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
             equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
+            marks=("left 1, left 2", "left 1", "left 2", "left 2"),
             operations=(
                 insert(X_ddot),
                 blackboard(_("collect {what}"), phi_ddot),
@@ -117,6 +120,7 @@ def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
             ).format(),
             oscillator,
             equation(Omega_squared, result.natural_frequency_squared),
+            marks=("left 2", ""),
             operations=(insert(r"\varphi=\cos\Omega t"), compare(phi)),
         ),
     )

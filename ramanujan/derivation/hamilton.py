@@ -90,6 +90,7 @@ def build(bodies: Machine) -> Route:
                 "only $\\dot\\varphi$ is left."
             ),
             *_inversion(momenta),
+            marks=("", "left 2, right 1", "", "left 2, right 1"),
             operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
         ),
         step(
@@ -141,6 +142,7 @@ def build(bodies: Machine) -> Route:
             equation("H", one_degree),
             equation(M_e, effective_mass),
             equation(H_0, constant),
+            marks=("right 1, right 3", "", ""),
             operations=(
                 blackboard(_("complete the square")),
                 compare(p_phi**2),

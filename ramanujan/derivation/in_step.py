@@ -74,6 +74,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         equation(two_terms, sp.Integer(0)),
         equation(multiplied, sp.Integer(0)),
         equation(quadratic, sp.Integer(0)),
+        marks=("left 1, right 1", "", "", ""),
         operations=(
             rf"{latex(model.normalized_frequency_squared)} = 1",
             blackboard(_("cancel {what}"), numerator),
@@ -98,6 +99,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         square,
         equation(square.lhs, other),
         equation(epsilon, unit.root),
+        marks=("", "right 1", "left 1, right 2", "", "", ""),
         operations=(
             blackboard(_("the quadratic")),
             rf"\times {latex(4 * a)}",
@@ -128,7 +130,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
                 "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
                 "too small, and your machine oscillates faster than a plain mass."
             )
-        return replace(exactly_one, reason=reason, equations=leaves, operations=(insert(epsilon),) * 2)
+        return replace(exactly_one, reason=reason, equations=leaves, operations=(insert(epsilon),) * 2, marks=())
 
     distance = replace(
         root,
@@ -138,6 +140,7 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
         ),
         equations=(normalized[0], normalized[2], equation(epsilon - epsilon_star, ratio - unit.root)),
         operations=(defined, insert(epsilon), rf"-\,{latex(epsilon_star)}"),
+        marks=(),
     )
     return (
         replace(only_ratio, special=lambda _numbers: replace(only_ratio, equations=normalized)),

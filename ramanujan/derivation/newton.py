@@ -287,6 +287,7 @@ def build(bodies: Machine) -> Route:
             equation(without_Phi, sp.S.Zero),
             equation(X_ddot, sp.factor(X_from_phi)),
             equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
+            marks=("", "left 1, left 2", "left 1", "", ""),
             operations=(
                 solve_for(Phi_ddot),
                 blackboard(_("add both")),
@@ -315,6 +316,7 @@ def build(bodies: Machine) -> Route:
             equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
             equation(phi_ddot, cut.solution[roller]),
             equation(model.Omega_squared, frequency),
+            marks=("left 1", "", ""),
             operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
         ),
     )

@@ -27,6 +27,9 @@ _UNITS = {
 }
 """The unit of a left side whose right side may become a number."""
 
+SIDES = ("left", "right")
+_PLACE = re.compile(r"(left|right) (\d+)")
+"""A mark: a side of an equation, and the place of a term on it, counted from 1."""
 _MARK = r"\underline"
 _COMMAND = re.compile(r"\\(?!frac|left|right|mathrm|text|mathcal|d?dot)[a-zA-Z]+")
 _SHORT, _SHORTEST = 8, 20
@@ -114,10 +117,10 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     # An operation that leads to several lines stands at the first of them.
     once = ("" if above == each else each for above, each in pairwise(("", *(said.operations or none))))
     found = {}
-    for equation, label, operation, places in zip(
+    for equation, label, operation, marked in zip(
         said.equations, said.labels or none, once, said.marks or none, strict=True
     ):
-        dress = tuple((*place, _MARK) for place in sorted(places))
+        dress = tuple((SIDES.index(side), int(place) - 1, _MARK) for side, place in _PLACE.findall(marked))
         made = make(equation, label, dress) if make else row(equation, numbers, label=label, dress=dress)
         found.setdefault(made, replace(made, operation=operation))
     return list(found.values())

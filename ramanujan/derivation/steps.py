@@ -11,7 +11,6 @@ from typing import Any
 
 import sympy as sp
 
-from ramanujan.derivation.marks import Places, marks
 from ramanujan.derivation.model import Machine, m, machine
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.printers import latex
@@ -32,7 +31,8 @@ class Step:
         condition. None where numbers can be put into the equations themselves.
     labels : LaTeX before each equation, such as the coordinate to which it belongs; or none
     operations : LaTeX in the margin of each equation: what leads to it, in the words of a blackboard; or none
-    marks : the terms of each equation that an operation takes out, brings in or moves; its route finds them
+    marks : the terms of each equation that an operation takes out, brings in or moves, such as "left 2, right 1",
+        counted as they are printed; or none
     """
 
     key: str
@@ -42,7 +42,7 @@ class Step:
     special: Callable[[Numbers], "Step"] | None = None
     labels: tuple[str, ...] = ()
     operations: tuple[str, ...] = ()
-    marks: tuple[Places, ...] = ()
+    marks: tuple[str, ...] = ()
 
     def about(self, numbers: Numbers | None) -> "Step":
         """Return what the step says, still in symbols, about the machine with those numbers, if there are any."""
@@ -122,14 +122,8 @@ class Routes(UserDict[str, Route]):
         """Return a decorator that enters a function, which derives a route from the bodies, under a name."""
 
         def enter(build: Callable[[Machine], Route]) -> Callable[[Machine], Route]:
-            self.data[name] = cache(lambda bodies: with_marks(build(bodies)))
+            self.data[name] = cache(build)
             return build
-
-        def with_marks(route: Route) -> Route:
-            found = marks([step.equations for step in route.steps])
-            return replace(
-                route, steps=tuple(replace(step, marks=own) for step, own in zip(route.steps, found, strict=True))
-            )
 
         return enter
 

@@ -1,37 +1,43 @@
-"""Which terms of an equation its operation takes out, brings in or moves to the other side: SymPy compares the lines.
+"""The terms that a step underlines are those that its operation takes out, brings in or moves to the other side.
 
-A line comes from the one above it or from one of an earlier step. That is proved: what the changed terms differ by is
-zero, perhaps after what the step defines is inserted, or a multiple of another line.
+A line comes from the one above it or from one of an earlier step. SymPy proves this: the sum of the changed terms is
+zero, perhaps after a definition of the step is inserted, or it is a multiple of another line.
 """
 
 from collections.abc import Collection, Sequence
 from functools import cache
 
+import pytest
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from ramanujan.derivation import ROUTES
 from ramanujan.derivation.model import R
 from ramanujan.derivation.numbers import GIVEN
 from ramanujan.derivation.order import ordered_terms
+from ramanujan.derivation.rows import SIDES
 
 _CONSTANTS = {*GIVEN, R}
 _FEW = 2
-"""Terms that an operation changes; one that changes more concerns the whole line, and marks nothing."""
+"""Terms that an operation changes. A change of more terms concerns the whole line, and nothing is marked."""
 
 Equations = Sequence[sp.Eq]
 Places = frozenset[tuple[int, int]]
 """Terms of an equation, each by its side, 0 or 1, and its place on it."""
 
 
-def marks(steps: Sequence[Equations]) -> tuple[tuple[Places, ...], ...]:
-    """Return, for each equation of each step of a route, the terms that change.
+@pytest.mark.parametrize("name", ROUTES)
+@pytest.mark.parametrize("of", [ROUTES.__getitem__, ROUTES.with_equal_masses], ids=["any masses", "equal masses"])
+def test_the_marks_of_a_route_are_the_terms_that_change(name, of):
+    route = of(name)
+    for step, proved in zip(route.steps, changes([step.equations for step in route.steps]), strict=True):
+        named = tuple(", ".join(f"{SIDES[side]} {place + 1}" for side, place in sorted(line)) for line in proved)
+        assert named == (step.marks or ("",) * len(step.equations)), step.key
 
-    >>> x, y, z = (sp.Function(name)(sp.Symbol("t")) for name in "xyz")
-    >>> lines = [sp.Eq(y, z), sp.Eq(x + y, 1), sp.Eq(x + z, 1)]
-    >>> [[sorted(places) for places in found] for found in marks([lines])]
-    [[[], [(0, 1)], [(0, 1)]]]
-    """
-    found = [[frozenset() for _line in step] for step in steps]
+
+def changes(steps: Sequence[Equations]) -> list[list[Places]]:
+    """Return, for each equation of each step of a route, the terms that change."""
+    changed_terms = [[frozenset() for _line in step] for step in steps]
     for n, step in enumerate(steps):
         before = [line for earlier in steps[:n] for line in earlier]
         for at, line in enumerate(step):
@@ -39,11 +45,11 @@ def marks(steps: Sequence[Equations]) -> tuple[tuple[Places, ...], ...]:
             for source in (*above, *reversed(before)):
                 changed = _changed(source, line, step, (*before, *step[:at]))
                 if changed:
-                    found[n][at] |= changed[1]
-                    if source in above and found[n][at - 1] | changed[0] < _terms(source).keys():
-                        found[n][at - 1] |= changed[0]
+                    changed_terms[n][at] |= changed[1]
+                    if source in above and changed_terms[n][at - 1] | changed[0] < _terms(source).keys():
+                        changed_terms[n][at - 1] |= changed[0]
                     break
-    return tuple(map(tuple, found))
+    return changed_terms
 
 
 def _changed(source: sp.Eq, line: sp.Eq, step: Equations, known: Equations) -> tuple[Places, Places] | None:
