@@ -55,7 +55,7 @@ def effective_mass_ratio(mass_ratio: FloatOrArray) -> FloatOrArray:
 
 
 def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] | np.floating:
-    """Return Ω²m/k = m/M_x, the square of the natural frequency in units of √(k/m).
+    """Return Ω²m/k = m/M_x, the square of the natural frequency in units of k/m.
 
     The error is at most 2.5 units in the last place for 1e-300 ≤ ε ≤ 1e300. The values fall with ε. They are exactly
     7/4 at 0, 104/99 at 1 and 1 at ε*.
