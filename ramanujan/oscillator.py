@@ -185,6 +185,7 @@ class Oscillator:
             ("Ω", _("natural frequency"), self.natural_frequency, "rad/s"),
             ("Ω²m/k", _("normalized frequency squared"), self.normalized_frequency_squared, ""),
         )
-        head = [f"| | {_('Ramanujan’s oscillator')} | |", "|---|---|---|"]
+        title = _("Ramanujan’s oscillator")
+        head = [f"| | {title} | |", "|---|---|---|"]
         lines = [f"| {symbol} | {name} | {quantity(x, unit, 6, strip=True)} |" for symbol, name, x, unit in rows]
         return "\n".join(head + lines)
