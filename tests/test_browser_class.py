@@ -84,7 +84,23 @@ def vote(phone: Page, number: int) -> None:
     while len(phone.frames_sent) == sent or phone.unanswered:
         phone.wait_for_timeout(10)
     expect(phone.locator(VOTES).nth(number).locator("input")).to_be_checked()
-    phone.get_by_text("Your answer counts").wait_for()
+    confirmation = phone.get_by_text("Your answer counts")
+    confirmation.wait_for()
+    # The confirmation appears at the option: below its top, and above the next option.
+    tops = [option.bounding_box()["y"] for option in phone.locator(VOTES).all()] + [float("inf")]
+    assert tops[number] <= confirmation.bounding_box()["y"] <= tops[number + 1]
+
+
+def check_open_question_in_view(phone: Page) -> None:
+    """Check that question and options are in view on a small phone, upright and not."""
+    before = phone.viewport_size
+    for width, height in ((390, 664), (844, 390)):
+        phone.set_viewport_size({"width": width, "height": height})
+        next_frame(phone)
+        assert phone.locator("h1").bounding_box()["y"] >= 48
+        last = phone.locator(VOTES).last.bounding_box()
+        assert last["y"] + last["height"] <= height
+    phone.set_viewport_size(before)
 
 
 @pytest.fixture
@@ -162,6 +178,8 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
         expect(wall.locator(".face")).to_be_visible(visible=stop.dials)
         expect(phone.locator("h1")).to_have_text([stop.heading])
         expect(phone.locator("svg.machine")).to_be_visible()
+        settle(phone)
+        check_open_question_in_view(phone)
         options = list(stop.options)
         own, *others = (draw.choice(options) for _ in range(total))
         vote(phone, options.index(own))
@@ -229,9 +247,9 @@ def test_a_class_plays_the_short_lesson_from_a_phone_and_takes_home_what_it_vote
     whole("end")
     assert wrong == []
 
-    desk.get_by_role("button", name="Results as a file").click()
+    desk.get_by_role("button", name="Download the results").click()
     with desk.expect_download() as download:
-        desk.get_by_role("button", name="Results as CSV").click()
+        desk.get_by_role("button", name="Download as CSV").click()
     rows = list(csv.DictReader(download.value.path().read_text(encoding="utf-8").splitlines()))
     told = [(row["stop"], row["option"], row["right"], int(row["first_vote"]), row["second_vote"]) for row in rows]
     assert told == [

@@ -3,9 +3,11 @@
 from collections.abc import Callable
 from itertools import pairwise
 
+import pytest
 from playwright.sync_api import expect
 
-from tests.browser import settle
+from ramanujan import lesson
+from tests.browser import next_frame, settle
 
 SIZES = ((667, 375), (844, 390))
 """Height and width of a small phone and of a usual one."""
@@ -205,3 +207,25 @@ def test_a_visit_with_one_finger(visit):
     check_cubes(phone)
     phone.go_to("Lesson", "svg.dial")
     check_stop(phone)
+
+
+OPEN = "lesson?stop={}"
+ANSWERED = "lesson?stop={0}&chosen={0}.{1}"
+
+
+@pytest.mark.parametrize("name", ["two-clocks", "zero-modes", "1729"])
+def test_a_stop_fits_on_a_small_phone(visit, name):
+    """While a question is open, its options are in view; upright, no stop is longer than two screens."""
+    stop = lesson.stop(name)
+    page = visit(OPEN.format(name), width=390, height=664, has_touch=True, is_mobile=True)
+    for width, height in ((390, 664), (844, 390)):
+        page.set_viewport_size({"width": width, "height": height})
+        next_frame(page)
+        top = page.locator("[data-testid=stSidebar]").bounding_box()["y"]
+        assert page.locator(".st-key-posed h1").bounding_box()["y"] >= 48
+        for option in page.locator(".st-key-options button").all():
+            box = option.bounding_box()
+            assert box["y"] + box["height"] <= top
+    wrong = next(option for option in stop.options if option != stop.right)
+    page = visit(ANSWERED.format(name, wrong), tab=page, width=390, height=664)
+    assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight") <= 2 * 664

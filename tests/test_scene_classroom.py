@@ -7,6 +7,7 @@ import re
 import sqlite3
 from concurrent.futures import ThreadPoolExecutor
 from datetime import UTC, datetime, timedelta
+from types import SimpleNamespace
 
 import pytest
 import streamlit as st
@@ -16,7 +17,7 @@ from ramanujan import lesson
 from ramanujan.lesson import classes
 from ramanujan.lesson.class_record import as_csv
 from ramanujan.shell import address as class_address
-from ramanujan.shell import class_session, server
+from ramanujan.shell import class_session, local_time, server
 from tests.browser import ROOT
 from tests.test_scene_lesson import walked
 
@@ -54,7 +55,8 @@ def words(app: AppTest) -> str:
     assert not app.exception
     kinds = (app.title, app.subheader, app.markdown, app.text, app.caption, app.info, app.success, app.warning)
     bars = [element.proto.text for element in app.get("progress")]
-    return "\n".join([*(element.value for kind in kinds for element in kind), *bars])
+    captions = [caption for radio in app.radio for caption in radio.proto.captions]
+    return "\n".join([*(element.value for kind in kinds for element in kind), *bars, *captions])
 
 
 def press(app: AppTest, name: str) -> AppTest:
@@ -139,9 +141,7 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
         assert "Second vote" in words(page)
         assert "2 of 3, 67\u202f%" in words(page)
         # How many have found the right answer would tell which it is.
-        assert "right" not in words(page).lower().replace("show the right answer", "").replace(
-            STOP.question.lower(), ""
-        )
+        assert "right" not in words(page).lower().replace(STOP.question.lower(), "")
 
     # The right answer comes last: after the machine has run, with the reason, at the desk and on the phones.
     press(lecturer, "run")
@@ -189,6 +189,44 @@ def test_a_late_answer_gets_its_reason_and_does_not_count(lecturer, school):
     answer(second, RIGHT)
     assert "Your answer came too late" in words(second)
     assert sum(school.distribution(code_of(lecturer), STOP.id).values()) == 1
+
+
+def test_who_cannot_vote_now_sees_the_own_vote_and_why(lecturer):
+    voter, late = (visitor(**{"class": code_of(lecturer)}) for _ in range(2))
+    press(lecturer, "ask")
+    answer(voter.run(), WRONG)
+    press(lecturer, "reveal")
+    no_vote = "You have no answer to this question. The result has been shown, so nobody can vote on it now."
+    assert "can no longer be changed" in words(voter.run())
+    assert no_vote in words(late.run())
+    # The desk goes back: the question is visible again, but the vote stays closed.
+    press(lecturer, "back")
+    assert f"{STOP.options[WRONG]} – *This was your answer.*" in words(voter.run())
+    assert no_vote in words(late.run())
+    assert not voter.radio
+    press(lecturer, "again")
+    press(lecturer, "reveal")
+    assert f"**Your answer in the first vote:** {STOP.options[WRONG]}" in words(voter.run())
+    assert "*First vote:* 1 of 1, 100" in words(voter)
+    assert "*Second vote:* 0 of 0, 0" in words(voter)
+
+
+def test_only_the_button_that_moves_the_class_is_primary_and_the_end_leads_to_the_first_page(lecturer):
+    for name in ("ask", "reveal", "run", "solve", "next"):
+        moving = [button for button in lecturer.button if button.proto.type == "primary"]
+        assert [button.key for button in moving] == [f"class_{name}"]
+        press(lecturer, name)
+    press(lecturer, "close")
+    assert lecturer.title[0].value == f"1. {STOP.heading}"
+    assert "The class has ended, and its answers are deleted." in words(lecturer)
+    assert not lecturer.warning
+
+
+def test_the_expiry_is_in_the_time_zone_of_the_desk(monkeypatch):
+    at = datetime(2026, 3, 1, 23, 30, tzinfo=UTC).timestamp()
+    for zone, date in (("Europe/Budapest", "2026-03-02, 00:30 CET"), (None, "2026-03-01, 23:30 UTC")):
+        monkeypatch.setattr(local_time.st, "context", SimpleNamespace(timezone=zone))
+        assert local_time.date_and_time(at) == date
 
 
 def test_nothing_that_reaches_a_student_holds_the_lecturers_key(lecturer):

@@ -22,7 +22,9 @@ export default function (component, signal) {
   }
 
   return () => {
-    const { now, held } = component.data;
+    const { now, held, clicker } = component.data;
+    // At the desk of a class, the primary button is the one that moves the class.
+    component.parentElement.querySelector('[data-by="1"]').classList.toggle("primary", clicker);
     // An older answer cannot take back what was asked for since; a refusal can.
     if (asked && held === asked.held && now !== asked.stop && performance.now() - asked.at < PATIENCE) return;
     asked = null;

@@ -37,18 +37,20 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
             with st.container(key="class_changes"):
                 st.markdown(said)
         right, widths = stop.right if solved else None, [3, *(2 for _vote in all_votes)]
-        if len(all_votes) > 1:
-            for place, words in zip(
-                st.columns(widths, gap="small")[1:], (_("First vote"), _("Second vote")), strict=True
-            ):
-                place.markdown(f"**{words}**")
+        if vote.is_second:
+            with st.container(key="class_votes"):
+                headings = st.columns(widths, gap="small")[1:]
+                for heading, name in zip(headings, (_("First vote"), _("Second vote")), strict=True):
+                    heading.markdown(f"**{name}**")
         for option, text in stop.options.items():
             label, *places = st.columns(widths, gap="small")
             label.markdown(_label(text, option == right, option == chosen))
-            for place, votes in zip(places, all_votes, strict=True):
+            # Where the two lines are stacked, the style sheet shows their names in place of the headings.
+            named = (_("*First vote:* {share}"), _("*Second vote:* {share}")) if vote.is_second else ("{share}",)
+            for place, votes, template in zip(places, all_votes, named, strict=True):
                 total = sum(votes.values())
                 share = votes[option] / total if total else 0.0
-                place.progress(share, _share(votes[option], total))
+                place.progress(share, template.format(share=_share(votes[option], total)))
 
 
 @st.cache_data(show_spinner=False, max_entries=256)

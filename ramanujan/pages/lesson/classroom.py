@@ -10,7 +10,7 @@ Every screen asks every few seconds what is new: one read by keys.
 import time
 from collections.abc import Callable
 from contextlib import suppress
-from datetime import UTC, datetime
+from dataclasses import replace
 from functools import partial
 
 import streamlit as st
@@ -22,7 +22,7 @@ from ramanujan.lesson.class_states import END
 from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, SeatError, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, progress
-from ramanujan.shell import address, class_session, widgets
+from ramanujan.shell import address, class_session, local_time, widgets
 from ramanujan.shell.class_session import attempt, key_held, leave, open_class, seat_held
 from ramanujan.translation import _, ngettext
 
@@ -42,6 +42,8 @@ _DRAWN = "class_drawn"
 """Session state: the stop whose machine a phone was last drawn with, and whether it runs."""
 _SEEN = "class_seen"
 """Session state: the question at which this desk last saw the class."""
+_ENDED = "class_ended"
+"""Session state: this desk has ended its class, and the lesson's first page still confirms it."""
 
 
 def guests(show: Callable[..., None]) -> None:
@@ -63,14 +65,18 @@ def guests(show: Callable[..., None]) -> None:
         with st.container(key="class_phone"):
             st.html(NOTHING_TO_SET)
             above = st.container()
-            # First of all, as on the wall.
+            # The fragment runs first, because the next run can cut off the end of this one.
             _phone()
+            below = st.container()
+            _leaving()
         if seen:
             class_session.take_settings(shared().machine(seat.code))
             stop, running = lesson.stop(seen[0]), seen[1]
             with above:
                 st.title(stop.heading, anchor=False)
                 st.markdown(stop.question)
+            # An open question keeps its options in view on a small phone. A machine that runs precedes the result.
+            with above if running else below:
                 show(stop, running, fixed=True)
         with suppress(ClassError):
             st.caption(class_results.storage(shared().expires(seat.code)))
@@ -98,6 +104,10 @@ def door() -> None:
         _for_lecturers()
     if not code:
         _warn()
+    if st.session_state.get(_ENDED) and address.held(progress.STOP) == progress.STOP.default:
+        st.success(_("The class has ended, and its answers are deleted."))
+    else:
+        st.session_state.pop(_ENDED, None)
 
 
 def _for_lecturers() -> None:
@@ -218,7 +228,7 @@ def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) ->
     st.html(KEY_NAMES)
     place = stop.id if stop else END
     opened = now.stop == place and now.phase > Phase.ASKED
-    button(_("Back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))
+    button(_("Go back"), "back", _go_back, place, keyed="PageUp", disabled=not (opened or progress.previous(place)))
     button(*_onward(stop, now, last), keyed="PageDown", disabled=now.stop == place == END)
     if stop and now.stop != place and last:
         button(_("Ask this question again"), "anew", partial(shared().ask, anew=True), place, list(stop.options))
@@ -239,7 +249,7 @@ def _onward(stop: Stop | None, now: Question, last: Question | None) -> tuple:
     labels = {
         Phase.ASKED: (_("Show the result"), "reveal"),
         Phase.REVEALED: (stop.observation, "run"),
-        Phase.RUNNING: (_("Show the right answer"), "solve"),
+        Phase.RUNNING: (_("Name the answer"), "solve"),
     }
     return *labels[now.phase], shared().show, Phase(now.phase + 1)
 
@@ -277,12 +287,12 @@ def _foot(key: str, code: str) -> None:
         icon=":material/co_present:",
         type="tertiary",
     )
-    with st.popover(_("Desk on your phone"), key="class_second_desk", type="tertiary"):
+    with st.popover(_("Open the desk on your phone"), key="class_second_desk", type="tertiary"):
         st.markdown(_("Scan this with your own phone. Whoever has this picture leads the class."))
         class_results.qr_code(address.link_for_others({"class": code, "lecturer": key}).geturl())
-    with st.popover(_("Seats"), key="class_seats", type="tertiary"):
+    with st.popover(_("Manage the seats"), key="class_seats", type="tertiary"):
         _seats(key)
-    with st.popover(_("Results as a file"), key="class_files", type="tertiary"):
+    with st.popover(_("Download the results"), key="class_files", type="tertiary"):
         _votes(key, "class_csv")
     _ending(key)
 
@@ -291,8 +301,8 @@ def _votes(key: str, name: str) -> None:
     """Offer the votes of the class as a file for a spreadsheet, and as one for programs."""
     asked, file = shared().asked(key), f"class-{parts_of(key)[0]}"
     files = (
-        (_("Results for a spreadsheet"), as_spreadsheet(asked), f"{file}-spreadsheet.csv", f"{name}_spreadsheet"),
-        (_("Results as CSV"), as_csv(asked), f"{file}.csv", name),
+        (_("Download for a spreadsheet"), as_spreadsheet(asked), f"{file}-spreadsheet.csv", f"{name}_spreadsheet"),
+        (_("Download as CSV"), as_csv(asked), f"{file}.csv", name),
     )
     for label, content, file_name, widget in files:
         widgets.download(label, content, file_name, "text/csv", key=widget)
@@ -314,17 +324,24 @@ def _seats(key: str) -> None:
 
 
 def _ending(key: str) -> None:
+    """Offer to end the class, with its expiry date and a last download."""
+
     def end() -> None:
         shared().close(key)
         leave()
+        st.session_state[progress.PART.name] = progress.PART.default
+        st.session_state[progress.STOP.name] = progress.STOP.default
+        st.session_state[_ENDED] = True
 
-    with st.popover(_("End"), key="class_ending", type="tertiary"):
-        until = datetime.fromtimestamp(shared().expires(parts_of(key)[0]), UTC).strftime("%Y-%m-%d, %H:%M UTC")
+    with st.popover(_("End the class"), key="class_ending", type="tertiary"):
         st.markdown(
-            _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(date=until)
+            _("The class ends, and all its answers are deleted. Otherwise that happens on {date}.").format(
+                date=local_time.date_and_time(shared().expires(parts_of(key)[0]))
+            )
         )
         _votes(key, "class_csv_last")
-        st.button(_("End the class"), key="class_close", on_click=attempt, args=(end,))
+        label = _("End the class and delete its answers")
+        st.button(label, key="class_close", on_click=attempt, args=(end,))
 
 
 # ---- a student
@@ -341,7 +358,12 @@ def _waiting() -> None:
         st.html(NOTHING_TO_SET)
         st.title(_("Class {code}").format(code=spaced(code)), anchor=False)
         st.info(class_session.refusal())
-        st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
+        _leaving()
+
+
+def _leaving() -> None:
+    """Draw the button with which a student leaves the class."""
+    st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
 @st.fragment(run_every=PHONE_EVERY)
@@ -365,7 +387,6 @@ def _phone() -> None:
         class_session.follow(seat.code)
         _asked(seat, question, chosen)
         _offer_own_tab(seat.code)
-    st.button(_("Leave the class"), key="class_leave", type="tertiary", on_click=leave)
 
 
 def _offer_own_tab(code: str) -> None:
@@ -399,34 +420,62 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         st.button(_("Go on with the whole lesson"), key="class_alone", type="primary", on_click=leave)
         return
     stop = lesson.stop(question.stop)
-    if question.phase > Phase.ASKED:
-        _warn()
-        solved = question.phase == Phase.SOLVED
-        if solved:
-            class_results.explain(stop, chosen)
-        class_results.show(seat.code, stop, question.vote, solved, chosen)
-        return
     if question.reached > Phase.ASKED:
-        st.markdown("\n".join(f"- {label}" for label in stop.options.values()))
-        return
+        _closed_vote(seat, stop, question, chosen)
+    else:
+        _open_vote(stop, question, chosen)
+
+
+def _closed_vote(seat: Seat, stop: Stop, question: Question, chosen: str | None) -> None:
+    """Draw a question whose result has been shown: the result if it is shown now, the own vote, why voting is over."""
+    _warn()
+    is_solved = question.phase == Phase.SOLVED
+    if is_solved:
+        class_results.explain(stop, chosen)
+    if question.phase > Phase.ASKED:
+        class_results.show(seat.code, stop, question.vote, is_solved, chosen)
+    else:
+        own = _("{label} – *This was your answer.*")
+        labels = {**stop.options, **({chosen: own.format(label=stop.options[chosen])} if chosen else {})}
+        st.markdown("\n".join(f"- {label}" for label in labels.values()))
+    st.markdown(_own_vote(seat, stop, question, chosen))
+
+
+def _own_vote(seat: Seat, stop: Stop, question: Question, chosen: str | None) -> str:
+    """Return whether the student's vote was counted, and why no vote is accepted any more, as sentences."""
+    if chosen:
+        return _("Your answer was counted. The result has been shown, so it can no longer be changed.")
+    if question.vote.is_second:
+        first = shared().chosen(seat, replace(question, vote=question.vote._replace(number=1)))
+        if first:
+            return _(
+                "**Your answer in the first vote:** {label}\\\nYou have no answer in the second vote. "
+                "The result has been shown, so nobody can vote on it now."
+            ).format(label=stop.options[first])
+    return _("You have no answer to this question. The result has been shown, so nobody can vote on it now.")
+
+
+def _open_vote(stop: Stop, question: Question, chosen: str | None) -> None:
+    """Draw the options of an open question, with a confirmation at the one that the student chose."""
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))
     key = f"class_answer_{stop.id}_{question.vote.asking}_{question.vote.number}"
     # The database decides, also after a reload and after an answer that came too late.
     if st.session_state.get(key) != chosen:
         st.session_state[key] = chosen
+    confirmation = _("Your answer counts. You can change it until the result is shown.")
+    captions = [f":green[:material/check_circle: {confirmation}]" if o == chosen else "" for o in stop.options]
     st.radio(
         _("Your answer"),
         list(stop.options),
         index=None,
         format_func=stop.options.__getitem__,
+        captions=captions if chosen else None,
         key=key,
         on_change=_vote,
         args=(key, stop.id, question.vote),
     )
     _warn()
-    if chosen:
-        st.success(_("Your answer counts. You can change it until the result is shown."))
 
 
 def _vote(key: str, stop: str, vote: Vote) -> None:

@@ -172,15 +172,16 @@ def _arrangement(stop: Stop, running: bool) -> str:
 
 def ask(stop: Stop) -> None:
     """Draw the options and the hints."""
-    st.markdown(_("**Predict** before you see it:"))
-    with st.container(key="options", gap="xsmall"):
-        for option, label in stop.options.items():
-            st.button(
-                label,
-                key=f"option_{stop.id}_{option}",
-                on_click=partial(go_on, stop, option, progress.PREDICTED),
-                width="stretch",
-            )
+    with st.container(key="asking", gap="xsmall"):
+        st.markdown(_("**Predict** before you see it:"))
+        with st.container(key="options", gap="xsmall"):
+            for option, label in stop.options.items():
+                st.button(
+                    label,
+                    key=f"option_{stop.id}_{option}",
+                    on_click=partial(go_on, stop, option, progress.PREDICTED),
+                    width="stretch",
+                )
     widgets.hints(stop.id, [widgets.plain(hint) for hint in stop.hints])
 
 
