@@ -1,45 +1,38 @@
-"""Ramanujan's oscillator: the app. Start it with `streamlit run app.py`."""
+"""Ramanujan's oscillator: the app. Start it with `streamlit run app.py`.
+
+Streamlit uses this file in two ways: the server imports it once and serves `app`, and each run of a visitor's page
+executes it as the main script.
+"""
 
 import streamlit as st
 
-if __name__ != "__main__":
-    # The server loads this file once, under its own name, and runs it for each visitor as the main script.
+if __name__ == "__main__":
+    from ramanujan.shell import address, display_mode, first_run, links, messages, navigation, sidebar
+
+    # Set the app's own icon first: for a page's icon, Streamlit's page loads a font from another server.
+    st.set_page_config(page_icon="🚕")
+    only_machine = first_run.begin()
+    page, script = navigation.navigate(hidden=only_machine)
+    problems = address.read_once(page.name, links.parameters_of(page))
+    display_mode.begin(page.name)
+    address.keep(*links.KEPT_EVERYWHERE)
+    navigation.configure(page)
+    if display_mode.is_projector():
+        display_mode.pager()
+    sidebar.begin(problems)
+    if not page.lead():
+        sidebar.draw(page.withheld(), page.aside())
+    try:
+        script.run()
+    finally:
+        # A page may end its run early with st.stop().
+        if not (only_machine or display_mode.is_projector()):
+            messages.show_how_much_is_translated()
+            display_mode.bar()
+else:
     try:
         from ramanujan.shell import server
     except LookupError as unknown_language:
         raise SystemExit(unknown_language) from None
 
-    app = st.App(__file__, middleware=server.MIDDLEWARE, lifespan=server.warmed_up)
-else:
-    from ramanujan.shell import (
-        address,
-        class_keys,
-        display_mode,
-        first_run,
-        links,
-        messages,
-        navigation,
-        sidebar,
-    )
-
-    # Before the pages bring their own icons to the menu: for the tab, Streamlit would fetch these from another server.
-    st.set_page_config(page_icon="🚕")
-    alone = first_run.begin()
-    page, runner = navigation.navigate(hidden=alone)
-    said = address.opened(page.name, links.parameters_of(page))
-    display_mode.begin(page.name)
-    address.keep(*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
-    shown = 272 if page.uses_sidebar() and not display_mode.is_projector() else "collapsed"
-    st.set_page_config(navigation.tab_title(page), layout="wide", initial_sidebar_state=shown)
-    if display_mode.is_projector():
-        display_mode.pager()
-    sidebar.begin(said)
-    if not page.lead():
-        sidebar.draw(page.withheld(), page.aside())
-    try:
-        runner.run()
-    finally:
-        # A page that has said all that it has to say stops.
-        if not (alone or display_mode.is_projector()):
-            messages.show_how_much_is_translated()
-            display_mode.bar()
+    app = st.App(__file__, **server.settings())

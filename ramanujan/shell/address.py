@@ -1,8 +1,8 @@
 """The parameters of the app's URLs, checked before any widget is drawn.
 
-A page declares its own as `URL_PARAMETERS`, `parameters` those of every page. `opened` reads the address when a page is
-opened. What fits goes into the session state, where the widgets find it; what does not fit is dropped, and one sentence
-says so. `keep` writes into the address what a widget holds, an option by its id, never by its label.
+A page declares its own as `URL_PARAMETERS`, `parameters` those of every page. `read_once` reads the address when a page
+is opened. Valid values go into the session state, where the widgets find them. Invalid ones are dropped, and a sentence
+reports each. `keep` writes the values of widgets into the address, an option by its id, never by its label.
 
 Only sliders of real numbers are bound to the address by Streamlit itself, so that a drag needs no answer from the
 server. Streamlit's other bindings write labels, and break off the run where a value is empty or infinite.
@@ -172,10 +172,10 @@ def bare(text: str) -> str:
     return text.strip(_AROUND)
 
 
-def opened(page: str, parameters: Sequence[URLParameter]) -> list[str]:
-    """Read the address if a page has just been opened or gone back to; return the messages about it.
+def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
+    """Read the address if a page was just opened or gone back to; return a sentence about each problem.
 
-    Call it once a run, before any of their widgets is drawn.
+    Call it once a run, before any widget of these parameters is drawn.
 
     Parameters
     ----------

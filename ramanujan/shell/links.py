@@ -21,6 +21,9 @@ _TRACKING = re.compile(
 )
 """Names of parameters by which other programs follow a link, such as utm_source, fbclid or gclid."""
 
+KEPT_EVERYWHERE = (*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
+"""The parameters that every page writes into its address, besides those of the sliders."""
+
 
 def parameters_of(page: Page) -> tuple[address.URLParameter, ...]:
     """Return all that the address of a page may contain."""

@@ -1,4 +1,4 @@
-"""Messages about a person’s input: on the page about its address, at a slider about its box."""
+"""Messages about a person’s input: problems of the address on the page, all others at the box of a slider."""
 
 import streamlit as st
 
@@ -6,61 +6,60 @@ from ramanujan.catalogue import COMPLETE
 from ramanujan.translation import LANGUAGE, TRANSLATED, _
 
 _ABOUT_ADDRESS = "messages_address"
+"""Session state: the sentences about the address that the page shows."""
 _NOTES = "messages_notes"
 """Session state: key of a parameter → the message at its box in the next run, and whether it is a warning."""
 _SHOWN = "messages_shown"
-_RUN_AGAIN = "run_again"
+"""Session state: the notes that the present run shows."""
+_STAY = "messages_stay"
+"""Session state: whether the next run repeats the messages of this one."""
 
 
-def begin(sentences: list[str]) -> None:
-    """Begin a run: say what is wrong with the address. A run that the page asked for itself repeats what was said."""
-    again = st.session_state.pop(_RUN_AGAIN, False)
-    said = [*(st.session_state.get(_ABOUT_ADDRESS, []) if again else []), *sentences]
-    shown = st.session_state.get(_SHOWN, {}) if again else {}
-    st.session_state[_SHOWN] = shown | st.session_state.pop(_NOTES, {})
-    st.session_state[_ABOUT_ADDRESS] = said
-    # On the page itself, since the sidebar of a phone is closed at first.
-    if said:
-        st.warning(" ".join(said))
+def begin(problems: list[str]) -> None:
+    """Begin a run: show the problems of the address. A run that the page requested itself repeats the old messages."""
+    stays = st.session_state.pop(_STAY, False)
+    old_problems = st.session_state.get(_ABOUT_ADDRESS, []) if stays else []
+    old_notes = st.session_state.get(_SHOWN, {}) if stays else {}
+    problems = [*old_problems, *problems]
+    st.session_state[_ABOUT_ADDRESS] = problems
+    st.session_state[_SHOWN] = old_notes | st.session_state.pop(_NOTES, {})
+    # Show them on the page, since the sidebar of a phone starts closed.
+    if problems:
+        st.warning(" ".join(problems))
 
 
 def warn(sentence: str) -> None:
-    """Say on the page what it cannot use of its address."""
+    """Show one more problem of the address on the page."""
     st.warning(sentence)
     st.session_state[_ABOUT_ADDRESS] = [*st.session_state.get(_ABOUT_ADDRESS, []), sentence]
 
 
 def note(key: str, sentence: str, warning: bool = False) -> None:
-    """Say a sentence at the box of a parameter; where the box is drawn already, in the run that follows."""
+    """Show a sentence at the box of a parameter; if the box is drawn already, in the next run."""
     st.session_state[_NOTES] = {**st.session_state.get(_NOTES, {}), key: (sentence, warning)}
 
 
 def show_note(key: str) -> None:
     """Draw the message at the box of a parameter."""
-    if found := st.session_state.get(_SHOWN, {}).get(key):
-        sentence, warning = found
+    if message := st.session_state.get(_SHOWN, {}).get(key):
+        sentence, warning = message
         (st.warning if warning else st.info)(sentence)
 
 
 def are_shown() -> bool:
-    """Tell whether the page says anything to the person that its next run would not."""
+    """Tell whether the page shows a message that the next run would remove."""
     return bool(st.session_state.get(_ABOUT_ADDRESS) or st.session_state.get(_SHOWN))
 
 
 def stay() -> None:
-    """Keep the messages in the run that follows, which the page asks for itself."""
-    st.session_state[_RUN_AGAIN] = True
+    """Keep the messages during the next run, because no action of a person starts it."""
+    st.session_state[_STAY] = True
 
 
 def run_again() -> None:
-    """Run the page again to show what has come in; the messages stay."""
+    """Run the page again to show new data; the messages stay."""
     stay()
     st.rerun()
-
-
-def runs_again() -> bool:
-    """Tell whether this run was asked for by the page itself, so that no message of the browser belongs to it."""
-    return bool(st.session_state.get(_RUN_AGAIN))
 
 
 def show_how_much_is_translated() -> None:

@@ -1,7 +1,7 @@
 """The pages of the app, in their order: a new page is one line here and one folder in `pages`.
 
-The file draws its page where Streamlit runs it (`if __name__ == "__main__":`), and declares as `URL_PARAMETERS` what it
-keeps in the address. Navigation, tests and benchmarks take everything from here.
+The page's file draws the page when Streamlit executes it (`if __name__ == "__main__":`). Its `URL_PARAMETERS` list what
+the page writes into its address. Menu, tests and benchmarks read the list below.
 """
 
 from collections.abc import Collection
@@ -12,8 +12,12 @@ from urllib.parse import urlsplit
 
 import streamlit as st
 
+from ramanujan.shell import display_mode
 from ramanujan.shell.address import URLParameter
 from ramanujan.translation import _
+
+SIDEBAR_WIDTH = 272
+"""The width of the open sidebar [px]."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +30,7 @@ class Page:
     title : in the navigation and in the browser's tab
     icon : one of the Material symbols
     path : its address; empty for the first page
-    quick : what a test or a benchmark adds to the address so that the page computes little
+    quick : the query with which a test or a benchmark opens the page, so that the page computes little
     """
 
     name: str
@@ -37,44 +41,45 @@ class Page:
 
     @property
     def file(self) -> str:
-        """The file as `st.page_link` and `AppTest.switch_page` take it."""
+        """The path of the file, for `st.page_link` and `AppTest.switch_page`."""
         return f"ramanujan/pages/{self.name}/page.py"
 
     @property
     def address(self) -> str:
-        """The address as a test or a benchmark opens it."""
+        """The address for a test or a benchmark."""
         return f"{self.path}?{self.quick}" if self.quick else self.path
 
     @property
     def url_parameters(self) -> tuple[URLParameter, ...]:
-        """What the page keeps in the address beside the machine."""
-        return self._says("URL_PARAMETERS")
+        """What the page writes into its address, besides the machine."""
+        return self._declared("URL_PARAMETERS")
 
     def lead(self) -> bool:
-        """Draw the controls with what the page shows above all, and return whether it did; else the sidebar has them.
+        """Draw the controls at the top of the page and return True, or return False to leave them to the sidebar.
 
-        Streamlit forgets the sliders of a page's own script when another page comes: this is called outside of it.
+        Call it outside of the page's script: Streamlit deletes the widgets of a script when another page opens.
         """
-        return self._says("lead", lambda: False)()
+        return self._declared("lead", lambda: False)()
 
     def uses_sidebar(self) -> bool:
-        """Tell whether the page, as it is now, depends on the sidebar; else the sidebar is folded."""
-        return self._says("uses_sidebar", lambda: True)()
+        """Tell whether the page in its present state depends on the sidebar; if not, the sidebar starts closed."""
+        return self._declared("uses_sidebar", lambda: True)()
 
     def withheld(self) -> Collection[str]:
-        """Return the presets of the sidebar that would tell what the page asks."""
-        return self._says("withheld", tuple)()
+        """Return the presets that the sidebar leaves out, because they would give away an answer."""
+        return self._declared("withheld", tuple)()
 
     def aside(self) -> Collection[str]:
-        """Return the parameters that only change how a machine on the page moves: their sliders are folded."""
-        return self._says("ASIDE", ())
+        """Return the parameters whose sliders are folded, because they only change the motion of the picture."""
+        return self._declared("ASIDE", ())
 
     def warm_up(self) -> None:
-        """Import the page, and let it derive what its first visitor would wait for."""
-        self._says("warm_up", lambda: None)()
+        """Import the page and compute what would delay its first visitor."""
+        self._declared("warm_up", lambda: None)()
 
-    def _says(self, name: str, *otherwise: Any) -> Any:
-        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, *otherwise)
+    def _declared(self, name: str, *default: Any) -> Any:
+        """Return what the page's file defines under this name."""
+        return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, *default)
 
 
 PAGES = {
@@ -92,14 +97,14 @@ PAGES = {
 
 
 def is_first_page() -> bool:
-    """Tell whether the browser asks for the first page; `navigate` needs not have been called."""
-    asked = urlsplit(st.context.url or "").path.rpartition("/")[2]
-    return asked not in {page.path for page in PAGES.values() if page.path}
+    """Tell whether the browser requests the first page; this needs no call of `navigate` before."""
+    path = urlsplit(st.context.url or "").path.rpartition("/")[2]
+    return path not in {page.path for page in PAGES.values() if page.path}
 
 
 def navigate(hidden: bool) -> tuple[Page, st.Page]:
-    """Draw the navigation, unless it is hidden; return the page that was asked for, and what runs it."""
-    offered = {
+    """Draw the menu of pages, unless it is hidden; return the current page and its script."""
+    pages = {
         st.Page(
             page.file,
             title=page.title,
@@ -109,9 +114,16 @@ def navigate(hidden: bool) -> tuple[Page, st.Page]:
         ): page
         for page in PAGES.values()
     }
-    runner = st.navigation(list(offered), position="hidden" if hidden else "top")
-    page = next(page for page in PAGES.values() if page.path == runner.url_path)
-    return page, runner
+    script = st.navigation(list(pages), position="hidden" if hidden else "top")
+    return next(page for page in PAGES.values() if page.path == script.url_path), script
+
+
+def configure(page: Page) -> None:
+    """Set the title of the browser's tab, the layout, and whether the sidebar starts open."""
+    has_sidebar = page.uses_sidebar() and not display_mode.is_projector()
+    st.set_page_config(
+        tab_title(page), layout="wide", initial_sidebar_state=SIDEBAR_WIDTH if has_sidebar else "collapsed"
+    )
 
 
 def tab_title(page: Page) -> str:

@@ -4,6 +4,7 @@ import asyncio
 import gc
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
+from typing import Any
 
 import streamlit as st
 from starlette.concurrency import run_in_threadpool
@@ -17,16 +18,22 @@ from ramanujan.shell.links import TidyLinks
 from ramanujan.shell.page_files import PageFiles
 
 MIDDLEWARE = [Middleware(TidyLinks), Middleware(NamedBrowser), Middleware(PageFiles)]
+"""Tidy a link, name the browser, then serve the file or the page."""
 HOUR = 3600.0
 """Seconds between two deletions of expired answers."""
 
 
+def settings() -> dict[str, Any]:
+    """Return what `st.App` needs besides the script: the middleware, and the work at the start and the end."""
+    return {"middleware": MIDDLEWARE, "lifespan": warmed_up}
+
+
 @asynccontextmanager
 async def warmed_up(_: st.App) -> AsyncIterator[None]:
-    """Import what any page needs when the server starts, then take it out of the garbage collector's rounds.
+    """Import all pages when the server starts, and exclude them from garbage collection.
 
-    A page imports what it shows when it is opened, which takes seconds; a class opens all of them at once. What has
-    been imported never changes, and the collector need not walk through it again and again.
+    The imports of a page take seconds, and a class opens every page within a minute. Imported modules never change, so
+    the collector need not visit them.
     """
     for page in navigation.PAGES.values():
         page.warm_up()

@@ -143,26 +143,25 @@ def _wishes() -> list[partial]:
     return st.session_state.setdefault(_WISHES, [])
 
 
-def begin(said: list[str]) -> None:
-    """Set what was asked for since the last run, and say what was wrong with it. Call it once a run, before any slider.
+def begin(problems: list[str]) -> None:
+    """Carry out the requests since the last run, and show the messages. Call it once a run, before any slider.
 
-    What was typed comes first: to press anything else, one leaves the box.
+    Typed numbers come first, because a box sends its number before any other element receives the click.
 
     Parameters
     ----------
-    said : sentences about the address
+    problems : a sentence about each problem of the address
     """
     st.session_state.pop(_FOLLOW, None)
     st.session_state[_BEGUN] = True
     st.session_state[_FIRST] = _FIRST not in st.session_state
     # In the first run the sliders show what the link has set, without what it got wrong.
     st.session_state.setdefault(_LINKED, {key: parameter.value for key, parameter in PARAMETERS.items()})
-    if not messages.runs_again():
-        pending_updates.reassert()
+    pending_updates.reassert()
     for wish in sorted(_wishes(), key=lambda wish: wish.func is not take_exact):
         wish()
         _wishes().remove(wish)
-    messages.begin(said)
+    messages.begin(problems)
 
 
 def oscillator() -> Oscillator:

@@ -45,8 +45,8 @@ def mount_services(theme: str, waits: bool, on_moving: Callable[[], None]) -> bo
     Parameters
     ----------
     theme : the one that this run draws with, light or dark
-    waits : whether the page is to tell when the first page's machine has drawn its first frame; then it runs again
-    on_moving : called before that run
+    waits : whether the page requests a second run once the machine of the first page has drawn its first frame
+    on_moving : called before the second run
     """
     data = {
         "theme": theme,

@@ -1,17 +1,17 @@
-// Tells the server that the first page's machine moves. Only then does the server send what a browser is slow to load.
+// Requests the second run of the first page, with everything except the machine, once the machine moves (shell/first_run.py).
 
 import { bus } from "./bus.js";
 
-const PATIENCE = 10000; // ms after which the rest is asked for without a machine
+const PATIENCE = 10000; // ms after which the second run is requested even if no machine moves
 
 export default function (component, signal) {
-  let told = false;
-  const tell = () => {
-    if (told || !component.data.waits) return;
-    told = true;
+  let isRequested = false;
+  const request = () => {
+    if (isRequested || !component.data.waits) return;
+    isRequested = true;
     component.setStateValue("moving", true);
   };
-  // A drawing is on the screen when the next frame begins.
-  bus.subscribe("time/oscillator", () => told || requestAnimationFrame(tell), { signal });
-  setTimeout(tell, PATIENCE);
+  // The first drawing is on the screen when the next frame begins.
+  bus.subscribe("time/oscillator", () => isRequested || requestAnimationFrame(request), { signal });
+  setTimeout(request, PATIENCE);
 }

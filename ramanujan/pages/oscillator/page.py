@@ -34,7 +34,7 @@ def lead() -> bool:
     if display_mode.is_projector():
         return False
     composition()
-    if not first_run.alone():
+    if not first_run.only_machine():
         sidebar.more(sidebar.PRESETS, ("compression", "radius"))
         sidebar.end()
     return True
@@ -46,8 +46,8 @@ def show() -> None:
         with slide("machine", _("The machine")):
             composition()
     tell_machine()
-    if first_run.alone():
-        # Room for the rest of the page: a scroll bar that comes later would move the machine.
+    if first_run.only_machine():
+        # Reserve the height of the rest: a scroll bar that appears later would move the machine.
         st.container(height=5000, border=False)
         return
     if not display_mode.hides("curve"):
@@ -122,8 +122,8 @@ def tell_story() -> None:
 
 
 def to_lesson() -> None:
-    """Lead a newcomer to the lesson; while the machine stands alone, keep the room for it."""
-    if first_run.alone():
+    """Draw the link to the lesson; in the first run, only reserve its place."""
+    if first_run.only_machine():
         st.empty()
         return
     st.page_link(navigation.PAGES["lesson"].file, label=_("New to this? Take the lesson"), width="content")
