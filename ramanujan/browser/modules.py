@@ -65,15 +65,16 @@ def component(name: str) -> Callable[..., Any]:
     return st.components.v2.component(name, js=f"export default async (c) =>\n(await import({begin})).begin(c)")
 
 
-def markup(names: Iterable[str]) -> str:
-    """Return the module markup.js with the HTML and CSS of these components, such as stage/stage."""
+def markup(names: Iterable[str], appended: str = "") -> str:
+    """Return the module markup.js: the HTML and CSS of these components, such as stage/stage, each with more HTML."""
     parts = {}
     for name in names:
         short = name.rpartition("/")[2]
         if name == "stage/stage":
-            parts[name] = _markup(name, words.TEXTS, layer_boxes=_layer_boxes())
+            html = _markup(name, words.TEXTS, layer_boxes=_layer_boxes())
         else:
-            parts[name] = _markup(f"components/{_MARKUP.get(short, short)}", TEXTS.get(short, {}))
+            html = _markup(f"components/{_MARKUP.get(short, short)}", TEXTS.get(short, {}))
+        parts[name] = html + appended if html else ""
     return f"export const MARKUP = {json.dumps(parts, ensure_ascii=False)};"
 
 

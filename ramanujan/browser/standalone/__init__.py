@@ -78,7 +78,7 @@ def html() -> str:
 def _imports() -> dict[str, str]:
     """Return name → `data:` address of each module that the page needs."""
     contents = {name: content.decode() for name, content in modules.contents().items() if name.endswith(".js")}
-    contents["markup.js"] = modules.markup(_MARKUP)
+    contents["markup.js"] = modules.markup(_MARKUP, f"<style>{_contrast()}</style>")
     names = ["standalone/page.js", *(f"{name}.js" for name in _MARKUP)]
     addresses = {}
     while names:
@@ -190,7 +190,13 @@ def _style() -> str:
     rules = re.findall(r"@font-face \{.*?\n\}", contents["components/page.css"].decode(), re.DOTALL)
     fonts = re.sub(r"url\(fonts/(.*?)\)", lambda found: _font(contents[f"standalone/{found[1]}"]), "\n".join(rules))
     light, dark = (f":root {{ {_colors(theme)} }}" for theme in ("light", "dark"))
-    return f"{fonts}\n{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}\n{(_HERE / 'page.css').read_text()}"
+    themes = f"{light}\n@media (prefers-color-scheme: dark) {{ {dark} }}"
+    return "\n".join([fonts, themes, _page_css(), _contrast()])
+
+
+def _contrast() -> str:
+    """Return the style sheet for forced colours with its media query."""
+    return f"@media (forced-colors: active) {{ {modules.contents()['components/contrast.css'].decode()} }}"
 
 
 def _font(content: bytes) -> str:
