@@ -46,57 +46,73 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
             rotation = half * sp.Symbol(f"I_{body.name}") * body.angle.diff(t) ** 2
             energies[body.name] = in_order(energies[body.name], rotation)
     return (
-        step(
-            "velocities",
-            _("Find the velocity of every body"),
-            _(
-                "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
-                "with $\\dot X$. No roller slips: relative to the block, its lowest point is at rest. So its centre "
-                "moves to the right by $R$ times its clockwise angle, and its top twice as far. The slab rests on the "
-                "tops of the lower rollers and moves with them."
-            ),
-            *(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
-            operations=tuple(rolled(body) for body in bodies.bodies),
+        _velocities_step(bodies),
+        _inertia_step(bodies, block, rolling, slab),
+        _body_energies_step(bodies, energies, half, rolling),
+        _sum_step(bodies),
+    )
+
+
+def _velocities_step(bodies: Machine) -> Step:
+    return step(
+        "velocities",
+        _("Find the velocity of every body"),
+        _(
+            "Measure every velocity $v$ relative to the ground, positive to the right. The block moves to the left "
+            "with $\\dot X$. No roller slips: relative to the block, its lowest point is at rest. So its centre "
+            "moves to the right by $R$ times its clockwise angle, and its top twice as far. The slab rests on the "
+            "tops of the lower rollers and moves with them."
         ),
-        step(
-            "inertia",
-            _("Find the moments of inertia and the compression of the spring"),
-            _(
-                "All mass of a hoop is at the distance $R$ from its axis. In a solid cylinder it is nearer, which "
-                "halves the moment of inertia $I$. The compression $x$ of the spring is the displacement of the slab "
-                "relative to the block."
-            ),
-            *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
-            equation("x", bodies.deformation),
-            operations=(*(r"\textstyle\int r^2\,dm" for _body in rolling), rf"{latex(slab)}-{latex(block)}"),
+        *(equation(f"v_{body.name}", body.velocity) for body in bodies.bodies),
+        operations=tuple(rolled(body) for body in bodies.bodies),
+    )
+
+
+def _inertia_step(bodies: Machine, block: sp.Expr, rolling: list[Body], slab: sp.Expr) -> Step:
+    return step(
+        "inertia",
+        _("Find the moments of inertia and the compression of the spring"),
+        _(
+            "All mass of a hoop is at the distance $R$ from its axis. In a solid cylinder it is nearer, which "
+            "halves the moment of inertia $I$. The compression $x$ of the spring is the displacement of the slab "
+            "relative to the block."
         ),
-        step(
-            "energies",
-            _("Write down the energies"),
-            _(
-                "The kinetic energy of a rolling body is that of its centre’s motion plus that of its rotation about "
-                "the centre. The potential energy is that of the spring. Nothing moves up or down."
-            ),
-            *(equation(f"T_{name}", energy) for name, energy in energies.items()),
-            equation("U", half * k * sp.Symbol("x") ** 2),
-            equation("U", bodies.potential_energy),
-            operations=(
-                *(f"{_TRAVEL}+{_SPIN}" if body in rolling else _TRAVEL for body in bodies.bodies),
-                _STORED,
-                insert(equation("x", bodies.deformation)),
-            ),
+        *(equation(f"I_{body.name}", body.moment_of_inertia) for body in rolling),
+        equation("x", bodies.deformation),
+        operations=(*(r"\textstyle\int r^2\,dm" for _body in rolling), rf"{latex(slab)}-{latex(block)}"),
+    )
+
+
+def _body_energies_step(bodies: Machine, energies: dict[str, sp.Expr], half: sp.Expr, rolling: list[Body]) -> Step:
+    return step(
+        "energies",
+        _("Write down the energies"),
+        _(
+            "The kinetic energy of a rolling body is that of its centre’s motion plus that of its rotation about "
+            "the centre. The potential energy is that of the spring. Nothing moves up or down."
         ),
-        step(
-            "sum",
-            _("Add them up to the Lagrangian"),
-            _(
-                "The Lagrangian is $\\mathcal L=T-U$. Insert the velocities, the moments of inertia and the "
-                "compression. The terms are those of block, hoop, lower cylinder, slab, top cylinder and spring, in "
-                "this order."
-            ),
-            equation("L", in_order(*bodies.kinetic_parts, -bodies.potential_energy)),
-            operations=(insert("v", "I", "x"),),
+        *(equation(f"T_{name}", energy) for name, energy in energies.items()),
+        equation("U", half * k * sp.Symbol("x") ** 2),
+        equation("U", bodies.potential_energy),
+        operations=(
+            *(f"{_TRAVEL}+{_SPIN}" if body in rolling else _TRAVEL for body in bodies.bodies),
+            _STORED,
+            insert(equation("x", bodies.deformation)),
         ),
+    )
+
+
+def _sum_step(bodies: Machine) -> Step:
+    return step(
+        "sum",
+        _("Add them up to the Lagrangian"),
+        _(
+            "The Lagrangian is $\\mathcal L=T-U$. Insert the velocities, the moments of inertia and the "
+            "compression. The terms are those of block, hoop, lower cylinder, slab, top cylinder and spring, in "
+            "this order."
+        ),
+        equation("L", in_order(*bodies.kinetic_parts, -bodies.potential_energy)),
+        operations=(insert("v", "I", "x"),),
     )
 
 

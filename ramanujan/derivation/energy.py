@@ -67,72 +67,94 @@ def build(bodies: Machine) -> Route:
                 "because no body moves up or down. Its compression is $2R\\varphi$."
             ),
         ),
-        step(
-            "quotient",
-            _("Form Rayleigh’s quotient"),
-            _(
-                "In a normal mode the largest kinetic energy equals the largest potential energy. The largest "
-                "$\\dot\\varphi$ is $\\Omega$ times the largest $\\varphi$. So $\\Omega^2$ is the first ratio below "
-                "divided by the second (Rayleigh’s quotient). The second one, the inertia, depends on how fast block "
-                "and top cylinder move compared with the rollers: $\\xi=\\dot X/(R\\dot\\varphi)$ and "
-                "$\\eta=\\dot\\Phi/\\dot\\varphi$."
-            ),
-            equation(2 * sp.Symbol("U") / path**2, stiffness),
-            equation(2 * sp.Symbol("T") / speed**2, inertia),
-            operations=tuple(rf"\div \left(\tfrac12{latex(each**2)}\right)" for each in (path, speed)),
-        ),
-        step(
-            "least",
-            _("Find how block and top cylinder move"),
-            _(
-                "In a normal mode Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the "
-                "inertia depends on them, so its derivatives must vanish. The matrix of its second derivatives is "
-                "positive definite, since its upper left entry and its determinant are positive. So the inertia is "
-                "least there."
-            ),
-            equation(by_eta, sp.S.Zero),
-            equation(eta, eta_from_xi),
-            equation(by_xi, sp.S.Zero),
-            equation(gather(by_xi.subs(eta, eta_from_xi), (xi,)), sp.S.Zero),
-            *(equation(share, shares[share]) for share in (xi, eta)),
-            equation(sp.Determinant(curvature), sp.factor(curvature.det())),
-            marks=("", "", "left 1, left 2", "left 1", "", "", ""),
-            operations=(
-                rf"\partial/\partial {latex(eta)}",
-                solve_for(eta),
-                rf"\partial/\partial {latex(xi)}",
-                insert(eta),
-                solve_for(xi),
-                insert(xi),
-                blackboard(_("second derivatives")),
-            ),
-        ),
-        step(
-            "frequency",
-            _("Read off the frequency"),
-            _(
-                "The least inertia is the effective mass $M_e$ for the displacement $R\\varphi$ of the rollers. In "
-                "terms of the mass matrix, $M_eR^2$ is a Schur complement."
-            ),
-            equation(M_e, least),
-            equation(Omega_squared, stiffness / M_e),
-            equation(Omega_squared, frequency),
-            operations=(insert(xi, eta), rf"\div {latex(M_e)}", insert(M_e)),
-        ),
+        _quotient_step(inertia, path, speed, stiffness),
+        _least_step(by_eta, by_xi, curvature, eta_from_xi, shares),
+        _frequency_step(frequency, least, stiffness),
         _spring_mass_step(bodies, least, stiffness),
-        step(
-            "bound",
-            _("Clamp the block for a lower bound"),
-            _(
-                "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
-                "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
-            ),
-            equation(model.M_clamped - M_e, sp.factor(clamped - least)),
-            equation(model.Omega_clamped_squared, sp.factor(stiffness / clamped)),
-            operations=(rf"\xi=\eta=0,\ -{latex(M_e)}", rf"\div {latex(model.M_clamped)}"),
-        ),
+        _bound_step(clamped, least, stiffness),
     )
     return Route("energy", _("Energy"), steps, frequency, CELLS)
+
+
+def _quotient_step(inertia: sp.Expr, path: sp.Expr, speed: sp.Expr, stiffness: sp.Expr) -> Step:
+    return step(
+        "quotient",
+        _("Form Rayleigh’s quotient"),
+        _(
+            "In a normal mode the largest kinetic energy equals the largest potential energy. The largest "
+            "$\\dot\\varphi$ is $\\Omega$ times the largest $\\varphi$. So $\\Omega^2$ is the first ratio below "
+            "divided by the second (Rayleigh’s quotient). The second one, the inertia, depends on how fast block "
+            "and top cylinder move compared with the rollers: $\\xi=\\dot X/(R\\dot\\varphi)$ and "
+            "$\\eta=\\dot\\Phi/\\dot\\varphi$."
+        ),
+        equation(2 * sp.Symbol("U") / path**2, stiffness),
+        equation(2 * sp.Symbol("T") / speed**2, inertia),
+        operations=tuple(rf"\div \left(\tfrac12{latex(each**2)}\right)" for each in (path, speed)),
+    )
+
+
+def _least_step(
+    by_eta: sp.Expr,
+    by_xi: sp.Expr,
+    curvature: sp.ImmutableMatrix,
+    eta_from_xi: sp.Expr,
+    shares: dict[sp.Symbol, sp.Expr],
+) -> Step:
+    return step(
+        "least",
+        _("Find how block and top cylinder move"),
+        _(
+            "In a normal mode Rayleigh’s quotient is stationary with respect to $\\xi$ and $\\eta$. Only the "
+            "inertia depends on them, so its derivatives must vanish. The matrix of its second derivatives is "
+            "positive definite, since its upper left entry and its determinant are positive. So the inertia is "
+            "least there."
+        ),
+        equation(by_eta, sp.S.Zero),
+        equation(eta, eta_from_xi),
+        equation(by_xi, sp.S.Zero),
+        equation(gather(by_xi.subs(eta, eta_from_xi), (xi,)), sp.S.Zero),
+        *(equation(share, shares[share]) for share in (xi, eta)),
+        equation(sp.Determinant(curvature), sp.factor(curvature.det())),
+        marks=("", "", "left 1, left 2", "left 1", "", "", ""),
+        operations=(
+            rf"\partial/\partial {latex(eta)}",
+            solve_for(eta),
+            rf"\partial/\partial {latex(xi)}",
+            insert(eta),
+            solve_for(xi),
+            insert(xi),
+            blackboard(_("second derivatives")),
+        ),
+    )
+
+
+def _frequency_step(frequency: sp.Expr, least: sp.Expr, stiffness: sp.Expr) -> Step:
+    return step(
+        "frequency",
+        _("Read off the frequency"),
+        _(
+            "The least inertia is the effective mass $M_e$ for the displacement $R\\varphi$ of the rollers. In "
+            "terms of the mass matrix, $M_eR^2$ is a Schur complement."
+        ),
+        equation(M_e, least),
+        equation(Omega_squared, stiffness / M_e),
+        equation(Omega_squared, frequency),
+        operations=(insert(xi, eta), rf"\div {latex(M_e)}", insert(M_e)),
+    )
+
+
+def _bound_step(clamped: sp.Expr, least: sp.Expr, stiffness: sp.Expr) -> Step:
+    return step(
+        "bound",
+        _("Clamp the block for a lower bound"),
+        _(
+            "Hold block and top cylinder still, $\\xi=\\eta=0$. The inertia is then larger than the least one, so "
+            "the clamped machine oscillates more slowly. Its frequency is a lower bound for $\\Omega$."
+        ),
+        equation(model.M_clamped - M_e, sp.factor(clamped - least)),
+        equation(model.Omega_clamped_squared, sp.factor(stiffness / clamped)),
+        operations=(rf"\xi=\eta=0,\ -{latex(M_e)}", rf"\div {latex(model.M_clamped)}"),
+    )
 
 
 def _spring_mass_step(bodies: Machine, least: sp.Expr, stiffness: sp.Expr) -> Step:

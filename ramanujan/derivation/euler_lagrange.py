@@ -28,101 +28,129 @@ def build(bodies: model.Machine) -> Route:
 
 def _elimination_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the steps from ℒ to Ω²."""
-    zero, coordinates = sp.Integer(0), tuple(latex(q) for q in COORDINATES)
+    coordinates = tuple(latex(q) for q in COORDINATES)
     above, below = sp.fraction(result.merged[0].lhs)
-    oscillator = equation(in_order(phi_ddot, Omega_squared * phi), zero)
+    oscillator = equation(in_order(phi_ddot, Omega_squared * phi), sp.S.Zero)
     (numerator, terms), spring = result.quotient, result.motion[phi].coeff(phi)
     return (
-        step(
-            "lagrangian",
-            _("Collect like terms"),
-            _("Multiply out the squares, and collect the terms with the same product of velocities or coordinates."),
-            equation("L", result.lagrangian),
-            operations=(COLLECTED,),
+        _lagrangian_step(result),
+        _momenta_step(result),
+        _rates_step(result, coordinates),
+        _motion_step(result, coordinates),
+        _elimination_step(result, above, below),
+        _insertion_step(result, numerator, spring, terms),
+        _frequency_step(result, oscillator),
+    )
+
+
+def _lagrangian_step(result: Elimination) -> Step:
+    return step(
+        "lagrangian",
+        _("Collect like terms"),
+        _("Multiply out the squares, and collect the terms with the same product of velocities or coordinates."),
+        equation("L", result.lagrangian),
+        operations=(COLLECTED,),
+    )
+
+
+def _momenta_step(result: Elimination) -> Step:
+    return step(
+        "momenta",
+        _("Differentiate with respect to the velocities"),
+        _("Each coordinate $q$ has a momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
+        *(equation(p, value) for p, value in zip(MOMENTA, result.momenta.values(), strict=True)),
+        operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(q.diff(t))}" for q in COORDINATES),
+    )
+
+
+def _rates_step(result: Elimination, coordinates: tuple[str, ...]) -> Step:
+    return step(
+        "rates",
+        _("Write down Lagrange’s equations"),
+        _(
+            "Each coordinate obeys {equation}: the momentum is differentiated once more with respect to time. The "
+            "paper writes $\\Lambda_q\\mathcal L=0$ for this. The contact forces do not appear: without slip they "
+            "do no net work."
+        ).format(
+            equation="$\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}{\\partial\\dot q}"
+            "=\\frac{\\partial\\mathcal{L}}{\\partial q}$"
         ),
-        step(
-            "momenta",
-            _("Differentiate with respect to the velocities"),
-            _("Each coordinate $q$ has a momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
-            *(equation(p, value) for p, value in zip(MOMENTA, result.momenta.values(), strict=True)),
-            operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(q.diff(t))}" for q in COORDINATES),
+        *(equation(gather(p.diff(t)), result.forces[q]) for q, p in result.momenta.items()),
+        labels=coordinates,
+        operations=tuple(rf"\tfrac{{d}}{{dt}}\,{latex(p)}" for p in MOMENTA),
+    )
+
+
+def _motion_step(result: Elimination, coordinates: tuple[str, ...]) -> Step:
+    return step(
+        "motion",
+        _("Cancel common factors"),
+        _("Bring all terms to one side. Common factors cancel."),
+        *(equation(result.motion[q], sp.S.Zero) for q in COORDINATES),
+        labels=coordinates,
+        marks=("", "left 3", ""),
+        operations=tuple(
+            "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
         ),
-        step(
-            "rates",
-            _("Write down Lagrange’s equations"),
-            _(
-                "Each coordinate obeys {equation}: the momentum is differentiated once more with respect to time. The "
-                "paper writes $\\Lambda_q\\mathcal L=0$ for this. The contact forces do not appear: without slip they "
-                "do no net work."
-            ).format(
-                equation="$\\frac{d}{dt}\\frac{\\partial\\mathcal{L}}{\\partial\\dot q}"
-                "=\\frac{\\partial\\mathcal{L}}{\\partial q}$"
-            ),
-            *(equation(gather(p.diff(t)), result.forces[q]) for q, p in result.momenta.items()),
-            labels=coordinates,
-            operations=tuple(rf"\tfrac{{d}}{{dt}}\,{latex(p)}" for p in MOMENTA),
+    )
+
+
+def _elimination_step(result: Elimination, above: sp.Expr, below: sp.Expr) -> Step:
+    return step(
+        "elimination",
+        _("Eliminate the block and the top cylinder"),
+        _(
+            "The first line is the equation of $\\Phi$. Multiply the $X$ equation by ${times}$. It then contains "
+            "${above}/{below}$, which by the first line equals ${same}$. Solve for ${same}$, and insert it into "
+            "the first line."
+        ).format(times=result.times, above=latex(above), below=below, same=latex(result.merged[0].rhs)),
+        *result.merged,
+        equation(X_ddot, result.X_from_phi),
+        equation(Phi_ddot, result.Phi_from_phi),
+        marks=("", "left 2, right 1", "left 2", "", ""),
+        operations=(
+            rf"+\,{latex(result.merged[0].rhs)}",
+            rf"\times {latex(result.times)}",
+            insert(X_ddot),
+            solve_for(X_ddot),
+            insert(X_ddot),
         ),
-        step(
-            "motion",
-            _("Cancel common factors"),
-            _("Bring all terms to one side. Common factors cancel."),
-            *(equation(result.motion[q], zero) for q in COORDINATES),
-            labels=coordinates,
-            marks=("", "left 3", ""),
-            operations=tuple(
-                "" if factor == 1 else blackboard(_("cancel {what}"), factor) for factor in result.common.values()
-            ),
+    )
+
+
+def _insertion_step(result: Elimination, numerator: sp.Expr, spring: sp.Expr, terms: tuple[sp.Expr, ...]) -> Step:
+    return step(
+        "insertion",
+        _("Insert the block’s acceleration"),
+        _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
+        equation(result.inserted, sp.S.Zero),
+        equation(in_order(spring / numerator * in_order(*terms) * phi_ddot, spring * phi), sp.S.Zero),
+        equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), sp.S.Zero),
+        equation(in_order(phi_ddot, result.natural_frequency_squared * phi), sp.S.Zero),
+        marks=("left 1, left 2", "left 1", "left 2", "left 2"),
+        operations=(
+            insert(X_ddot),
+            blackboard(_("collect {what}"), phi_ddot),
+            blackboard(_("divide by the factor of {what}"), phi_ddot),
+            blackboard(_("one fraction")),
         ),
-        step(
-            "elimination",
-            _("Eliminate the block and the top cylinder"),
-            _(
-                "The first line is the equation of $\\Phi$. Multiply the $X$ equation by ${times}$. It then contains "
-                "${above}/{below}$, which by the first line equals ${same}$. Solve for ${same}$, and insert it into "
-                "the first line."
-            ).format(times=result.times, above=latex(above), below=below, same=latex(result.merged[0].rhs)),
-            *result.merged,
-            equation(X_ddot, result.X_from_phi),
-            equation(Phi_ddot, result.Phi_from_phi),
-            marks=("", "left 2, right 1", "left 2", "", ""),
-            operations=(
-                rf"+\,{latex(result.merged[0].rhs)}",
-                rf"\times {latex(result.times)}",
-                insert(X_ddot),
-                solve_for(X_ddot),
-                insert(X_ddot),
-            ),
-        ),
-        step(
-            "insertion",
-            _("Insert the block’s acceleration"),
-            _("Insert $\\ddot X$ into the equation of $\\varphi$ and divide by the factor of $\\ddot\\varphi$."),
-            equation(result.inserted, zero),
-            equation(in_order(spring / numerator * in_order(*terms) * phi_ddot, spring * phi), zero),
-            equation(in_order(phi_ddot, numerator / in_order(*terms) * phi), zero),
-            equation(in_order(phi_ddot, result.natural_frequency_squared * phi), zero),
-            marks=("left 1, left 2", "left 1", "left 2", "left 2"),
-            operations=(
-                insert(X_ddot),
-                blackboard(_("collect {what}"), phi_ddot),
-                blackboard(_("divide by the factor of {what}"), phi_ddot),
-                blackboard(_("one fraction")),
-            ),
-        ),
-        step(
-            "frequency",
-            _("Read off the frequency"),
-            _(
-                "This is the equation of a harmonic oscillator. It has the solution $\\varphi=\\cos\\Omega t$, because "
-                "two derivatives with respect to time give $-\\Omega^2\\cos\\Omega t$. So the factor of $\\varphi$ is "
-                "$\\Omega^2$. With a minus sign before it, $e^{{\\Omega t}}$ would be a solution: the machine would "
-                "run away instead of oscillating."
-            ).format(),
-            oscillator,
-            equation(Omega_squared, result.natural_frequency_squared),
-            marks=("left 2", ""),
-            operations=(insert(r"\varphi=\cos\Omega t"), compare(phi)),
-        ),
+    )
+
+
+def _frequency_step(result: Elimination, oscillator: sp.Expr) -> Step:
+    return step(
+        "frequency",
+        _("Read off the frequency"),
+        _(
+            "This is the equation of a harmonic oscillator. It has the solution $\\varphi=\\cos\\Omega t$, because "
+            "two derivatives with respect to time give $-\\Omega^2\\cos\\Omega t$. So the factor of $\\varphi$ is "
+            "$\\Omega^2$. With a minus sign before it, $e^{{\\Omega t}}$ would be a solution: the machine would "
+            "run away instead of oscillating."
+        ).format(),
+        oscillator,
+        equation(Omega_squared, result.natural_frequency_squared),
+        marks=("left 2", ""),
+        operations=(insert(r"\varphi=\cos\Omega t"), compare(phi)),
     )
 
 

@@ -11,9 +11,10 @@ from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, MOMENTA, VELOCITIES, M_e, M_x, Machine, R, equation, gather, phi, t
 from ramanujan.derivation.order import in_order
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, compare, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
+X_dot, phi_dot, Phi_dot = VELOCITIES
 p_phi = MOMENTA[COORDINATES.index(phi)]
 H_0 = sp.Symbol("H_0")
 """The part of H that stays constant."""
@@ -61,110 +62,143 @@ def build(bodies: Machine) -> Route:
     frequency = sp.factor(-acceleration / phi)
     stiffness = bodies.potential_energy.diff(phi, 2) / R**2
     lever = sp.cancel(bodies.deformation / (R * phi)) ** 2
-    X_dot, phi_dot, Phi_dot = VELOCITIES
     one_degree = (p_phi + shift) ** 2 / (2 * M_e * R**2) + bodies.potential_energy + H_0
     steps = (
-        step(
-            "lagrangian",
-            _("Start from the Lagrangian"),
-            _(
-                "The Lagrangian $\\mathcal L=T-U$ is written in three independent coordinates. The rolling constraints "
-                "are already built in."
-            ),
-            equation("L", bodies.lagrangian),
-            operations=(r"T-U",),
-        ),
-        step(
-            "momenta",
-            _("Find the momenta"),
-            _("Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
-            *(equation(p, value) for p, value in momenta.items()),
-            operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(velocity)}" for velocity in VELOCITIES),
-        ),
-        step(
-            "inversion",
-            _("Solve for the velocities, one after the other"),
-            _(
-                "The momenta are linear in the velocities, $p=M\\dot q$. Solve that of $\\Phi$ for $\\dot\\Phi$ and "
-                "insert it into that of $X$. Solve the result for $\\dot X$ and insert it into that of $\\varphi$: "
-                "only $\\dot\\varphi$ is left."
-            ),
-            *_inversion(momenta),
-            marks=("", "left 2, right 1", "", "left 2, right 1"),
-            operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
-        ),
-        step(
-            "velocities",
-            _("Collect the velocities"),
-            _(
-                "Solve the last line for $\\dot\\varphi$, then go back to $\\dot X$ and $\\dot\\Phi$. This always "
-                "works, because $T$ is positive for every motion."
-            ),
-            *(equation(velocity, velocities[velocity]) for velocity in (phi_dot, X_dot, Phi_dot)),
-            operations=(solve_for(phi_dot), insert(phi_dot), insert(X_dot)),
-        ),
-        step(
-            "hamiltonian",
-            _("Write down the Hamiltonian"),
-            _(
-                "The Hamiltonian is $\\mathcal H=\\sum p_q\\dot q-\\mathcal L$, with the velocities expressed by the "
-                "momenta. The sum is $2T$, because $T$ is quadratic in the velocities. So $\\mathcal H$ is the energy "
-                "$T+U$."
-            ),
-            equation("H", in_order(*(p * v / 2 for p, v in zip(MOMENTA, VELOCITIES, strict=True)), sp.Symbol("U"))),
-            equation("H", hamiltonian),
-            operations=(r"\textstyle\sum p_q\dot q-\mathcal{L}", insert(*VELOCITIES, "U")),
-        ),
-        step(
-            "motion",
-            _("Write down Hamilton’s equations"),
-            _(
-                "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal H/\\partial q$ and $\\dot "
-                "q=\\partial\\mathcal H/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
-                "$p_\\Phi$ are conserved. $-p_X$ is the momentum of the whole machine, positive to the right. "
-                "$p_\\Phi$ is the angular momentum of the top cylinder about its line of contact with the block."
-            ),
-            *(equation(rate, value) for rate, value in rates.items()),
-            equation(phi_dot, velocities[phi_dot]),
-            operations=(
-                *(rf"-\partial\mathcal{{H}}/\partial {latex(q)}" for q in COORDINATES),
-                rf"\partial\mathcal{{H}}/\partial {latex(p_phi)}",
-            ),
-        ),
-        step(
-            "reduction",
-            _("Complete the square"),
-            _(
-                "Complete the square in $p_\\varphi$. The conserved momenta $p_X$ and $p_\\Phi$ only shift "
-                "$p_\\varphi$ and add a constant $\\mathcal H_0$. One degree of freedom is left: a mass $M_e$ with the "
-                "displacement $R\\varphi$."
-            ),
-            equation("H", one_degree),
-            equation(M_e, effective_mass),
-            equation(H_0, constant),
-            marks=("right 1, right 3", "", ""),
-            operations=(
-                blackboard(_("complete the square")),
-                compare(p_phi**2),
-                blackboard(_("compare what is constant")),
-            ),
-        ),
-        step(
-            "frequency",
-            _("Read off the frequency"),
-            _(
-                "A constant shift of $p_\\varphi$ does not change the frequency. The spring is deformed by "
-                "$2R\\varphi$, twice the displacement $R\\varphi$. The mass for this deformation, $M_x$, is therefore "
-                "a quarter of $M_e$."
-            ),
-            equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
-            equation(model.Omega_squared, stiffness / M_e),
-            equation(M_x, sp.factor(effective_mass / lever)),
-            equation(model.Omega_squared, frequency),
-            operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(lever)}", insert(M_e)),
-        ),
+        _lagrangian_step(bodies),
+        _momenta_step(momenta),
+        _inversion_step(momenta),
+        _velocities_step(velocities),
+        _hamiltonian_step(hamiltonian),
+        _motion_step(rates, velocities),
+        _reduction_step(constant, effective_mass, one_degree),
+        _frequency_step(effective_mass, frequency, lever, rates, stiffness),
     )
     return Route("hamilton", _("Hamilton"), steps, frequency, CELLS)
+
+
+def _lagrangian_step(bodies: Machine) -> Step:
+    return step(
+        "lagrangian",
+        _("Start from the Lagrangian"),
+        _(
+            "The Lagrangian $\\mathcal L=T-U$ is written in three independent coordinates. The rolling constraints "
+            "are already built in."
+        ),
+        equation("L", bodies.lagrangian),
+        operations=(r"T-U",),
+    )
+
+
+def _momenta_step(momenta: dict[sp.Expr, sp.Expr]) -> Step:
+    return step(
+        "momenta",
+        _("Find the momenta"),
+        _("Each coordinate $q$ has a canonical momentum, $p_q=\\partial\\mathcal L/\\partial\\dot q$."),
+        *(equation(p, value) for p, value in momenta.items()),
+        operations=tuple(rf"\partial\mathcal{{L}}/\partial {latex(velocity)}" for velocity in VELOCITIES),
+    )
+
+
+def _inversion_step(momenta: dict[sp.Expr, sp.Expr]) -> Step:
+    return step(
+        "inversion",
+        _("Solve for the velocities, one after the other"),
+        _(
+            "The momenta are linear in the velocities, $p=M\\dot q$. Solve that of $\\Phi$ for $\\dot\\Phi$ and "
+            "insert it into that of $X$. Solve the result for $\\dot X$ and insert it into that of $\\varphi$: "
+            "only $\\dot\\varphi$ is left."
+        ),
+        *_inversion(momenta),
+        marks=("", "left 2, right 1", "", "left 2, right 1"),
+        operations=(solve_for(Phi_dot), insert(Phi_dot), solve_for(X_dot), insert(X_dot)),
+    )
+
+
+def _velocities_step(velocities: dict[sp.Expr, sp.Expr]) -> Step:
+    return step(
+        "velocities",
+        _("Collect the velocities"),
+        _(
+            "Solve the last line for $\\dot\\varphi$, then go back to $\\dot X$ and $\\dot\\Phi$. This always "
+            "works, because $T$ is positive for every motion."
+        ),
+        *(equation(velocity, velocities[velocity]) for velocity in (phi_dot, X_dot, Phi_dot)),
+        operations=(solve_for(phi_dot), insert(phi_dot), insert(X_dot)),
+    )
+
+
+def _hamiltonian_step(hamiltonian: sp.Expr) -> Step:
+    return step(
+        "hamiltonian",
+        _("Write down the Hamiltonian"),
+        _(
+            "The Hamiltonian is $\\mathcal H=\\sum p_q\\dot q-\\mathcal L$, with the velocities expressed by the "
+            "momenta. The sum is $2T$, because $T$ is quadratic in the velocities. So $\\mathcal H$ is the energy "
+            "$T+U$."
+        ),
+        equation("H", in_order(*(p * v / 2 for p, v in zip(MOMENTA, VELOCITIES, strict=True)), sp.Symbol("U"))),
+        equation("H", hamiltonian),
+        operations=(r"\textstyle\sum p_q\dot q-\mathcal{L}", insert(*VELOCITIES, "U")),
+    )
+
+
+def _motion_step(rates: dict[sp.Expr, sp.Expr], velocities: dict[sp.Expr, sp.Expr]) -> Step:
+    return step(
+        "motion",
+        _("Write down Hamilton’s equations"),
+        _(
+            "Hamilton’s equations are $\\dot p_q=-\\partial\\mathcal H/\\partial q$ and $\\dot "
+            "q=\\partial\\mathcal H/\\partial p_q$. The Hamiltonian contains neither $X$ nor $\\Phi$, so $p_X$ and "
+            "$p_\\Phi$ are conserved. $-p_X$ is the momentum of the whole machine, positive to the right. "
+            "$p_\\Phi$ is the angular momentum of the top cylinder about its line of contact with the block."
+        ),
+        *(equation(rate, value) for rate, value in rates.items()),
+        equation(phi_dot, velocities[phi_dot]),
+        operations=(
+            *(rf"-\partial\mathcal{{H}}/\partial {latex(q)}" for q in COORDINATES),
+            rf"\partial\mathcal{{H}}/\partial {latex(p_phi)}",
+        ),
+    )
+
+
+def _reduction_step(constant: sp.Expr, effective_mass: sp.Expr, one_degree: sp.Expr) -> Step:
+    return step(
+        "reduction",
+        _("Complete the square"),
+        _(
+            "Complete the square in $p_\\varphi$. The conserved momenta $p_X$ and $p_\\Phi$ only shift "
+            "$p_\\varphi$ and add a constant $\\mathcal H_0$. One degree of freedom is left: a mass $M_e$ with the "
+            "displacement $R\\varphi$."
+        ),
+        equation("H", one_degree),
+        equation(M_e, effective_mass),
+        equation(H_0, constant),
+        marks=("right 1, right 3", "", ""),
+        operations=(
+            blackboard(_("complete the square")),
+            compare(p_phi**2),
+            blackboard(_("compare what is constant")),
+        ),
+    )
+
+
+def _frequency_step(
+    effective_mass: sp.Expr, frequency: sp.Expr, lever: sp.Expr, rates: dict[sp.Expr, sp.Expr], stiffness: sp.Expr
+) -> Step:
+    return step(
+        "frequency",
+        _("Read off the frequency"),
+        _(
+            "A constant shift of $p_\\varphi$ does not change the frequency. The spring is deformed by "
+            "$2R\\varphi$, twice the displacement $R\\varphi$. The mass for this deformation, $M_x$, is therefore "
+            "a quarter of $M_e$."
+        ),
+        equation(M_e * R**2 * phi.diff(t, 2), rates[p_phi.diff(t)]),
+        equation(model.Omega_squared, stiffness / M_e),
+        equation(M_x, sp.factor(effective_mass / lever)),
+        equation(model.Omega_squared, frequency),
+        operations=(insert(p_phi.diff(t)), compare(phi), rf"\div {latex(lever)}", insert(M_e)),
+    )
 
 
 def _inversion(momenta: dict[sp.Expr, sp.Expr]) -> tuple[sp.Eq, ...]:

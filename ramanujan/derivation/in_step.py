@@ -1,11 +1,11 @@
 """From Ω² to 1729: the mass ratio at which the machine is in step with a plain mass on the same spring, Ω² = k/m."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from ramanujan.derivation import model
-from ramanujan.derivation.elimination import Elimination, unit_condition
+from ramanujan.derivation.elimination import Elimination, UnitCondition, unit_condition
 from ramanujan.derivation.model import Omega_squared, epsilon, epsilon_star, equation, k, m, m_prime
 from ramanujan.derivation.numbers import Numbers
 from ramanujan.derivation.order import in_order
@@ -31,61 +31,125 @@ def close_to_one_step(normalized: sp.Expr) -> Step:
     return replace(compared, special=lambda _numbers: special)
 
 
-def unit_steps(general: Elimination) -> tuple[Step, ...]:
+RATIO = m_prime / m
+_NORMALIZED = model.normalized_frequency_squared
+
+
+@dataclass(frozen=True)
+class RatioForms:
+    """Ω²m/k as a function of ε, and when it is 1.
+
+    Parameters
+    ----------
+    numerator, terms : of the fraction that the elimination leaves; the terms of its denominator
+    condition : the quadratic in ε, its root and its discriminant
+    """
+
+    numerator: sp.Expr
+    terms: tuple[sp.Expr, ...]
+    condition: UnitCondition
+
+    @property
+    def quadratic(self) -> sp.Expr:
+        """The left side of the quadratic equation for ε."""
+        return self.condition.quadratic.as_expr()
+
+    @property
+    def left_over(self) -> sp.Expr:
+        """The two terms that cancel at ε*, since the other one equals the numerator."""
+        _plain, rollers, coupling = self.terms
+        return rollers + coupling
+
+    def difference_at(self, numbers: Numbers) -> sp.Expr:
+        """Return a number with the sign of the quadratic at the mass ratio of a machine."""
+        ratio = numbers.exact[m_prime] / numbers.exact[m]
+        return self.condition.quadratic.eval(ratio) if ratio.is_Rational else (ratio - self.condition.root).expand()
+
+
+def unit_steps(result: Elimination) -> tuple[Step, ...]:
     """Return the three steps from Ω² to 1729; for one machine they say how far it is from the condition."""
-    unit = unit_condition(general.natural_frequency_squared)
-    ratio = m_prime / m
-    numerator, terms = general.quotient
-    numerator, *terms = (
-        sp.factor(term.subs(m_prime, epsilon * m)) for term in (numerator / k, *(term / m for term in terms))
-    )
-    _plain, rollers, coupling = terms
-    over, below = sp.fraction(coupling)
-    quadratic = unit.quadratic.as_expr()
-    multiplied = in_order(sp.Mul(rollers, below, evaluate=False), over)
-    two_terms = rollers + coupling
-    normalized = (
-        equation(epsilon, ratio),
-        equation(model.normalized_frequency_squared, numerator / in_order(*terms)),
-        equation(model.normalized_frequency_squared, unit.normalized_frequency_squared.subs(epsilon, ratio)),
-    )
-    defined = blackboard(_("define {what}"), epsilon)
-    only_ratio = step(
+    numerator, terms = result.quotient
+    of_ratio = [sp.factor(part.subs(m_prime, epsilon * m)) for part in (numerator / k, *(term / m for term in terms))]
+    forms = RatioForms(of_ratio[0], tuple(of_ratio[1:]), unit_condition(result.natural_frequency_squared))
+    return _ratio_step(forms), _unit_step(forms), _root_step(forms)
+
+
+def _ratio_step(forms: RatioForms) -> Step:
+    general = step(
         "ratio",
         _("Use the mass ratio"),
         _(
             "Divide numerator and denominator by $m$. In units of $k/m$, the square of the frequency then depends only "
             "on $\\varepsilon=m'/m$. This ratio is the mass of a lower roller divided by the mass of each other body."
         ),
-        equation(epsilon, ratio),
-        equation(Omega_squared * m / k, numerator / in_order(*terms)),
-        equation(Omega_squared * m / k, unit.normalized_frequency_squared),
-        operations=(defined, rf"\times {latex(m / k)}", blackboard(_("one fraction"))),
+        equation(epsilon, RATIO),
+        equation(Omega_squared * m / k, forms.numerator / in_order(*forms.terms)),
+        equation(Omega_squared * m / k, forms.condition.normalized_frequency_squared),
+        operations=(_defined(), rf"\times {latex(m / k)}", blackboard(_("one fraction"))),
     )
-    exactly_one = step(
+    equations = (
+        equation(epsilon, RATIO),
+        equation(_NORMALIZED, forms.numerator / in_order(*forms.terms)),
+        equation(_NORMALIZED, forms.condition.normalized_frequency_squared.subs(epsilon, RATIO)),
+    )
+    return replace(general, special=lambda _numbers: replace(general, equations=equations))
+
+
+def _unit_step(forms: RatioForms) -> Step:
+    _plain, rollers, coupling = forms.terms
+    over, below = sp.fraction(coupling)
+    multiplied = in_order(sp.Mul(rollers, below, evaluate=False), over)
+    general = step(
         "unit",
         _("Require exactly 1"),
         _(
             "Set the first form equal to 1: its denominator must equal its numerator. The ${number}$ cancels. Multiply "
             "by the denominator that is left. This gives a quadratic equation for $\\varepsilon$ with integer "
             "coefficients."
-        ).format(number=latex(numerator)),
-        equation(in_order(*terms), numerator),
-        equation(two_terms, sp.Integer(0)),
+        ).format(number=latex(forms.numerator)),
+        equation(in_order(*forms.terms), forms.numerator),
+        equation(forms.left_over, sp.Integer(0)),
         equation(multiplied, sp.Integer(0)),
-        equation(quadratic, sp.Integer(0)),
+        equation(forms.quadratic, sp.Integer(0)),
         marks=("left 1, right 1", "", "", ""),
         operations=(
-            rf"{latex(model.normalized_frequency_squared)} = 1",
-            blackboard(_("cancel {what}"), numerator),
+            rf"{latex(_NORMALIZED)} = 1",
+            blackboard(_("cancel {what}"), forms.numerator),
             rf"\times \left({latex(below)}\right)",
             blackboard(_("collect {what}"), epsilon),
         ),
     )
-    (a, b, c), square = unit.quadratic.all_coeffs(), unit.completed_square
-    sums = sums_of_two_cubes(int(unit.discriminant))
+    sides = (forms.left_over, forms.quadratic)
+    left = tuple(equation(side, sp.factor(side.subs(epsilon, RATIO))) for side in sides)
+
+    def residual(numbers: Numbers) -> Step:
+        """Return the condition with what its left side leaves for one machine."""
+        reason = _side_of_the_condition(forms.difference_at(numbers))
+        return replace(general, reason=reason, equations=left, operations=(insert(epsilon),) * 2, marks=())
+
+    return replace(general, special=residual)
+
+
+def _side_of_the_condition(difference: sp.Expr) -> str:
+    """Return the sentence that says whether a machine is in step with a plain mass, faster or slower."""
+    if difference == 0:
+        return _("For your $\\varepsilon$ the two terms cancel each other: the machine is in step with a plain mass.")
+    if difference > 0:
+        return _(
+            "For your $\\varepsilon$ the two terms do not cancel. What they leave is positive: the denominator is "
+            "too large, and your machine oscillates more slowly than a plain mass."
+        )
+    return _(
+        "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
+        "too small, and your machine oscillates faster than a plain mass."
+    )
+
+
+def _root_step(forms: RatioForms) -> Step:
+    (a, b, c), square = forms.condition.quadratic.all_coeffs(), forms.condition.completed_square
+    sums = sums_of_two_cubes(int(forms.condition.discriminant))
     paper_s, other = (in_order(*(sp.Pow(side, 3, evaluate=False) for side in reversed(pair))) for pair in sums)
-    root = step(
+    general = step(
         "root",
         _("Find the taxicab number"),
         _(
@@ -93,12 +157,12 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
             "two positive cubes in two ways. Only one root is positive, as a mass ratio must be. It is called "
             "$\\varepsilon_*$."
         ),
-        equation(quadratic, sp.Integer(0)),
+        equation(forms.quadratic, sp.Integer(0)),
         equation(in_order(4 * a**2 * epsilon**2, 4 * a * b * epsilon), -4 * a * c),
         equation(square.lhs, paper_s),
         square,
         equation(square.lhs, other),
-        equation(epsilon, unit.root),
+        equation(epsilon, forms.condition.root),
         marks=("", "right 1", "left 1, right 2", "", "", ""),
         operations=(
             blackboard(_("the quadratic")),
@@ -109,41 +173,26 @@ def unit_steps(general: Elimination) -> tuple[Step, ...]:
             solve_for(epsilon),
         ),
     )
+    return replace(general, special=lambda _numbers: _distance_step(general, forms.condition))
 
-    leaves = tuple(equation(side, sp.factor(side.subs(epsilon, ratio))) for side in (two_terms, quadratic))
 
-    def residual(numbers: Numbers) -> Step:
-        """Return the condition with what its left side leaves for one machine."""
-        present = numbers.exact[m_prime] / numbers.exact[m]
-        difference = unit.quadratic.eval(present) if present.is_Rational else (present - unit.root).expand()
-        if difference == 0:
-            reason = _(
-                "For your $\\varepsilon$ the two terms cancel each other: the machine is in step with a plain mass."
-            )
-        elif difference > 0:
-            reason = _(
-                "For your $\\varepsilon$ the two terms do not cancel. What they leave is positive: the denominator is "
-                "too large, and your machine oscillates more slowly than a plain mass."
-            )
-        else:
-            reason = _(
-                "For your $\\varepsilon$ the two terms do not cancel. What they leave is negative: the denominator is "
-                "too small, and your machine oscillates faster than a plain mass."
-            )
-        return replace(exactly_one, reason=reason, equations=leaves, operations=(insert(epsilon),) * 2, marks=())
-
-    distance = replace(
-        root,
+def _distance_step(general: Step, condition: UnitCondition) -> Step:
+    """Return the step that says, for one machine, how far its mass ratio is from the root."""
+    return replace(
+        general,
         reason=_(
             "The quadratic has one positive root, $\\varepsilon_*$. The last line gives the difference between your "
             "$\\varepsilon$ and this root."
         ),
-        equations=(normalized[0], normalized[2], equation(epsilon - epsilon_star, ratio - unit.root)),
-        operations=(defined, insert(epsilon), rf"-\,{latex(epsilon_star)}"),
+        equations=(
+            equation(epsilon, RATIO),
+            equation(_NORMALIZED, condition.normalized_frequency_squared.subs(epsilon, RATIO)),
+            equation(epsilon - epsilon_star, RATIO - condition.root),
+        ),
+        operations=(_defined(), insert(epsilon), rf"-\,{latex(epsilon_star)}"),
         marks=(),
     )
-    return (
-        replace(only_ratio, special=lambda _numbers: replace(only_ratio, equations=normalized)),
-        replace(exactly_one, special=residual),
-        replace(root, special=lambda _numbers: distance),
-    )
+
+
+def _defined() -> str:
+    return blackboard(_("define {what}"), epsilon)

@@ -11,7 +11,7 @@ import sympy as sp
 
 from ramanujan.derivation.energies import energies_step
 from ramanujan.derivation.model import ACCELERATIONS, COORDINATES, VELOCITIES, Machine, Omega_squared, equation, gather
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, insert, solve_for, step
 from ramanujan.translation import _
 
 omega = sp.Symbol("omega", real=True)
@@ -84,97 +84,125 @@ def build(bodies: Machine) -> Route:
                 "form in the coordinates. The compression of the spring is $2R\\varphi$."
             ),
         ),
-        step(
-            "matrices",
-            _("Take the second derivatives"),
-            _(
-                "The second derivatives of $T$ with respect to the velocities form the mass matrix $M$, in the order "
-                "$X$, $\\varphi$, $\\Phi$. Those of $U$ with respect to the coordinates form the stiffness matrix $K$."
-            ),
-            equation(_M, result.mass_matrix),
-            equation(_K, result.stiffness_matrix),
-            operations=(
-                r"\partial^2T/\partial\dot q_i\,\partial\dot q_j",
-                r"\partial^2U/\partial q_i\,\partial q_j",
-            ),
-        ),
-        step(
-            "motion",
-            _("Write down the equations of motion"),
-            _(
-                "Since $M$ and $K$ are constant, Lagrange’s three equations are one matrix equation, $M\\ddot q=-Kq$. "
-                "The inertia is on the left, the restoring force on the right."
-            ),
-            equation(
-                sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
-                sp.MatMul(-result.stiffness_matrix, q, evaluate=False),
-            ),
-            operations=(insert(_M, _K),),
-        ),
-        step(
-            "determinant",
-            _("Look for the modes"),
-            _(
-                "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\omega t$. This gives "
-                "$(K-\\omega^2M)v=0$, which has a solution other than $v=0$ only if the determinant vanishes."
-            ),
-            equation(sp.Determinant(result.stiffness_matrix - omega**2 * result.mass_matrix), sp.S.Zero),
-            equation(result.determinant, sp.S.Zero),
-            operations=(insert(r"q=v\cos\omega t"), blackboard(_("factor it"))),
-        ),
-        step(
-            "spectrum",
-            _("Find the three roots"),
-            _(
-                "Zero is a double root: two modes have no restoring force. The third root is the square of the natural "
-                "frequency."
-            ),
-            equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
-            equation(Omega_squared, oscillating),
-            operations=(solve_for(omega**2), blackboard(_("the third root"))),
-        ),
-        step(
-            "zero_modes",
-            _("Look at the two zero modes"),
-            _(
-                "The zero modes are the vectors $v$ with $Kv=0$: these motions do not deform the spring. In the first "
-                "one the whole machine glides, and its momentum $-p_X$ is conserved. In the second one the top "
-                "cylinder rolls freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact "
-                "with the block."
-            ),
-            *(
-                equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
-                for mode in result.zero_modes
-            ),
-            operations=tuple(r"Kv" for _mode in result.zero_modes),
-        ),
-        step(
-            "shortcut",
-            _("Avoid the determinant"),
-            _(
-                "The matrix $K$ has rank one: it maps every vector to a multiple of $e_\\varphi$, the unit vector of "
-                "$\\varphi$. So the oscillating mode is a multiple of {vector}, and its frequency needs no "
-                "determinant: {shortcut}."
-            ).format(
-                vector="$M^{-1}e_\\varphi$", shortcut="$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$"
-            ),
-            equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
-            equation(_M.I, result.inverse_mass_matrix),
-            equation(Omega_squared, result.natural_frequency_squared),
-            operations=(blackboard(_("rank one")), blackboard(_("invert {what}"), _M), insert(_K, _M.I)),
-        ),
-        step(
-            "mode_shape",
-            _("Read off the mode shape"),
-            _(
-                "A mode is determined up to a factor, so the entry of $\\varphi$ may be set to 1. Block and top "
-                "cylinder oscillate in proportion to it."
-            ),
-            equation("v", result.mode_shape),
-            operations=(r"M^{-1}e_\varphi\div(M^{-1})_{\varphi\varphi}",),
-        ),
+        _matrices_step(result),
+        _motion_step(result, q, q_ddot),
+        _determinant_step(result),
+        _spectrum_step(eigenvalues, oscillating),
+        _zero_modes_step(result),
+        _shortcut_step(result, stiffness),
+        _mode_shape_step(result),
     )
     return Route("matrix", _("Matrix"), steps, oscillating, CELLS)
+
+
+def _matrices_step(result: Modes) -> Step:
+    return step(
+        "matrices",
+        _("Take the second derivatives"),
+        _(
+            "The second derivatives of $T$ with respect to the velocities form the mass matrix $M$, in the order "
+            "$X$, $\\varphi$, $\\Phi$. Those of $U$ with respect to the coordinates form the stiffness matrix $K$."
+        ),
+        equation(_M, result.mass_matrix),
+        equation(_K, result.stiffness_matrix),
+        operations=(
+            r"\partial^2T/\partial\dot q_i\,\partial\dot q_j",
+            r"\partial^2U/\partial q_i\,\partial q_j",
+        ),
+    )
+
+
+def _motion_step(result: Modes, q: sp.ImmutableMatrix, q_ddot: sp.ImmutableMatrix) -> Step:
+    return step(
+        "motion",
+        _("Write down the equations of motion"),
+        _(
+            "Since $M$ and $K$ are constant, Lagrange’s three equations are one matrix equation, $M\\ddot q=-Kq$. "
+            "The inertia is on the left, the restoring force on the right."
+        ),
+        equation(
+            sp.MatMul(result.mass_matrix, q_ddot, evaluate=False),
+            sp.MatMul(-result.stiffness_matrix, q, evaluate=False),
+        ),
+        operations=(insert(_M, _K),),
+    )
+
+
+def _determinant_step(result: Modes) -> Step:
+    return step(
+        "determinant",
+        _("Look for the modes"),
+        _(
+            "In a normal mode all coordinates oscillate together: insert $q=v\\cos\\omega t$. This gives "
+            "$(K-\\omega^2M)v=0$, which has a solution other than $v=0$ only if the determinant vanishes."
+        ),
+        equation(sp.Determinant(result.stiffness_matrix - omega**2 * result.mass_matrix), sp.S.Zero),
+        equation(result.determinant, sp.S.Zero),
+        operations=(insert(r"q=v\cos\omega t"), blackboard(_("factor it"))),
+    )
+
+
+def _spectrum_step(eigenvalues: sp.Tuple, oscillating: sp.Expr) -> Step:
+    return step(
+        "spectrum",
+        _("Find the three roots"),
+        _(
+            "Zero is a double root: two modes have no restoring force. The third root is the square of the natural "
+            "frequency."
+        ),
+        equation(sp.Tuple(*(each**2 for each in sp.symbols("omega_1:4"))), eigenvalues),
+        equation(Omega_squared, oscillating),
+        operations=(solve_for(omega**2), blackboard(_("the third root"))),
+    )
+
+
+def _zero_modes_step(result: Modes) -> Step:
+    return step(
+        "zero_modes",
+        _("Look at the two zero modes"),
+        _(
+            "The zero modes are the vectors $v$ with $Kv=0$: these motions do not deform the spring. In the first "
+            "one the whole machine glides, and its momentum $-p_X$ is conserved. In the second one the top "
+            "cylinder rolls freely. There $p_\\Phi$ is conserved, its angular momentum about its line of contact "
+            "with the block."
+        ),
+        *(
+            equation(sp.MatMul(result.stiffness_matrix, mode, evaluate=False), sp.ImmutableMatrix.zeros(3, 1))
+            for mode in result.zero_modes
+        ),
+        operations=tuple(r"Kv" for _mode in result.zero_modes),
+    )
+
+
+def _shortcut_step(result: Modes, stiffness: sp.Expr) -> Step:
+    return step(
+        "shortcut",
+        _("Avoid the determinant"),
+        _(
+            "The matrix $K$ has rank one: it maps every vector to a multiple of $e_\\varphi$, the unit vector of "
+            "$\\varphi$. So the oscillating mode is a multiple of {vector}, and its frequency needs no "
+            "determinant: {shortcut}."
+        ).format(
+            vector="$M^{-1}e_\\varphi$", shortcut="$\\Omega^2=K_{\\varphi\\varphi}\\,(M^{-1})_{\\varphi\\varphi}$"
+        ),
+        equation(_K, sp.MatMul(stiffness, _UNIT, _UNIT.T, evaluate=False)),
+        equation(_M.I, result.inverse_mass_matrix),
+        equation(Omega_squared, result.natural_frequency_squared),
+        operations=(blackboard(_("rank one")), blackboard(_("invert {what}"), _M), insert(_K, _M.I)),
+    )
+
+
+def _mode_shape_step(result: Modes) -> Step:
+    return step(
+        "mode_shape",
+        _("Read off the mode shape"),
+        _(
+            "A mode is determined up to a factor, so the entry of $\\varphi$ may be set to 1. Block and top "
+            "cylinder oscillate in proportion to it."
+        ),
+        equation("v", result.mode_shape),
+        operations=(r"M^{-1}e_\varphi\div(M^{-1})_{\varphi\varphi}",),
+    )
 
 
 def _second_derivatives(energy: sp.Expr, variables: tuple[sp.Expr, ...]) -> sp.ImmutableMatrix:

@@ -27,10 +27,11 @@ from ramanujan.derivation import model
 from ramanujan.derivation.energies import PARTS, rolled
 from ramanujan.derivation.model import ACCELERATIONS, Body, Machine, R, equation, gather, k, machine, phi, t
 from ramanujan.derivation.printers import latex
-from ramanujan.derivation.steps import ROUTES, Route, blackboard, compare, insert, solve_for, step
+from ramanujan.derivation.steps import ROUTES, Route, Step, blackboard, compare, insert, solve_for, step
 from ramanujan.translation import _
 
 TOP, BOTTOM = 1, -1
+X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
 
 
 def _in_time(name: str) -> sp.Expr:
@@ -195,132 +196,173 @@ def build(bodies: Machine) -> Route:
     in_three = {*centres, *friction}
     three = [tuple(gather(e.subs(friction).subs(of_coordinates)) for e in relation.args) for relation in left_over]
     block, slab, top = (left - right for left, right in three)
-    X_ddot, phi_ddot, Phi_ddot = ACCELERATIONS
     both = gather(-(block + slab))
     (Phi_from_X,) = sp.solve(top, Phi_ddot)
     without_Phi = gather(both.subs(Phi_ddot, Phi_from_X))
     (X_from_phi,) = sp.solve(without_Phi, X_ddot)
     steps = (
-        step(
-            "rolling",
-            _("Write down the rolling conditions"),
-            _(
-                "No contact slips: where two bodies touch, their velocities along the surface are equal, and so are "
-                "their accelerations. A roller whose centre has the acceleration $a$ has $a+R\\alpha$ at its top and "
-                "$a-R\\alpha$ at its bottom."
-            ),
-            *cut.rolling,
-            *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers),
-            operations=(
-                *(blackboard(_("rolling without slipping")) for _contact in cut.rolling),
-                *(rf"\tfrac{{d^2}}{{dt^2}}{latex(body.angle)}" for body in cut.rollers),
-            ),
-        ),
-        step(
-            "forces",
-            _("Apply Newton’s second law to each body"),
-            _(
-                "Count horizontal forces positive to the right. The slab exerts the friction force $S$ on a roller, "
-                "the block exerts $F$. By Newton’s third law the opposite forces act on slab and block. When the "
-                "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
-                "compresses the spring, which pushes the two apart."
-            ),
-            *cut.forces,
-            operations=tuple(r"ma=\textstyle\sum F" for _body in cut.forces),
-        ),
-        step(
-            "torques",
-            _("Apply the law of torques to each roller"),
-            _(
-                "Count torques about a roller’s axis positive clockwise. A force to the right at its top turns it "
-                "clockwise, at its bottom anticlockwise. Weights and normal forces act along lines through the axis, "
-                "so they have no torque."
-            ),
-            *cut.torques,
-            operations=tuple(r"I\alpha=\textstyle\sum\pm RF" for _body in cut.torques),
-        ),
-        step(
-            "accelerations",
-            _("Express all accelerations by three"),
-            _(
-                "The block has the acceleration $-\\ddot X$. With the rolling conditions, the accelerations of all "
-                "bodies follow from those of the three coordinates."
-            ),
-            *(equation(symbol, value) for symbol, value in centres.items()),
-            operations=tuple(rolled(body, "^2") for body in bodies.bodies),
-        ),
-        step(
-            "friction",
-            _("Find the friction forces"),
-            _(
-                "Divide the torques by $R$. Each lower roller then has two equations, one for $S+F$ and one for $S-F$: "
-                "half their sum is $S$, and half their difference is $F$. The top cylinder has one force, which its "
-                "torque determines."
-            ),
-            *(equation(force, value) for force, value in friction.items()),
-            operations=tuple(
-                rf"\div \left({latex(contact.side * R)}\right)"
-                if contact.roller == "top"
-                else blackboard(_("half the sum") if contact.side == TOP else _("half the difference"))
-                for contact in CONTACTS
-            ),
-        ),
-        step(
-            "three",
-            _("Insert both into the three equations that are left"),
-            _("Newton’s second law for block, slab and top cylinder has not been used yet."),
-            *(equation(left, right) for left, right in three),
-            labels=tuple(rf"\text{{{PARTS[name]}}}" for name in ("block", "slab", "top")),
-            operations=tuple(
-                insert(*sorted({str(f)[0] for f in each.atoms(sp.Function) & in_three})) for each in left_over
-            ),
-        ),
-        step(
-            "solution",
-            _("Eliminate the block and the top cylinder"),
-            _(
-                "Solve the equation of the top cylinder for $\\ddot\\Phi$. In the sum of the two others the spring "
-                "cancels. Insert $\\ddot\\Phi$ into it and solve for $\\ddot X$."
-            ),
-            equation(Phi_ddot, Phi_from_X),
-            equation(both, sp.S.Zero),
-            equation(without_Phi, sp.S.Zero),
-            equation(X_ddot, sp.factor(X_from_phi)),
-            equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
-            marks=("", "left 1, left 2", "left 1", "", ""),
-            operations=(
-                solve_for(Phi_ddot),
-                blackboard(_("add both")),
-                insert(Phi_ddot),
-                solve_for(X_ddot),
-                insert(X_ddot),
-            ),
-        ),
-        step(
-            "contact",
-            _("Look at the friction forces"),
-            _(
-                "Insert these accelerations into the friction forces. Each is proportional to $\\ddot\\varphi$, so all "
-                "five are largest at the turning points of $\\varphi$."
-            ),
-            *(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
-            operations=tuple(insert(X_ddot, Phi_ddot) for _contact in CONTACTS),
-        ),
-        step(
-            "frequency",
-            _("Read off the frequency"),
-            _(
-                "Insert $\\ddot X$ into the equation of the slab. This gives the equation of a harmonic oscillator, "
-                "$\\ddot\\varphi+\\Omega^2\\varphi=0$."
-            ),
-            equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
-            equation(phi_ddot, cut.solution[roller]),
-            equation(model.Omega_squared, frequency),
-            marks=("left 1", "", ""),
-            operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
-        ),
+        _rolling_step(cut),
+        _forces_step(cut),
+        _torques_step(cut),
+        _accelerations_step(bodies, centres),
+        _friction_step(friction),
+        _three_step(in_three, left_over, three),
+        _solution_step(Phi_from_X, X_from_phi, both, without_Phi),
+        _contact_step(cut),
+        _frequency_step(cut, X_from_phi, frequency, roller, slab),
     )
     return Route("newton", _("Newton"), steps, frequency, CELLS)
+
+
+def _rolling_step(cut: FreeBodies) -> Step:
+    return step(
+        "rolling",
+        _("Write down the rolling conditions"),
+        _(
+            "No contact slips: where two bodies touch, their velocities along the surface are equal, and so are "
+            "their accelerations. A roller whose centre has the acceleration $a$ has $a+R\\alpha$ at its top and "
+            "$a-R\\alpha$ at its bottom."
+        ),
+        *cut.rolling,
+        *(equation(angular_acceleration(body.name), body.angle.diff(t, 2)) for body in cut.rollers),
+        operations=(
+            *(blackboard(_("rolling without slipping")) for _contact in cut.rolling),
+            *(rf"\tfrac{{d^2}}{{dt^2}}{latex(body.angle)}" for body in cut.rollers),
+        ),
+    )
+
+
+def _forces_step(cut: FreeBodies) -> Step:
+    return step(
+        "forces",
+        _("Apply Newton’s second law to each body"),
+        _(
+            "Count horizontal forces positive to the right. The slab exerts the friction force $S$ on a roller, "
+            "the block exerts $F$. By Newton’s third law the opposite forces act on slab and block. When the "
+            "rollers have turned by $\\varphi$, the slab has moved by $2R\\varphi$ relative to the block. This "
+            "compresses the spring, which pushes the two apart."
+        ),
+        *cut.forces,
+        operations=tuple(r"ma=\textstyle\sum F" for _body in cut.forces),
+    )
+
+
+def _torques_step(cut: FreeBodies) -> Step:
+    return step(
+        "torques",
+        _("Apply the law of torques to each roller"),
+        _(
+            "Count torques about a roller’s axis positive clockwise. A force to the right at its top turns it "
+            "clockwise, at its bottom anticlockwise. Weights and normal forces act along lines through the axis, "
+            "so they have no torque."
+        ),
+        *cut.torques,
+        operations=tuple(r"I\alpha=\textstyle\sum\pm RF" for _body in cut.torques),
+    )
+
+
+def _accelerations_step(bodies: Machine, centres: dict[sp.Expr, sp.Expr]) -> Step:
+    return step(
+        "accelerations",
+        _("Express all accelerations by three"),
+        _(
+            "The block has the acceleration $-\\ddot X$. With the rolling conditions, the accelerations of all "
+            "bodies follow from those of the three coordinates."
+        ),
+        *(equation(symbol, value) for symbol, value in centres.items()),
+        operations=tuple(rolled(body, "^2") for body in bodies.bodies),
+    )
+
+
+def _friction_step(friction: dict[sp.Expr, sp.Expr]) -> Step:
+    return step(
+        "friction",
+        _("Find the friction forces"),
+        _(
+            "Divide the torques by $R$. Each lower roller then has two equations, one for $S+F$ and one for $S-F$: "
+            "half their sum is $S$, and half their difference is $F$. The top cylinder has one force, which its "
+            "torque determines."
+        ),
+        *(equation(force, value) for force, value in friction.items()),
+        operations=tuple(
+            rf"\div \left({latex(contact.side * R)}\right)"
+            if contact.roller == "top"
+            else blackboard(_("half the sum") if contact.side == TOP else _("half the difference"))
+            for contact in CONTACTS
+        ),
+    )
+
+
+def _three_step(in_three: set[sp.Expr], left_over: list[sp.Eq], three: list[tuple[sp.Expr, ...]]) -> Step:
+    return step(
+        "three",
+        _("Insert both into the three equations that are left"),
+        _("Newton’s second law for block, slab and top cylinder has not been used yet."),
+        *(equation(left, right) for left, right in three),
+        labels=tuple(rf"\text{{{PARTS[name]}}}" for name in ("block", "slab", "top")),
+        operations=tuple(
+            insert(*sorted({str(f)[0] for f in each.atoms(sp.Function) & in_three})) for each in left_over
+        ),
+    )
+
+
+def _solution_step(Phi_from_X: sp.Expr, X_from_phi: sp.Expr, both: sp.Expr, without_Phi: sp.Expr) -> Step:
+    return step(
+        "solution",
+        _("Eliminate the block and the top cylinder"),
+        _(
+            "Solve the equation of the top cylinder for $\\ddot\\Phi$. In the sum of the two others the spring "
+            "cancels. Insert $\\ddot\\Phi$ into it and solve for $\\ddot X$."
+        ),
+        equation(Phi_ddot, Phi_from_X),
+        equation(both, sp.S.Zero),
+        equation(without_Phi, sp.S.Zero),
+        equation(X_ddot, sp.factor(X_from_phi)),
+        equation(Phi_ddot, sp.factor(Phi_from_X.subs(X_ddot, X_from_phi))),
+        marks=("", "left 1, left 2", "left 1", "", ""),
+        operations=(
+            solve_for(Phi_ddot),
+            blackboard(_("add both")),
+            insert(Phi_ddot),
+            solve_for(X_ddot),
+            insert(X_ddot),
+        ),
+    )
+
+
+def _contact_step(cut: FreeBodies) -> Step:
+    return step(
+        "contact",
+        _("Look at the friction forces"),
+        _(
+            "Insert these accelerations into the friction forces. Each is proportional to $\\ddot\\varphi$, so all "
+            "five are largest at the turning points of $\\varphi$."
+        ),
+        *(equation(contact.force, _by_acceleration(contact, cut.solution)) for contact in CONTACTS),
+        operations=tuple(insert(X_ddot, Phi_ddot) for _contact in CONTACTS),
+    )
+
+
+def _frequency_step(
+    cut: FreeBodies,
+    X_from_phi: sp.Expr,
+    frequency: sp.Expr,
+    roller: sp.Expr,
+    slab: sp.Expr,
+) -> Step:
+    return step(
+        "frequency",
+        _("Read off the frequency"),
+        _(
+            "Insert $\\ddot X$ into the equation of the slab. This gives the equation of a harmonic oscillator, "
+            "$\\ddot\\varphi+\\Omega^2\\varphi=0$."
+        ),
+        equation(gather(slab.subs(X_ddot, X_from_phi)), sp.S.Zero),
+        equation(phi_ddot, cut.solution[roller]),
+        equation(model.Omega_squared, frequency),
+        marks=("left 1", "", ""),
+        operations=(insert(X_ddot), solve_for(phi_ddot), compare(phi)),
+    )
 
 
 def _force_balance(body: Body, bodies: Machine) -> sp.Eq:
