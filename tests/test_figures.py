@@ -26,7 +26,7 @@ def test_a_figure_is_sent_as_plotly_would_send_it() -> None:
     checked = go.Figure([trace], layout | {"template": {}})
     assert json.loads(sent) == {**json.loads(checked.to_json()), "layout": layout}
     with pytest.raises(ValueError, match="colour"):
-        drawn([{"type": "scatter", "colour": "red"}], {}).checked()
+        go.Figure(drawn([{"type": "scatter", "colour": "red"}], {}).to_dict())
 
 
 def boxes(notes: list[dict], area: Area, size: float, screen: tuple[float, float]) -> dict[str, np.ndarray]:
@@ -113,5 +113,4 @@ def test_plotly_knows_every_property_of_a_page(app: AppTest, name: str, monkeypa
         assert isinstance(figure, BaseFigure)
         # As high as the page gives it room at 16 px a letter: it is drawn once.
         assert figure.to_dict()["layout"]["height"] == 16 * letters_high(key)
-        checked = type(figure).checked(figure) if hasattr(figure, "checked") else figure
-        assert checked.layout.template.layout.font.size == 14
+        assert go.Figure(figure.to_dict()).layout.template.layout.font.size == 14

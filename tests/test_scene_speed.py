@@ -11,6 +11,7 @@ from functools import partial
 from itertools import islice
 
 import numpy as np
+import plotly.graph_objects as go
 import pytest
 import streamlit as st
 from streamlit.testing.v1 import AppTest
@@ -250,7 +251,7 @@ def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app)
             assert part.right == (verdict == "right")
     words = [part.word for part in strips["the paper’s form"]]
     assert words[-1] == "−0"
-    figure = figures.forms(strips, quantity="s", colors=theme.colors()).checked()
+    figure = go.Figure(figures.forms(strips, quantity="s", colors=theme.colors()).to_dict())
     assert set(words) < set(figure.data[0].customdata)
     assert [note.text for note in figure.layout.annotations] == list(strips)
 

@@ -7,6 +7,7 @@ from itertools import combinations
 
 import mpmath
 import numpy as np
+import plotly.graph_objects as go
 import pytest
 import sympy as sp
 from streamlit.testing.v1 import AppTest
@@ -186,15 +187,15 @@ def test_the_count_of_cubes_against_brute_force(monkeypatch: pytest.MonkeyPatch)
 
 def test_the_figure_of_all_machines_lets_one_stand_out() -> None:
     every = machines()
-    figure = figures.machine_grid(
+    grid = figures.machine_grid(
         [str(n) for n in range(10)],
         list(BODIES),
         [machine.discriminant for machine in every],
         [len(machine.cubes) for machine in every],
         (2, 2),
         COLORS,
-    ).checked()
-    table, numbers = figure.data
+    )
+    table, numbers = go.Figure(grid.to_dict()).data
     assert np.sum(np.array(table.z) == 2) == 1
     assert np.sum(np.array(table.z) == 1) == 2
     # A click returns the index of the point: it must be that of the machine.
@@ -206,9 +207,10 @@ def test_labels_of_the_curve_stay_on_the_figure_at_every_target() -> None:
     for w in (1 / 1000, 0.3, 1.0, 1.3, 1.74):
         root = (48 - 49 * w + ((7 * w - 48) ** 2 + 48 * w * w) ** 0.5) / (36 * w)
         ratios, values = cache.curve(min(root / 2, 0.9), max(2 * root, 1.1))
-        figure = figures.level_crossing(
+        crossing = figures.level_crossing(
             ratios, values, level=w, level_label="w", root=root, root_label="r", present=(1, 1), colors=COLORS
-        ).checked()
+        )
+        figure = go.Figure(crossing.to_dict())
         label = figure.layout.annotations[0]
         low, high = figure.layout.yaxis.range
         # Less the margins, the plot is 270 px high; a label of two lines reaches 20 px beyond its middle.

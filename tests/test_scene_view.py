@@ -97,11 +97,6 @@ def test_reset_does_not_return_to_what_the_link_got_wrong(app):
     assert values(sound(app)) == {**DEFAULTS, "k": 20.0}
 
 
-def test_a_sentence_that_describes_a_constant_is_not_drawn():
-    app = AppTest.from_string('WIDTH = 1\n"""Of what is drawn."""\n').run()
-    assert not app.markdown
-
-
 def said(app) -> list[str]:
     """All words, formulas and figures of the page."""
     figures = [str(each.proto) for each in app.get("plotly_chart")]

@@ -13,7 +13,6 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
-import plotly.graph_objects as go
 from plotly.basedatatypes import BaseFigure
 
 from ramanujan.numerals import DECIMAL, THIN
@@ -94,10 +93,6 @@ class Drawn(BaseFigure):
     def to_dict(self) -> dict[str, Any]:
         """Return the figure's dictionary, the same at every call; it must not be changed."""
         return self._sent
-
-    def checked(self) -> go.Figure:
-        """Return the figure as Plotly checks it; a property that Plotly does not know raises ValueError."""
-        return go.Figure(self._sent)
 
     def __repr__(self) -> str:
         return f"Drawn({len(self._sent['data'])} traces)"
