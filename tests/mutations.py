@@ -19,6 +19,10 @@ DRAWN = "all_that_is_drawn"
 """The test that holds every body, hand, bar and arrow against the core."""
 
 
+LAYERS = "marks_of_every_layer"
+"""The test that compares the marks of all layers with the core."""
+
+
 @dataclass(frozen=True)
 class Mutation:
     """What is broken: a text in a file, what takes its place, and the tests, in pytest's words, that must notice."""
@@ -78,19 +82,25 @@ MUTATIONS = [
         "Math.max(...energies)",
     ),
     Mutation(
-        "velocities point the wrong way", "stage/layers.js", _ARROWS, _ARROWS.replace("velocity(name", "-velocity(name")
+        "velocities point the wrong way",
+        "stage/layers.js",
+        _ARROWS,
+        _ARROWS.replace("velocity(name", "-velocity(name"),
+        LAYERS,
     ),
     Mutation(
         "forces point the wrong way",
         "stage/layers.js",
         "forceArrow(x, y, force * scale",
         "forceArrow(x, y, -force * scale",
+        LAYERS,
     ),
     Mutation(
         "the reference arrow is too long",
         "stage/layers.js",
         "drawn(value * per[name])",
         "drawn(1.3 * value * per[name])",
+        LAYERS,
     ),
     Mutation("the plain mass's hand is frozen", "stage/dial.js", "rotate(${degrees(plainPhase)})", "rotate(0)"),
     Mutation(
@@ -118,9 +128,9 @@ MUTATIONS = [
         "stage/drawing.js",
         "g.R * Math.sin(angle)} ${-(y",
         "-g.R * Math.sin(angle)} ${-(y",
-        "traces",
+        LAYERS,
     ),
-    Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)"),
+    Mutation("a layer is dead", "stage/layers.js", 'if (shown.has("forces"))', "if (false)", LAYERS),
     Mutation(
         "the speed menu is dead",
         "stage/toolbar.js",

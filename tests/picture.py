@@ -108,3 +108,13 @@ def upwards(arrow: list[float] | None) -> float:
 def difference(a: float, b: float) -> float:
     """The angle between two directions, in degrees."""
     return abs((a - b + 180) % 360 - 180)
+
+
+def in_pairs(on_rollers: dict[str, float]) -> dict[str, float]:
+    """Return the force at every contact on its roller, and the opposite one on the other body."""
+    forces = {}
+    for contact, force in on_rollers.items():
+        roller, other = contact.split("_")
+        forces[f"{contact} {roller}"] = force
+        forces[f"{contact} {other}"] = -force
+    return forces

@@ -40,6 +40,21 @@
     const group = root.querySelector(`.scales .${name}`), text = group.querySelector("text").textContent;
     return group.style.display === "none" ? null : { value: parseFloat(text), text, box: arrow(group) };
   };
+  // Of every layer: its lines, and its reference arrow with the value, where it has one.
+  const layer = (name) => {
+    const reference = root.querySelector(`.scales [data-of=${name}]`), text = reference?.querySelector("text").textContent;
+    const lines = byKey(`.scene .${name}:not(.rolling) [data-line]`, "line", arrow);
+    return { lines, scale: reference && { value: parseFloat(text), text, box: arrow(reference) } };
+  };
+  const layerNames = all("[data-layer]").map((box) => box.dataset.layer);
+  const mark = (path) => {
+    const point = (length) => { const { x, y } = path.getPointAtLength(length); return at(path, x, y); };
+    return path.getAttribute("d") ? { start: point(0), end: point(path.getTotalLength()), arrow: [...box(path), ...point(0)] } : null;
+  };
+  const corners = (group) => {
+    const path = group.querySelector("path"), pairs = path.getAttribute("d")?.slice(1).split("L") ?? [];
+    return pairs.map((pair) => at(path, ...pair.split(" ").map(Number)));
+  };
   const whole = root.querySelector(".bar").getBoundingClientRect().width;
   return {
     rollers: Object.fromEntries(['hoop', 'cylinder', 'top'].map((name) => [name, roller(name)])),
@@ -59,6 +74,9 @@
     forces: byKey(".forces [data-line]", "line", arrow),
     weights: byKey(".weights [data-line]", "line", arrow),
     scales: { speed: scale("speed"), force: scale("force"), weight: scale("weight") },
+    layers: Object.fromEntries(layerNames.map((name) => [name, layer(name)])),
+    traces: byKey(".traces [data-line]", "line", corners),
+    marks: byKey(".coordinates path[data-mark]", "mark", mark),
     step: root.querySelector("[data-step]").dataset.step,
   };
 }

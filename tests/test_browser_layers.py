@@ -1,0 +1,160 @@
+"""The marks of every layer of the stage, in direction and length, against the numeric core."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from ramanujan import UNIT_MASS_RATIO, Oscillator
+from ramanujan.browser import stage
+from ramanujan.contact import contact_forces, normal_forces
+from ramanujan.energy import energies
+from ramanujan.motion import ground_positions, ground_velocities, motion, relative_positions
+from ramanujan.pages.motion.cache import drawn_spacing
+from tests.engines import ANY_ENGINE
+from tests.picture import ROLLERS, Picture, in_pairs, length, upwards
+from tests.test_browser_picture import machines
+
+PIXEL = 1.0
+TIMES = (-0.3, 0.0, 0.22, 0.6, 2.85)
+"""Periods after release."""
+GRAVITY = 9.81
+
+Pairs = dict[str, tuple[float, float]]
+"""Name of a mark → its signed length [px] as drawn, and as the core has it."""
+
+
+def arrows(
+    layer: str, unit: str, values: Callable[[Picture], dict], size: Callable = length
+) -> Callable[[Picture, dict], Pairs]:
+    """Return the comparison for a layer of arrows that have a reference arrow.
+
+    Parameters
+    ----------
+    layer : id of the layer
+    unit : of the reference arrow
+    values : returns mark → value of the core, in this unit, positive to the right or upwards
+    size : `length` of arrows along the floor, `upwards` of upright ones
+    """
+
+    def compare(picture: Picture, drawn: dict) -> Pairs:
+        lines, scale = drawn["layers"][layer]["lines"], drawn["layers"][layer]["scale"]
+        mantissa = scale["value"] / 10 ** math.floor(math.log10(scale["value"]) + 1e-9)
+        assert round(mantissa, 9) in (1, 2, 5)
+        assert scale["text"].partition("\u202f")[2] == unit
+        per_unit = size(scale["box"]) / scale["value"]
+        expected = values(picture)
+        assert per_unit > 0
+        assert lines.keys() == expected.keys()
+        return {name: (size(lines[name]), float(value) * per_unit) for name, value in expected.items()}
+
+    return compare
+
+
+def velocities(picture: Picture) -> dict[str, float]:
+    return ground_velocities(picture.machine, picture.q_dot)
+
+
+def forces(picture: Picture) -> dict[str, float]:
+    force = contact_forces(picture.machine, picture.q)
+    spring = force.pop("spring")
+    return in_pairs(force) | {"spring slab": spring, "spring block": -spring}
+
+
+def weights(picture: Picture) -> dict[str, float]:
+    """Return weights and normal forces; at the slab the roller is below, so the force on it points down."""
+    machine = picture.machine
+    normal = normal_forces(machine, picture.q, g=GRAVITY, spacing=drawn_spacing(machine.radius))
+    signed = {name: -force if name.endswith("slab") else force for name, force in normal.items()}
+    masses = {"block": machine.m, "slab": machine.m, "top": machine.m}
+    masses |= {"hoop": machine.m_prime, "cylinder": machine.m_prime}
+    own = {f"weight {name}": -GRAVITY * mass for name, mass in masses.items()}
+    return in_pairs(signed) | own | {"floor block": GRAVITY * sum(masses.values())}
+
+
+def bars(picture: Picture, drawn: dict) -> Pairs:
+    """Return the bars of energy, whose total is ½kx₀²."""
+    whole = picture.find("root.querySelector('.bar').getBoundingClientRect().width")
+    total = picture.machine.k * picture.compression**2 / 2
+    shares = dict.fromkeys(drawn["bars"], 0.0)
+    for name, energy in energies(picture.machine, picture.q, picture.q_dot).items():
+        shares[name.partition("_")[0]] += float(energy) / total
+    return {name: (share * whole, shares[name] * whole) for name, share in drawn["bars"].items()}
+
+
+def traces(picture: Picture, drawn: dict) -> Pairs:
+    """Return where the mark on each rim was at some times of a period, from its roller's centre at q = 0."""
+    R, pairs = picture.machine.radius, {}
+    moved_now = ground_positions(picture.machine, picture.q)
+    for name in ROLLERS:
+        points = np.array(drawn["traces"][name])
+        x, y = drawn["rollers"][name]["centre"]
+        home = np.array([x - moved_now[name] * picture.pixels, y])
+        for index in range(0, len(points), 17):
+            t = index / (len(points) - 1) * picture.machine.period
+            q, _q_dot = motion(picture.machine, picture.initial, t)
+            angle = q[2] if name == "top" else q[1]
+            along = ground_positions(picture.machine, q)[name] + R * math.sin(angle)
+            right, down = points[index] - home
+            pairs[f"{name} {index} along"] = right, along * picture.pixels
+            pairs[f"{name} {index} upwards"] = -down, R * math.cos(angle) * picture.pixels
+    return pairs
+
+
+def coordinates(picture: Picture, drawn: dict) -> Pairs:
+    """Return X, x₀, 2Rφ and R, and the radius to the mark on each rim."""
+    marks, pixels, R = drawn["marks"], picture.pixels, picture.machine.radius
+    X, phi, Phi = picture.q
+    way, released, radius = marks["X_value"], marks["x0_value"], marks["R_value"]
+    slab = relative_positions(picture.machine, picture.q)["slab"]
+    pairs = {
+        "X": (way["start"][0] - way["end"][0] if way else 0.0, X * pixels),
+        "x0": (released["end"][0] - released["start"][0], picture.compression * pixels),
+        "slab": (length(marks["slab_value"] and marks["slab_value"]["arrow"]), slab * pixels),
+        "R": (math.dist(radius["start"], radius["end"]), R * pixels),
+    }
+    for name, angle in (("hoop", phi), ("cylinder", phi), ("top", Phi)):
+        right, down = np.subtract(marks[f"{name}_radius"]["end"], marks[f"{name}_radius"]["start"])
+        pairs[f"{name} along"] = right, R * math.sin(angle) * pixels
+        pairs[f"{name} upwards"] = -down, R * math.cos(angle) * pixels
+    return pairs
+
+
+MARKS: dict[str, Callable[[Picture, dict], Pairs]] = {
+    "energy": bars,
+    "arrows": arrows("arrows", "m/s", velocities),
+    "forces": arrows("forces", "N", forces),
+    "weights": arrows("weights", "N", weights, upwards),
+    "traces": traces,
+    "coordinates": coordinates,
+}
+"""Layer → comparison of its marks with the core."""
+
+
+def wrong(pairs: Pairs, factor: float = 1.0) -> list[str]:
+    """Return the marks that are wrong by more than a pixel, if all were drawn `factor` times as long."""
+    return [name for name, (drawn, expected) in pairs.items() if abs(factor * drawn - expected) > PIXEL]
+
+
+@ANY_ENGINE
+def test_the_marks_of_every_layer_agree_with_the_core(bare):
+    missing = stage.LAYERS.keys() - MARKS.keys()
+    assert not missing, f"Add to MARKS how the core computes the marks of {missing}."
+    picture = Picture(bare())
+    picture.layers(*stage.LAYERS)
+    longest = dict.fromkeys(stage.LAYERS, 0.0)
+    for machine, compression in [*machines(5), (Oscillator(1.0, UNIT_MASS_RATIO), 0.08)]:
+        picture.show(machine, compression)
+        for periods in TIMES:
+            drawn = picture.at(periods)
+            for layer in stage.LAYERS:
+                pairs = MARKS[layer](picture, drawn)
+                assert pairs
+                assert not wrong(pairs), (layer, machine, periods, pairs)
+                # Negative controls: the other direction, and three times the length.
+                furthest = max(abs(expected) for _drawn, expected in pairs.values())
+                longest[layer] = max(longest[layer], furthest)
+                if furthest > 2 * PIXEL:
+                    assert wrong(pairs, -1)
+                    assert wrong(pairs, 3)
+    assert min(longest.values()) > 20 * PIXEL, longest
