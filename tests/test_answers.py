@@ -293,14 +293,14 @@ def test_a_question_is_one_entry(monkeypatch):
     new = questions.Question(
         "top_momentum",
         "the momentum of Φ",
-        lambda: eliminate(machines.right()).momenta[Phi],
+        lambda: eliminate(machines.right_machine()).momenta[Phi],
         lambda: "What is the momentum $p_\\Phi$?",
         "2 m X' - m' R phi'",
         questions.POLYNOMIAL,
         ("momenta",),
         "Which terms of the Lagrangian contain Φ′?",
     )
-    monkeypatch.setitem(questions._ASKED, "top_momentum", new)
+    monkeypatch.setitem(questions._BY_NAME, "top_momentum", new)
     monkeypatch.setattr(sys.modules["ramanujan.answers.judge"], "QUESTIONS", (*QUESTIONS, "top_momentum"))
     assert judge("top_momentum", "(3/2)mR²Φ' - mRX'").kind == "right"
     assert "leave out R" in judge("top_momentum", "(3/2)mΦ' - mX'").message
@@ -328,7 +328,7 @@ def test_a_tiny_addition_is_not_overlooked(name, size, root):
     assert judge(name, f"({text})*(1 + 1/{size}^5{root})").kind == "wrong"
 
 
-@pytest.mark.parametrize("altered", machines.altered()[::7], ids=lambda each: f"{each.mistake.id} {each.group}")
+@pytest.mark.parametrize("altered", machines.altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}")
 def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(altered):
     """SymPy solves the equations of motion of the altered machine; the judge has them solved in numbers."""
     yours = eliminate(altered.machine)
@@ -336,7 +336,7 @@ def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(altered
         (OMEGA, yours.natural_frequency_squared),
         ("block_coupling", yours.X_from_phi / phi_ddot),
     ):
-        assert agree(*map(question(name).values, (machines.answer(name, altered.machine), formula)))
+        assert agree(*map(question(name).values, (machines.solve(name, altered.machine), formula)))
 
 
 HINTED = {
@@ -434,17 +434,17 @@ def test_a_false_hint_would_be_found(monkeypatch):
     """Negative control: a result that the hint does not have, and a hint in other words."""
     with monkeypatch.context() as patched:
         false = mistakes.Slip("plain_mass", mistakes.HINTS["plain_mass"], "k/m", (k / (3 * m),))
-        patched.setitem(questions._ASKED, OMEGA, replace(question(OMEGA), mistakes=lambda _right: [false]))
+        patched.setitem(questions._BY_NAME, OMEGA, replace(question(OMEGA), mistakes=lambda _right: [false]))
         assert not gets_its_hint("plain_mass")
     monkeypatch.setitem(mistakes.HINTS, "plain_mass", "This is Ω² of a mass 2m on the same spring. Which bodies move?")
-    monkeypatch.setitem(questions._ASKED, OMEGA, replace(question(OMEGA)))
+    monkeypatch.setitem(questions._BY_NAME, OMEGA, replace(question(OMEGA)))
     assert not gets_its_hint("plain_mass")
 
 
 def test_mistakes_about_bodies_change_something_and_have_a_sentence_and_a_question():
     assert len({each.id for each in machines.MISTAKES}) == len(machines.MISTAKES)
-    for each in machines.altered():
-        assert each.machine != machines.right()
+    for each in machines.altered_machines():
+        assert each.machine != machines.right_machine()
         assert re.fullmatch(r"[A-Z][^.?]*\. [A-Z][^.?]*\?", each.hint)
 
 
@@ -455,7 +455,7 @@ def test_a_hint_names_the_only_mistake_that_gives_a_result(name):
     for known in (it.slips, it.altered):
         for (one, first), (other, second) in combinations(known, 2):
             assert not agree(first, second), (one, other)
-    results = [(each.mistake, it.of_machine(each.machine)) for each in machines.altered()]
+    results = [(each.mistake, it.of_machine(each.machine)) for each in machines.altered_machines()]
     found = [(mistake, it.values(result)) for mistake, result in results if result not in (None, 0)]
     for hint, values in it.altered:
         kinds = {mistake.id for mistake, others in found if agree(values, others)}

@@ -1,4 +1,4 @@
-"""Formulas as they were typed, SymPy's nodes unevaluated: their size and their letters."""
+"""The size and the letters of typed formulas, which are unevaluated SymPy expressions."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -8,45 +8,52 @@ import sympy as sp
 
 
 def is_number(token: object) -> bool:
-    """Tell whether this is a number as typed: a whole number, a fraction such as ½, or a decimal."""
+    """Return whether a token is a typed number: a whole number, a fraction such as ½, or a decimal."""
     return isinstance(token, sp.Rational) or is_decimal(token)
 
 
 def is_decimal(token: object) -> bool:
-    """Tell whether this is a number typed with a decimal point."""
+    """Return whether a token is a number with a decimal point."""
     return isinstance(token, sp.Symbol) and token.name[:1] in "0123456789."
 
 
 def weights(expression: sp.Expr) -> Counter[sp.Expr]:
-    """Return how often each number and name is there when every power is written out: a bound on its degree."""
+    """Count the occurrences of each number and name, with every power written out as a product.
+
+    The count of a name bounds the degree of the formula in it.
+    """
     if expression.is_Pow:
         times = max(1, int(sp.ceiling(abs(expression.exp))))
-        return Counter({leaf: times * n for leaf, n in weights(expression.base).items()})
+        return Counter({leaf: times * count for leaf, count in weights(expression.base).items()})
     if expression.is_Add or expression.is_Mul:
         return sum(map(weights, expression.args), Counter())
     return Counter([expression])
 
 
 def length(expression: sp.Expr) -> int:
-    """Return how long a formula is to write: a sign for each name, digit of a number, exponent and root."""
+    """Return the written length of a formula: 1 for each name, digit, exponent and root."""
     if is_number(expression):
         p, q = Fraction(str(abs(expression) if expression.is_Rational else expression)).as_integer_ratio()
-        # A sign, and the 1 above a fraction line, take no room.
-        return (len(str(p)) if p != 1 or q == 1 else 0) + (len(str(q)) if q != 1 else 0)
+        # Neither a sign nor the 1 above a fraction line counts.
+        above = 0 if p == 1 and q != 1 else len(str(p))
+        below = 0 if q == 1 else len(str(q))
+        return above + below
     if expression.is_Pow:
         return length(expression.base) + (abs(expression.exp) != 1)
     if expression.is_Mul:
         return sum(length(factor) for factor in expression.args if factor not in (1, -1))
-    return sum(map(length, expression.args)) if expression.is_Add else 1
+    if expression.is_Add:
+        return sum(map(length, expression.args))
+    return 1
 
 
 def leaves(expression: sp.Expr) -> set[sp.Expr]:
-    """Return the numbers and names of which a formula is made; exponents do not count."""
+    """Return the numbers and names in a formula, without its exponents."""
     return set(weights(expression))
 
 
 def replaced(expression: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
-    """Return a formula with other expressions in the place of some letters, still unevaluated."""
+    """Replace some letters of a formula by other expressions, without evaluation."""
     if expression.is_Pow:
         return sp.Pow(replaced(expression.base, values), expression.exp, evaluate=False)
     if not (expression.is_Add or expression.is_Mul):
@@ -55,5 +62,5 @@ def replaced(expression: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
 
 
 def without_signs(expression: sp.Expr) -> sp.Expr:
-    """Return a formula, still unevaluated, in which every minus sign is a plus: no two of its terms cancel."""
+    """Replace every minus sign by a plus sign, without evaluation, so that no two terms cancel."""
     return replaced(expression, {leaf: abs(leaf) for leaf in leaves(expression) if leaf.is_Rational})

@@ -1,13 +1,13 @@
-"""Text to expression: the small grammar in which a student types a formula, also with LaTeX's commands.
+"""Parse the small grammar in which a student types a formula, including LaTeX commands.
 
     sum      = product { (+ | −) product }
     product  = factor { (* | / | nothing) factor }
     factor   = { + | − } primary [ ^ exponent ]
     primary  = number | name | √ primary | frac primary primary | ( sum )
 
-The text is only compared with this grammar; SymPy's own parser never sees it. What is returned are SymPy's nodes as
-they were typed, unevaluated: `length`, digits and exponents are bounded before anything is computed. The LaTeX of what
-was typed is put together meanwhile; SymPy's printer would evaluate it.
+SymPy's own parser evaluates Python code, so it never receives the text. The result is an unevaluated SymPy expression,
+and its length, digits and exponents are bounded before any computation. The parser also builds the LaTeX of the text,
+because SymPy's printer would evaluate the expression.
 """
 
 from collections.abc import Callable
@@ -21,14 +21,14 @@ from ramanujan.numerals import in_latex
 from ramanujan.translation import _
 
 MAX_LENGTH, MAX_DEPTH, MAX_EXPONENT, MAX_WEIGHT = 320, 20, 12, 120
-"""Limits on characters, brackets, |exponent| and all `weights`; they bound all later work."""
+"""Limits on characters, nested brackets, |exponent| and the sum of all `weights`; they bound all later work."""
 
 MOST_TYPED = 2 * MAX_LENGTH
-"""The longest text: LaTeX takes more characters than what it says."""
+"""The longest text. LaTeX needs more characters than the formula it spells."""
 
 
 def parse(text: str) -> sp.Expr:
-    """Return the expression that a text spells, unevaluated; a decimal number is a symbol with its digits as name.
+    """Return the unevaluated expression for a text; a decimal number becomes a symbol whose name is its digits.
 
     Parameters
     ----------
@@ -36,28 +36,28 @@ def parse(text: str) -> sp.Expr:
 
     Raises
     ------
-    UnreadableError : the text is not such a formula, is ambiguous, or exceeds a limit; the message says which.
+    UnreadableError : the text is not a formula, is ambiguous, or exceeds a limit; the message is for the student.
     """
     return _sides(text)[0].value
 
 
 def parse_equation(text: str) -> tuple[sp.Expr, sp.Expr]:
-    """Return both sides of the equation that a text spells; without an equals sign, the right side is 0.
+    """Return both sides of an equation; without an equals sign, the right side is 0.
 
     Raises
     ------
-    UnreadableError : a side is not a formula as `parse` reads it, or there is more than one equals sign.
+    UnreadableError : `parse` cannot read a side, or the text has more than one equals sign.
     """
     left, right = _sides(text, is_equation=True)
     return left.value, right.value
 
 
 def typeset(text: str, *, is_equation: bool = False) -> str:
-    """Return a formula, or an equation, as LaTeX: as it was typed, nothing evaluated, gathered or reordered.
+    """Return a formula or an equation as LaTeX, in the typed order and without evaluation.
 
     Raises
     ------
-    UnreadableError : as `parse` and `parse_equation` do.
+    UnreadableError : under the conditions of `parse` and `parse_equation`.
     """
     return "=".join(side.bare for side in _sides(text, is_equation))
 
@@ -74,10 +74,12 @@ def _sides(text: str, is_equation: bool = False) -> "list[_Part]":
         raise UnreadableError(_("Type one equation, with one equals sign."))
     if not is_equation and len(sides) > 1:
         raise UnreadableError(_("Type only the right side of the equation, without the equals sign."))
-    return [_side(each) for each in (*sides, "0")[: 1 + is_equation]]
+    if is_equation and len(sides) == 1:
+        sides.append("0")
+    return [_parse_side(side) for side in sides]
 
 
-def _side(in_ascii: str) -> "_Part":
+def _parse_side(in_ascii: str) -> "_Part":
     reader = _Reader(list(tokens(in_ascii)))
     if reader.next is None:
         raise UnreadableError(_("Type a formula first."))
@@ -88,7 +90,7 @@ def _side(in_ascii: str) -> "_Part":
 
 
 class _Part:
-    """A part of a formula: its value, not evaluated; its LaTeX; and that without the brackets around it."""
+    """A part of a formula: its unevaluated value, its LaTeX, and its LaTeX without outer brackets."""
 
     def __init__(self, value: sp.Expr, shown: str, bare: str = "") -> None:
         if weights(value).total() > MAX_WEIGHT:
@@ -97,17 +99,17 @@ class _Part:
 
     @property
     def unsigned(self) -> str:
-        """The LaTeX of what comes after something else."""
+        """The LaTeX after another term or factor: in brackets if it begins with a minus sign."""
         return _bracketed(self.shown) if self.shown.startswith("-") else self.shown
 
     @property
     def base(self) -> str:
-        """The LaTeX of what gets an exponent."""
+        """The LaTeX below an exponent."""
         return _bracketed(self.shown) if self.shown.startswith(r"\frac") else f"{{{self.shown}}}"
 
 
 class _Reader:
-    """Recursive descent over the tokens; `next` is the token that comes, None at the end."""
+    """A recursive-descent parser; `next` is the next token, None at the end."""
 
     def __init__(self, tokens: list[tuple[Token, bool]]) -> None:
         self._tokens = [*tokens, (None, False)]
@@ -175,7 +177,7 @@ class _Reader:
         part = self._nested(self.factor)
         typed = part.value
         parts = leaves(typed)
-        # The exponents in it are small already, so that its numbers can be worked out.
+        # Nested exponents have passed the check below, so the evaluation is cheap.
         numbers = {part: sp.Rational(str(part)) for part in parts if is_number(part)}
         exponent = replaced(typed, numbers).doit() if len(numbers) == len(parts) else sp.nan
         if not exponent.is_Rational or abs(exponent) > MAX_EXPONENT or exponent.q > 2:
@@ -245,11 +247,13 @@ def _bracketed(shown: str) -> str:
 
 
 def _fraction(above: str, bare: str, below: _Part) -> str:
-    """Return a fraction as LaTeX, from its numerator with and without brackets, whose minus sign comes before it."""
+    """Return a fraction as LaTeX, from its numerator with and without brackets; a minus sign moves to its front."""
     sign, unsigned = ("- ", bare[2:]) if above.startswith("- ") else ("", bare)
     return rf"{sign}\frac{{{unsigned}}}{{{below.bare}}}"
 
 
 def _side_by_side(before: str, after: str) -> str:
-    """Return two factors as LaTeX, with a dot where they would read as one number or as a number and a fraction."""
-    return before + (r" \cdot " if after.lstrip("{").startswith((*".0123456789", r"\frac")) else r"\,") + after
+    """Return two factors as LaTeX, with a dot before a number or a fraction, which would otherwise look attached."""
+    needs_dot = after.lstrip("{").startswith((*".0123456789", r"\frac"))
+    sign = r" \cdot " if needs_dot else r"\,"
+    return before + sign + after

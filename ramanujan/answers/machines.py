@@ -1,4 +1,4 @@
-"""Wrong bodies, and the answers that follow from the equations of motion of an altered machine.
+"""Mistakes about the bodies, and the answers that follow from the equations of motion of an altered machine.
 
 A mistake changes the mass, inertia, velocity or angle of one body or of a group. The equations of motion of every
 altered machine are solved exactly, for any mass ratio.
@@ -18,7 +18,7 @@ from ramanujan.derivation import model
 from ramanujan.derivation.model import COORDINATES, Body, Machine, Phi, R, X, epsilon, k, m, m_prime, machine, phi
 from ramanujan.translation import _
 
-CALLED = {
+BODY_NAMES = {
     # TRANSLATORS: the names of the bodies in sentences; they fill the slots {body}, {name} and {roller}.
     "block": _("the block"),
     "hoop": _("the hoop"),
@@ -29,7 +29,7 @@ CALLED = {
 """The name of each body in a sentence."""
 
 _LOWER, _ROLLERS, _RIDERS = "hoop cylinder", "hoop cylinder top", "hoop cylinder slab top"
-_GROUPS = CALLED | {
+_GROUPS = BODY_NAMES | {
     _LOWER: _("the lower rollers"),
     _ROLLERS: _("all rollers"),
     _RIDERS: _("everything on the block"),
@@ -43,10 +43,10 @@ _SHAPES = {
     sp.Rational(2, 3): (_("a spherical shell"), ("kinetic_energy_hoop", "½m'(Rφ'-X')²+⅓m'R²φ'²")),
     sp.Rational(2, 5): (_("a solid sphere"), ("kinetic_energy_hoop", "½m'(Rφ'-X')²+⅕m'R²φ'²")),
 }
-"""The name of a body with each shape factor, and the example of a mistake with it."""
+"""Shape factor → the name of the body in a sentence, and an example of a mistake with it."""
 
-right = cache(machine)
-"""Return the right machine."""
+right_machine = cache(machine)
+"""Return the machine of the paper."""
 
 
 @dataclass(frozen=True)
@@ -55,11 +55,11 @@ class Mistake:
 
     Parameters
     ----------
-    id : the name
-    hint : a sentence and the question that leads on, with slots for {body}, and for its {mass}, {angle} or {shape}
-    groups : the bodies, and the groups of bodies, that it may concern
-    change : body → its wrong attributes
-    example : a question and the answer of a student who makes the mistake
+    id : the id
+    hint : a sentence and the next question, with slots for the {body} and its {mass}, {angle} or {shape}
+    groups : the bodies and groups of bodies about which one can make the mistake
+    change : takes a body, returns its wrong attributes
+    example : the name of a question, and a wrong answer with this mistake
     """
 
     id: str
@@ -70,7 +70,7 @@ class Mistake:
 
     @property
     def is_of_inertia(self) -> bool:
-        """Whether it changes only moments of inertia."""
+        """Whether the mistake changes only moments of inertia."""
         return self.id == "no_rotation" or self.id.startswith("inertia")
 
 
@@ -128,7 +128,7 @@ MISTAKES = (
         "other_mass",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you give the mass {mass} to {body}. Which bodies have this mass?"),
-        (*CALLED, _LOWER),
+        (*BODY_NAMES, _LOWER),
         lambda body: {"mass": m if body.mass == m_prime else m_prime},
         ("kinetic_energy_block", "½m'X'²"),
     ),
@@ -153,7 +153,7 @@ MISTAKES = (
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if {body} moves only as far as the centres of its rollers. How far do their tops move?"),
         ("slab",),
-        lambda _body: {"displacement": right()["hoop"].displacement},
+        lambda _body: {"displacement": right_machine()["hoop"].displacement},
         ("kinetic_energy_slab", "½m(Rφ'-X')²"),
     ),
     Mistake(
@@ -161,7 +161,7 @@ MISTAKES = (
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you let {body} move as far as the slab. How far does the centre of a roller move?"),
         (*_LOWER.split(), _LOWER),
-        lambda _body: {"displacement": right()["slab"].displacement},
+        lambda _body: {"displacement": right_machine()["slab"].displacement},
         ("kinetic_energy_hoop", "½m'(2Rφ'-X')²+½m'R²φ'²"),
     ),
     Mistake(
@@ -187,7 +187,7 @@ MISTAKES = (
         "left_out",
         # TRANSLATORS: {body} is the block, the hoop, the lower rollers … as translated for this.
         _("You get this result if you leave out {body}. Which bodies have kinetic energy?"),
-        tuple(CALLED),
+        tuple(BODY_NAMES),
         lambda _body: {"mass": sp.S.Zero},
         ("lagrangian", "(m+m')X'² + ¼(8m+7m')R²φ'² - 2(m+m')RX'φ' - 2kR²φ²"),
     ),
@@ -195,29 +195,32 @@ MISTAKES = (
 
 
 @cache
-def altered() -> tuple[Altered, ...]:
-    """Return the machine of each mistake about each group of bodies, unless it changes nothing."""
-    found = (
-        Altered(mistake, group, Machine(tuple(_changed(body, mistake, group.split()) for body in right().bodies)))
-        for mistake in MISTAKES
-        for group in mistake.groups
-    )
-    return tuple(each for each in found if each.machine != right())
+def altered_machines() -> tuple[Altered, ...]:
+    """Return the machine of each mistake about each group of bodies, without those equal to the right machine."""
+    machines = []
+    for mistake in MISTAKES:
+        for group in mistake.groups:
+            bodies = (_change(body, mistake, group.split()) for body in right_machine().bodies)
+            altered = Altered(mistake, group, Machine(tuple(bodies)))
+            if altered.machine != right_machine():
+                machines.append(altered)
+    return tuple(machines)
 
 
-def _changed(body: Body, mistake: Mistake, names: list[str]) -> Body:
+def _change(body: Body, mistake: Mistake, names: list[str]) -> Body:
     return replace(body, **mistake.change(body)) if body.name in names else body
 
 
-def named(same: Sequence[Altered]) -> str | None:
-    """Return the hint at the only mistake with a result; None if several mistakes have it.
+def common_hint(alternatives: Sequence[Altered]) -> str | None:
+    """Return the hint for altered machines with the same result, None if their mistakes differ.
 
-    If groups contain each other, the smallest one is named: the rest of the mistake has no effect on the result.
+    If their groups contain each other, the hint is about the smallest group. The other bodies do not affect the result.
     """
-    least = min(same, key=lambda each: len(each.bodies))
-    if all(each.mistake is least.mistake and least.bodies <= each.bodies for each in same):
+    least = min(alternatives, key=lambda altered: len(altered.bodies))
+    if all(altered.mistake is least.mistake and least.bodies <= altered.bodies for altered in alternatives):
         return least.hint
-    if all(each.mistake.is_of_inertia and each.bodies <= {*_LOWER.split()} for each in same):
+    lower_rollers = frozenset(_LOWER.split())
+    if all(altered.mistake.is_of_inertia and altered.bodies <= lower_rollers for altered in alternatives):
         return _("You get this result with other moments of inertia of the lower rollers. What are they?")
     return None
 
@@ -234,22 +237,27 @@ _FORCE_ON_PHI = DomainMatrix([[_DOMAIN.zero], [_DOMAIN.one], [_DOMAIN.zero]], (3
 @cache
 def mass_matrix(bodies: Machine) -> tuple[tuple[sp.Expr, ...], ...]:
     """Return the mass matrix of a machine, in the order X, φ, Φ."""
-    moving = [(body.mass, _rates_of(body.displacement)) for body in bodies.bodies]
-    turning = [(body.moment_of_inertia, _rates_of(body.angle)) for body in bodies.bodies]
-    places = range(len(COORDINATES))
-    return tuple(tuple(sp.Add(*(mass * v[i] * v[j] for mass, v in moving + turning)) for j in places) for i in places)
+    gradients = [(body.mass, _gradient(body.displacement)) for body in bodies.bodies]
+    gradients += [(body.moment_of_inertia, _gradient(body.angle)) for body in bodies.bodies]
+
+    def entry(i: int, j: int) -> sp.Expr:
+        return sp.Add(*(inertia * gradient[i] * gradient[j] for inertia, gradient in gradients))
+
+    indices = range(len(COORDINATES))
+    return tuple(tuple(entry(i, j) for j in indices) for i in indices)
 
 
 @cache
-def _rates_of(path: sp.Expr) -> tuple[sp.Expr, ...]:
+def _gradient(path: sp.Expr) -> tuple[sp.Expr, ...]:
+    """Return the derivatives of a displacement or an angle with respect to X, φ and Φ."""
     return tuple(sp.diff(path, q) for q in COORDINATES)
 
 
-def _solved(name: str, bodies: Machine, factors: dict[tuple[int, int], int]) -> sp.Expr | None:
-    """Return the answer to a question from the equations of motion M a = −∂U/∂q, None if there is none.
+def _solve_motion(name: str, bodies: Machine, factors: dict[tuple[int, int], int]) -> sp.Expr | None:
+    """Return the answer to a question from the equations of motion M a = −∂U/∂q, None without a solution.
 
-    Only φ has a force, −∂U/∂φ = −stiffness·φ. So the accelerations are in the ratio of the column φ of M⁻¹, and Ω² is
-    the stiffness times its entry in the row φ. The question about the φ equation writes its last term as 4kRφ.
+    The only force is −∂U/∂φ = −stiffness·φ. So the accelerations are in the ratio of the column φ of M⁻¹, and Ω² is the
+    stiffness times the entry of that column in the row φ.
 
     Parameters
     ----------
@@ -258,26 +266,30 @@ def _solved(name: str, bodies: Machine, factors: dict[tuple[int, int], int]) -> 
     factors : row and column of an entry of M → its factor, for a slip in the elimination
     """
     matrix = [[_in_units(entry) for entry in row] for row in mass_matrix(bodies)]
-    stiffness = _in_units(k * _rates_of(bodies.deformation)[1] ** 2)
     for (row, column), factor in factors.items():
         matrix[row][column] *= factor
-    # Without a top cylinder the Φ equation is empty, and Φ̈ may be 0.
+    # Without a top cylinder the Φ equation is empty. This entry makes Φ̈ zero.
     matrix[2][2] = matrix[2][2] or _DOMAIN.one
+    stiffness = _in_units(k * _gradient(bodies.deformation)[1] ** 2)
     try:
-        block, rollers, top = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI).to_list_flat()
+        column = DomainMatrix(matrix, (3, 3), _DOMAIN).lu_solve(_FORCE_ON_PHI).to_list_flat()
     except DMNonInvertibleMatrixError:
         return None
-    quotients = {
-        "block_coupling": (block, rollers, R),
-        "top_coupling": (top, rollers, 1),
-        "phi_equation": (4 * matrix[1][1], stiffness, m * R),
-    }
-    above, below, unit = quotients.get(name, (stiffness * rollers, _DOMAIN.one, k / m))
-    if not below:
-        return None
+    X_entry, phi_entry, Phi_entry = column
+    if name == "block_coupling":
+        return _quotient(X_entry, phi_entry, R)
+    if name == "top_coupling":
+        return _quotient(Phi_entry, phi_entry, sp.S.One)
+    if name == "phi_equation":
+        # The question writes the last term of the equation as 4kRφ.
+        return _quotient(4 * matrix[1][1], stiffness, m * R)
     if name in ("unit_quadratic", "unit_mass_ratio"):
-        return _condition(name, above)
-    return unit * (above / below).as_expr()
+        return _condition(name, stiffness * phi_entry)
+    return k / m * (stiffness * phi_entry).as_expr()
+
+
+def _quotient(numerator: FracElement, denominator: FracElement, unit: sp.Expr) -> sp.Expr | None:
+    return unit * (numerator / denominator).as_expr() if denominator else None
 
 
 def _condition(name: str, squared: FracElement) -> sp.Expr | None:
@@ -296,16 +308,16 @@ def _in_units(expression: sp.Expr) -> FracElement:
 
 
 def positive_root(condition: sp.Poly) -> sp.Expr | None:
-    """Return the positive root of a quadratic, None unless it has exactly one."""
+    """Return the positive root of a quadratic, None unless exactly one root is positive."""
     a, b, c = condition.all_coeffs()
     return (sp.sqrt(b**2 - 4 * a * c) / abs(a) - b / a) / 2 if a * c < 0 else None
 
 
-def answer(name: str, bodies: Machine) -> sp.Expr | None:
-    """Return the answer to a question about the elimination that is right for a machine, None if there is none."""
-    return _solved(name, bodies, {})
+def solve(name: str, bodies: Machine) -> sp.Expr | None:
+    """Return the answer to a question about the elimination for a machine, None without a solution."""
+    return _solve_motion(name, bodies, {})
 
 
-def with_a_slip(name: str, row: int, column: int, factor: int) -> sp.Expr | None:
-    """Return the answer to a question if one entry of the mass matrix is multiplied by a factor."""
-    return _solved(name, right(), {(row, column): factor})
+def solve_with_slip(name: str, row: int, column: int, factor: int) -> sp.Expr | None:
+    """Return the answer to a question after one entry of the mass matrix is multiplied by a factor."""
+    return _solve_motion(name, right_machine(), {(row, column): factor})

@@ -1,7 +1,7 @@
-"""Natural slips: the hint at each, an example of it, and the results to which it leads.
+"""Typical slips, each with a hint, an example and the wrong answers to which it leads.
 
 A slip is an error in a formula, a guess, the answer to another question, or an error in the elimination. No two slips
-of one question have the same result, so a hint names the only one. Wrong bodies are in `machines`.
+of one question have the same result, so a result determines the slip. Mistakes about bodies are in `machines`.
 """
 
 from collections.abc import Iterator
@@ -142,7 +142,7 @@ HINTS = {
         "You get this result if you multiply only one term of a bracket. Which terms does the factor multiply?"
     ),
 }
-"""A sentence about each slip and the question that leads on."""
+"""A sentence about each slip and the next question."""
 
 
 class Slip(NamedTuple):
@@ -150,10 +150,10 @@ class Slip(NamedTuple):
 
     Parameters
     ----------
-    id : its name in `HINTS`
+    id : its key in `HINTS`
     hint : the hint, with its slots filled
-    example : an answer of a student who makes the slip, to one of the questions that have it
-    results : the answers to which it leads; None if there is no solution
+    example : a wrong answer with this slip, to one of its questions
+    results : the answers to which it leads; None for one without a solution
     """
 
     id: str
@@ -171,7 +171,7 @@ def _slip(id: str, example: str, *results: sp.Expr | None, **slots: object) -> S
 
 def elimination() -> Elimination:
     """Return the elimination for the right machine."""
-    return eliminate(machines.right())
+    return eliminate(machines.right_machine())
 
 
 def no_radius(right: sp.Expr) -> Slip:
@@ -184,11 +184,11 @@ def no_radius(right: sp.Expr) -> Slip:
 
 def energy(name: str) -> Slips:
     """Yield the slips in the kinetic energy of one body."""
-    body = machines.right()[name]
+    body = machines.right_machine()[name]
     whole, travel, spin = sp.expand(body.kinetic_energy), body.translation, body.rotation
     squares = [term for term in sp.Add.make_args(whole) if sum(term.has(rate) for rate in VELOCITIES) == 1]
     yield _slip("no_mixed_term", "½m'(R²φ'²+X'²)+½m'R²φ'²", sp.Add(*squares))
-    # Without the square, the velocity may be positive to either side.
+    # Without the square, the sign of the velocity depends on the positive direction, which the student chooses.
     momentum, turning = body.mass * body.velocity, body.moment_of_inertia * body.angle.diff(t)
     yield _slip("velocity_not_squared", "½mX'", (turning + momentum) / 2, (turning - momentum) / 2)
     yield _slip("no_half_of_energy", "mX'²", 2 * whole)
@@ -196,15 +196,15 @@ def energy(name: str) -> Slips:
         return
     yield _slip("no_half_of_translation", "m'(Rφ'-X')²+½m'R²φ'²", 2 * travel + spin)
     yield _slip("rotation_twice", "½m'(Rφ'-X')²+m'R²φ'²", whole + spin)
-    # The difference for a hoop has no φ′², like an answer without that term.
+    # For a hoop the difference contains no φ′², so it equals an answer in which that term is missing.
     if body.shape_factor != 1:
         yield _slip("energies_subtracted", "½m'(Rφ'-X')²-¼m'R²φ'²", travel - spin, spin - travel)
-    yield _slip("rotation_alone", "½m'R²φ'²", spin, body=machines.CALLED[name])
+    yield _slip("rotation_alone", "½m'R²φ'²", spin, body=machines.BODY_NAMES[name])
 
 
 def spring() -> Slips:
     """Yield the slips in the energy of the spring."""
-    bodies = machines.right()
+    bodies = machines.right_machine()
     path, block = bodies.deformation, bodies["block"].displacement
     yield _slip("no_half_of_spring", "k(2Rφ)²", k * path**2)
     yield _slip("deformation_not_squared", "½k·2Rφ", k * path / 2)
@@ -218,7 +218,7 @@ def spring() -> Slips:
 
 def lagrangian(right: sp.Expr) -> Slips:
     """Yield the slips in the Lagrangian: in the sign of U and in U itself."""
-    stored = machines.right().potential_energy
+    stored = machines.right_machine().potential_energy
     kinetic = "½(3m+2m')X'² + ¼(8m+7m')R²φ'² + ¾mR²Φ'² - 2(m+m')RX'φ' - mRX'Φ'"
     yield _slip("potential_energy_added", f"{kinetic} + 2kR²φ²", right + 2 * stored)
     yield _slip("kinetic_energy_alone", kinetic, right + stored)
@@ -244,7 +244,7 @@ def block_equation(right: sp.Expr) -> Slips:
 
 
 def _of_other_coordinates(id: str, example: str, results: dict[sp.Expr, sp.Expr]) -> Slips:
-    """Yield the slips of taking φ or Φ for X."""
+    """Yield the slips of answering for φ or Φ instead of X."""
     for q, letter in zip(COORDINATES[1:], "φΦ", strict=True):
         yield _slip(id, example, results[q], coordinate=letter)
 
@@ -253,15 +253,16 @@ def _of_other_coordinates(id: str, example: str, results: dict[sp.Expr, sp.Expr]
 
 
 def coupling(name: str, right: sp.Expr) -> Slips:
-    """Yield the slips in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another pair, and those of the elimination."""
+    """Yield the slips in Ẍ/φ̈ or Φ̈/φ̈: guesses, the reciprocal, another quotient, and slips of the elimination."""
     if name == "block_coupling":
         yield _slip("centres_at_rest", "R", R)
         yield _slip("slab_at_rest", "2R", 2 * R)
     else:
         yield _slip("rollers_turn_alike", "1", sp.S.One)
     yield _slip("reciprocal_coupling", "(7m+6m')/(4(m+m'))", 1 / right)
-    block, top = (answer_of(each) for each in ("X_from_phi", "Phi_from_phi"))
-    for (above, below), quotient in {"Xφ": block, "Φφ": top, "XΦ": block / top, "ΦX": top / block}.items():
+    block, top = answer_of("X_from_phi"), answer_of("Phi_from_phi")
+    quotients = {("X", "φ"): block, ("Φ", "φ"): top, ("X", "Φ"): block / top, ("Φ", "X"): top / block}
+    for (above, below), quotient in quotients.items():
         if quotient != right:
             pair = {"above": above, "below": below}
             yield _slip("other_pair", "4(m+m')/(7m+6m')", quotient, **pair)
@@ -286,7 +287,7 @@ def equation(right: sp.Expr) -> Slips:
 def frequency(right: sp.Expr) -> Slips:
     """Yield the slips in Ω²."""
     equal = right.subs(m_prime, m)
-    together = sum(body.mass for body in machines.right().bodies)
+    together = sum(body.mass for body in machines.right_machine().bodies)
     yield _slip("square_root_of_answer", "√(8k(7m+6m')/(32m²+49mm'+18m'²))", sp.sqrt(right))
     yield _slip("square_of_answer", "(8k(7m+6m')/(32m²+49mm'+18m'²))²", right**2)
     yield _slip("normalized", "8m(7m+6m')/(32m²+49mm'+18m'²)", right * m / k)
@@ -303,19 +304,20 @@ def frequency(right: sp.Expr) -> Slips:
 def _of_masses(right: sp.Expr) -> Slips:
     """Yield an answer for equal masses, and answers with m and m′ interchanged."""
     yield _slip("equal_masses", "12R/13", right.subs(m_prime, m), right.subs(m, m_prime))
-    above, below = sp.fraction(right)
-    above_off, below_off = (part.xreplace({m: m_prime, m_prime: m}) for part in (above, below))
-    results = above_off / below, above / below_off, above_off / below_off
+    numerator, denominator = sp.fraction(right)
+    interchange = {m: m_prime, m_prime: m}
+    wrong_numerator, wrong_denominator = numerator.xreplace(interchange), denominator.xreplace(interchange)
+    results = wrong_numerator / denominator, numerator / wrong_denominator, wrong_numerator / wrong_denominator
     yield _slip("masses_interchanged", "6R(m+m')/(6m+7m')", *results)
 
 
 def procedures(name: str) -> Slips:
     """Yield the slips in the elimination; each multiplies one entry of the mass matrix by a factor."""
     # The rows and columns 0, 1 and 2 belong to X, φ and Φ.
-    yield _slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", machines.with_a_slip(name, 0, 2, 0))
-    yield _slip("block_stands_still", "8k/(8m+7m')", machines.with_a_slip(name, 1, 0, 0))
+    yield _slip("no_top_in_block_equation", "2(m+m')R/(3m+2m')", machines.solve_with_slip(name, 0, 2, 0))
+    yield _slip("block_stands_still", "8k/(8m+7m')", machines.solve_with_slip(name, 1, 0, 0))
     for letter, row in (("Φ", 2), ("X", 1)):
-        result = machines.with_a_slip(name, row, 0, -1)
+        result = machines.solve_with_slip(name, row, 0, -1)
         yield _slip("wrong_sign_inserted", "6R(m+m')/(11m+6m')", result, q=letter)
 
 
@@ -353,7 +355,7 @@ def quadratic(right: sp.Expr) -> Slips:
 
 
 def _sides() -> Slips:
-    """Yield slips on the way from Ω²m/k = 1 to the quadratic: in signs, and in the product in the numerator."""
+    """Yield the slips between Ω²m/k = 1 and the quadratic: in signs, and in the product in the numerator."""
     above, below = sp.fraction(unit_frequency_condition().normalized_frequency_squared)
     yield _slip("sides_added", "18ε² + 97ε + 88 = 0", below + above)
     terms = sp.expand(above).as_ordered_terms()

@@ -1,7 +1,7 @@
-"""The questions: prompt, right answer, mistakes, hints, and the step that shows the answer.
+"""The questions, each with its prompt, right answer, mistakes, hints and the derivation step with the answer.
 
-Right answers come from the bodies and their elimination; hints and steps come from the route of Euler and Lagrange. A
-new question is one entry of `_ALL`; its own slips are optional, in `mistakes`.
+Right answers come from the bodies and their elimination. Hints and steps come from the route of Euler and Lagrange. A
+new question is one entry of `_ALL`; the slips of its own are optional and belong in `mistakes`.
 """
 
 from collections.abc import Callable, Mapping
@@ -14,7 +14,7 @@ from sympy.polys.fields import FracElement
 
 from ramanujan.answers import machines, mistakes
 from ramanujan.answers.formulas import leaves, length, without_signs
-from ramanujan.answers.machines import CALLED, Altered
+from ramanujan.answers.machines import BODY_NAMES, Altered
 from ramanujan.answers.mistakes import Slip, Slips, elimination
 from ramanujan.answers.spelling import MOTION, SYMBOLS, TEXTBOOK
 from ramanujan.answers.terms import NAMES, Compared, exact
@@ -32,25 +32,25 @@ POLYNOMIAL, QUOTIENT, NUMBER, EQUATION = "polynomial", "quotient", "number", "eq
 
 @dataclass(frozen=True)
 class Question:
-    """A question, how its answer is derived, compared, spoiled by mistakes, and led to.
+    """A question about the derivation.
 
     Parameters
     ----------
     name : the name in `QUESTIONS`
-    quantity : the quantity asked for, in a few words of plain text
+    quantity : the requested quantity, in a few words of plain text
     answer : derives the right answer
     prompt : returns one or two sentences, Markdown with $…$
-    example : a formula that shows how to type; it is not the answer
+    example : a wrong formula in the notation of the answer, to show how to type
     kind : POLYNOMIAL, QUOTIENT, NUMBER or EQUATION
-    steps : keys of steps in the route of Euler and Lagrange that say how it is done; the last one has the answer
-    leads_on : the question that a lecturer would ask next
-    mistakes : takes the answer, returns its slips
+    steps : keys of the steps in the route of Euler and Lagrange that explain the answer; the last one contains it
+    next_question : the lecturer's next question after a wrong answer
+    mistakes : takes the right answer, returns its slips
     of_machine : takes a machine with wrong bodies, returns the answer for it
     of_terms : product of names, as shown → the next question about its coefficient
-    letters : letters of the textbook → what each stands for here, and the question about it
-    variables : the names in whose products the answer is written term by term
-    any_form : whether a right answer need not be simplified; that of an equation never does
-    symbol : what the prompt calls the answer, where no step of the route names it
+    letters : letter of the textbook → its meaning here, and a question about the meaning
+    variables : the variables of the answer as a polynomial
+    any_form : whether an unsimplified form is right, too; for an equation it always is
+    symbol : the name of the answer in the prompt, if no step of the route defines it
     """
 
     name: str
@@ -60,7 +60,7 @@ class Question:
     example: str
     kind: str
     steps: tuple[str, ...]
-    leads_on: str
+    next_question: str
     mistakes: Callable[[sp.Expr], Slips] = lambda _right: iter(())
     of_machine: Callable[[Machine], sp.Expr | None] = lambda _machine: None
     of_terms: Mapping[str, str] = field(default_factory=dict)
@@ -77,11 +77,11 @@ class Question:
     @property
     def of_one_body(self) -> bool:
         """Whether the question is about one body."""
-        return any(self.name == f"kinetic_energy_{body}" for body in CALLED)
+        return any(self.name == f"kinetic_energy_{body}" for body in BODY_NAMES)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names that the answer may contain, as typed; ε may stand for m′/m where both masses do."""
+        """The typed names that the answer may contain; with both masses, ε as an abbreviation of m′/m, too."""
         allowed = leaves(self.right)
         if {m, m_prime} <= allowed and self.variables == NAMES:
             allowed |= {epsilon}
@@ -89,29 +89,29 @@ class Question:
 
     @property
     def accepted(self) -> tuple[str, ...]:
-        """The names and the textbook’s letters that the answer may contain, as typed."""
+        """The typed names and textbook letters that the answer may contain."""
         return (*self.names, *(letter.name for letter in self.letters))
 
     @property
     def hints(self) -> tuple[str, ...]:
-        """From the next question to ask to how it is done, Markdown with $…$; none contains the answer."""
-        return (self.leads_on, *(_step(key).reason for key in self.steps))
+        """The next question, then the reasons of the steps, Markdown with $…$; none contains the answer."""
+        return (self.next_question, *(_step(key).reason for key in self.steps))
 
     def values(self, formula: sp.Expr) -> Values:
-        """Return the values by which a formula is compared with the answer; of an equation a common factor cancels.
+        """Return the values of a formula for the comparison with the answer; in an equation a common factor cancels.
 
         Raises
         ------
-        ArithmeticError : as `values.at_points` does.
+        ArithmeticError : under the conditions of `values.at_points`.
         """
         return up_to_a_factor(formula, self.variables) if self.kind == EQUATION else at_points(formula)
 
     def terms(self, formula: sp.Expr) -> FracElement:
-        """Return a formula in lowest terms, in the names of the answer.
+        """Return a formula in lowest terms, with ε only if the right answer contains ε.
 
         Raises
         ------
-        terms.NotComparableError : as `terms.exact` does.
+        terms.NotComparableError : under the conditions of `terms.exact`.
         """
         return exact(formula, of_ratio=epsilon in leaves(self.right))
 
@@ -122,45 +122,47 @@ class Question:
 
     @cached_property
     def right_terms(self) -> FracElement:
-        """The right answer in lowest terms; only if it has no root."""
+        """The right answer in lowest terms; raises `terms.NotComparableError` for an answer with a root."""
         return self.terms(self.right)
 
     def compared(self, formula: sp.Expr) -> Compared:
-        """Return an answer and the right one, ready for a comparison term by term.
+        """Return an answer and the right one in lowest terms.
 
         Raises
         ------
-        terms.NotComparableError : as `terms.exact` does.
+        terms.NotComparableError : under the conditions of `terms.exact`.
         """
         return Compared(self.terms(formula), self.right_terms, self.terms(without_signs(formula)))
 
     def all_slips(self) -> list[Slip]:
-        """Return the slips; some may have no effect on the answer."""
+        """Return all slips, including those without effect on the answer."""
         slips = [*self.mistakes(self.right)]
         return [mistakes.no_radius(self.right), *slips] if R in leaves(self.right) else slips
 
     @cached_property
     def slips(self) -> Mistakes:
         """Hint and values of each slip that changes the answer."""
-        results = ((slip.hint, result) for slip in self.all_slips() for result in dict.fromkeys(slip.results))
-        slips = [(hint, self._values_of_mistake(result)) for hint, result in results]
-        return tuple((hint, values) for hint, values in slips if values)
+        slips = []
+        for slip in self.all_slips():
+            for result in dict.fromkeys(slip.results):
+                values = self._values_of_mistake(result)
+                if values:
+                    slips.append((slip.hint, values))
+        return tuple(slips)
 
     @cached_property
     def altered(self) -> Mistakes:
-        """Hint and values of each machine with wrong bodies, if no other mistake about bodies has the same values."""
-        found: list[tuple[Values, list[Altered]]] = []
-        for each in machines.altered():
-            if values := self._values_of_mistake(self.of_machine(each.machine)):
-                same = next((same for known, same in found if agree(known, values)), None)
-                if same is None:
-                    found.append((values, [each]))
-                else:
-                    same.append(each)
-        return tuple((hint, values) for values, same in found if (hint := machines.named(same)))
+        """Hint and values of each machine with wrong bodies, unless different mistakes have the same values."""
+        groups: list[tuple[Values, list[Altered]]] = []
+        for altered in machines.altered_machines():
+            values = self._values_of_mistake(self.of_machine(altered.machine))
+            if values:
+                _add_to_group(groups, values, altered)
+        hints = [(machines.common_hint(group), values) for values, group in groups]
+        return tuple((hint, values) for hint, values in hints if hint)
 
     def _values_of_mistake(self, result: sp.Expr | None) -> Values | None:
-        """Return the values of what a mistake gives; None if that is nothing, zero or the right answer."""
+        """Return the values of a wrong answer; None if it does not exist, is zero, or is right after all."""
         with suppress(ArithmeticError):
             values = result and self.values(result)
             if values and any(values) and not agree(values, self.right_values):
@@ -175,22 +177,37 @@ class Question:
         return max(map(length, (self.right, factored, expanded, sp.expand(numerator) / denominator)))
 
 
+def _add_to_group(groups: list[tuple[Values, list[Altered]]], values: Values, altered: Altered) -> None:
+    """Add an altered machine to the group with the same values, or to a new group."""
+    for group_values, group in groups:
+        if agree(group_values, values):
+            group.append(altered)
+            return
+    groups.append((values, [altered]))
+
+
 def question(name: str) -> Question:
-    """Return the question of that name."""
-    return _ASKED[name]
+    """Return the question with this name."""
+    return _BY_NAME[name]
 
 
 def shown_step(name: str) -> tuple[sp.Eq, ...]:
-    """Return the equations of the step that leads to the answer of a question; one of them states the answer."""
-    it = question(name)
-    # Each of these steps has a line for every body. Only the lines about the body of the question are shown.
-    own = {f"{letter}_{name.rpartition('_')[2]}" for letter in "vIT"} | ({"x", "U"} if "potential" in name else set())
-    several = it.steps[-1] == "energies"
-    lines = [e for key in it.steps[0 if several else -1 :] for e in _step(key).equations]
-    shown = [e for e in lines if not several or str(e.lhs) in own]
-    if any(it.right in e.args for e in shown):
-        return tuple(shown)
-    return (*shown, model.equation(it.symbol or shown[-1].lhs, it.right))
+    """Return the equations of the step with the answer to a question; one of them is the answer itself."""
+    this = question(name)
+    equations = _equations_of_body(this) if this.steps[-1] == "energies" else _step(this.steps[-1]).equations
+    if any(this.right in equation.args for equation in equations):
+        return tuple(equations)
+    return (*equations, model.equation(this.symbol or equations[-1].lhs, this.right))
+
+
+def _equations_of_body(question: Question) -> list[sp.Eq]:
+    """Return the equations about one body, or about the spring, from steps with an equation for every body."""
+    body = question.name.rpartition("_")[2]
+    names = {f"{letter}_{body}" for letter in "vIT"}
+    if "potential" in question.name:
+        names |= {"x", "U"}
+    equations = [equation for key in question.steps for equation in _step(key).equations]
+    return [equation for equation in equations if str(equation.lhs) in names]
 
 
 def _step(key: str) -> Step:
@@ -201,7 +218,7 @@ def _step(key: str) -> Step:
 
 
 def _body_question(name: str) -> Question:
-    body, called = machine()[name], CALLED[name]
+    body, body_name = machine()[name], BODY_NAMES[name]
     rate = {"block": "", "top": "Φ′"}.get(name, "φ′")
     hints = {
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
@@ -211,7 +228,7 @@ def _body_question(name: str) -> Question:
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         f"{rate}²": _("What is the kinetic energy of {body} while the block is at rest, with X′ = 0?"),
     }
-    leads_on = (
+    next_question = (
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
         _("How fast does {body} move relative to the ground, and how fast does it rotate?")
         if body.angle != 0
@@ -226,17 +243,17 @@ def _body_question(name: str) -> Question:
     return Question(
         f"kinetic_energy_{name}",
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
-        _("the kinetic energy of {body}").format(body=called),
+        _("the kinetic energy of {body}").format(body=body_name),
         lambda: body.kinetic_energy,
         # TRANSLATORS: {body} is the block, the hoop, the lower cylinder, the slab or the top cylinder.
-        lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=called),
+        lambda: _("What is the kinetic energy of {body} relative to the ground?").format(body=body_name),
         "3/5 m' (X' + 3 R phi')^2",
         POLYNOMIAL,
         ("velocities", "energies") if body.angle == 0 else ("velocities", "inertia", "energies"),
-        leads_on.format(body=called),
+        next_question.format(body=body_name),
         mistakes=lambda _right: mistakes.energy(name),
         of_machine=lambda bodies: bodies[name].kinetic_energy,
-        of_terms={term: hint.format(body=called, rate=rate) for term, hint in hints.items()} if rate else {},
+        of_terms={term: hint.format(body=body_name, rate=rate) for term, hint in hints.items()} if rate else {},
         letters=letters,
         variables=MOTION,
     )
@@ -255,7 +272,7 @@ def _coupling_question(name: str, quantity: str, acceleration: sp.Expr, equation
         ("motion", "elimination"),
         _("What do the equations of motion of X and Φ say about the three accelerations?"),
         mistakes=partial(mistakes.coupling, name),
-        of_machine=partial(machines.answer, name),
+        of_machine=partial(machines.solve, name),
         symbol=sp.Symbol("c"),
     )
 
@@ -268,12 +285,18 @@ def _equation_prompt() -> str:
 
 
 def _first_row(bodies: Machine, states: tuple[sp.Expr, ...]) -> sp.Expr:
-    """Return the first row of the mass matrix of a machine times velocities, or times accelerations."""
+    """Return the first row of the mass matrix of a machine times velocities or accelerations."""
     return sp.Add(*map(sp.Mul, machines.mass_matrix(bodies)[0], states))
 
 
+def _block_equation(bodies: Machine) -> sp.Expr | None:
+    """Return the equation of motion of X, None for an equation with one term, which states only that it is zero."""
+    equation = _first_row(bodies, model.ACCELERATIONS)
+    return equation if equation.is_Add else None
+
+
 _ALL = (
-    *map(_body_question, CALLED),
+    *map(_body_question, BODY_NAMES),
     Question(
         "potential_energy",
         _("the potential energy"),
@@ -328,8 +351,7 @@ _ALL = (
         ("rates", "motion"),
         _("What is the momentum of X, and what does Lagrange’s equation say about its derivative?"),
         mistakes=mistakes.block_equation,
-        # An equation with one term says no more than that this term is zero.
-        of_machine=lambda bodies: row if (row := _first_row(bodies, model.ACCELERATIONS)).is_Add else None,
+        of_machine=_block_equation,
         variables=MOTION,
     ),
     Question(
@@ -342,7 +364,7 @@ _ALL = (
         ("rates", "motion"),
         _("Which kinetic energies contain φ′², and with which factors?"),
         mistakes=mistakes.equation,
-        of_machine=partial(machines.answer, "phi_equation"),
+        of_machine=partial(machines.solve, "phi_equation"),
         symbol=sp.Symbol("a"),
     ),
     _coupling_question("block_coupling", _("the factor in the block’s acceleration"), X_ddot, "X_from_phi"),
@@ -357,7 +379,7 @@ _ALL = (
         ("elimination", "insertion", "frequency"),
         _("What is left of the equation of motion of φ when you insert the other two accelerations?"),
         mistakes=mistakes.frequency,
-        of_machine=partial(machines.answer, "natural_frequency_squared"),
+        of_machine=partial(machines.solve, "natural_frequency_squared"),
     ),
     Question(
         "unit_quadratic",
@@ -371,7 +393,7 @@ _ALL = (
         ("ratio", "unit"),
         _("What is Ω² in units of k/m, written with ε?"),
         mistakes=mistakes.quadratic,
-        of_machine=partial(machines.answer, "unit_quadratic"),
+        of_machine=partial(machines.solve, "unit_quadratic"),
         variables=("eps",),
     ),
     Question(
@@ -384,10 +406,10 @@ _ALL = (
         ("unit", "root"),
         _("Which quadratic equation for ε follows from Ω² = k/m?"),
         mistakes=lambda _right: mistakes.ratio(),
-        of_machine=partial(machines.answer, "unit_mass_ratio"),
+        of_machine=partial(machines.solve, "unit_mass_ratio"),
     ),
 )
-_ASKED = {each.name: each for each in _ALL}
+_BY_NAME = {question.name: question for question in _ALL}
 
-QUESTIONS: tuple[str, ...] = tuple(_ASKED)
+QUESTIONS: tuple[str, ...] = tuple(_BY_NAME)
 """The names of the questions, in the order of the derivation."""

@@ -1,7 +1,7 @@
-"""Text to tokens: the spellings of the derivation's symbols in ASCII, Unicode and LaTeX.
+"""Split a text into tokens, with the spellings of the derivation's symbols in ASCII, Unicode and LaTeX.
 
-A token is a number, a name of `SYMBOLS` or a sign of the grammar. All other text is refused with a sentence that shows
-the character or the name as it was typed.
+A token is a number, a name of `SYMBOLS` or a sign of the grammar. Any other text raises an error whose message shows
+the unknown character or name.
 """
 
 import re
@@ -23,23 +23,23 @@ _MOTION = {
     for primes, q in zip(("", "'", "''"), states, strict=True)
 }
 SYMBOLS: dict[str, sp.Expr] = {"m": m, "m'": m_prime, "k": k, "R": R, **_MOTION, "eps": epsilon}
-"""How one types a symbol of the derivation."""
+"""The typed name of each symbol of the derivation."""
 
 MOTION = tuple(_MOTION)
 """The names of coordinates, velocities and accelerations."""
 
 TEXTBOOK = {name: sp.Symbol(name) for name in ("v", "omega", "I", "x")}
-"""Letters of the textbook's ½mv² + ½Iω² and ½kx²: understood, and asked about."""
+"""The letters of the textbook's ½mv² + ½Iω² and ½kx²; the judge accepts them and asks for their meaning."""
 
 _ALL = {**SYMBOLS, **TEXTBOOK}
 
 
 class UnreadableError(ValueError):
-    """The text is not a formula of the grammar; the message tells the student why."""
+    """The text is not a formula of the grammar; the message explains the reason to the student."""
 
 
 class UnknownNameError(UnreadableError):
-    """A formula contains a name that is not understood."""
+    """A formula contains an unknown name."""
 
     def __init__(self, name: str) -> None:
         super().__init__(_("“{name}” is not known here.").format(name=name))
@@ -66,10 +66,10 @@ _SPELLINGS = str.maketrans(
 _REWRITTEN = [
     (re.compile(pattern), replacement)
     for pattern, replacement in (
-        # Decomposed, the Ẋ of a textbook is X and a dot above.
+        # Unicode decomposes the Ẋ of a textbook into X and a dot above.
         ("(?<=[XφϕΦ])\u0307", "'"),
         ('(?<=[XφϕΦ])\u0308|[″“”"]', "''"),
-        ("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda found: f"^({found[0].translate(FROM_SUPERSCRIPTS)})"),
+        ("⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda match: f"^({match[0].translate(FROM_SUPERSCRIPTS)})"),
         # A decimal comma, and the thin space between groups of digits.
         (r"(?<=[0-9]),(?=[0-9])", "."),
         ("(?<=[0-9])\u202f(?=[0-9]{3})", ""),
@@ -94,7 +94,7 @@ _RATES = (
 )
 _TOKEN = re.compile(
     rf"(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)|(?P<fraction>[{_FRACTIONS}])"
-    # A letter with an accent is two characters here; a subscript may be a number.
+    # An accented letter is two characters after decomposition; a subscript may be a number.
     "|(?P<word>[A-Za-z_](?:[A-Za-z_'\u0300-\u036f]|(?<=_)[0-9]+)*)"
     r"|(?P<sign>[-+*/^()])"
 )
@@ -109,7 +109,7 @@ _NAME = re.compile("|".join(sorted(("sqrt", "frac", *_ALL, *_ALIASES), key=len, 
 
 
 def plain(text: str) -> str:
-    """Return the text in ASCII spelling, except for the fractions that are one character."""
+    """Return the text in ASCII spelling, apart from fractions such as ½."""
     text = unicodedata.normalize("NFD", text)
     for pattern, replacement in _REWRITTEN:
         text = pattern.sub(replacement, text)
@@ -123,30 +123,31 @@ Token = str | sp.Expr
 
 
 def tokens(text: str) -> Iterator[tuple[Token, bool]]:
-    """Yield numbers, names and signs, each with whether a space comes before it."""
+    """Yield numbers, names and signs, each with a flag for a space before it."""
     position, spaced = 0, False
     while position < len(text):
         if text[position] == " ":
             position, spaced = position + 1, True
             continue
-        found = _TOKEN.match(text, position)
-        if found is None:
-            raise UnreadableError(_strange(text[position]))
-        position = found.end()
-        if found["number"]:
-            yield _number(found["number"]), spaced
-        elif found["fraction"]:
-            yield sp.Rational(unicodedata.numeric(found[0])).limit_denominator(10), spaced
-        elif found["word"]:
-            for name in _names(found["word"]):
+        match = _TOKEN.match(text, position)
+        if match is None:
+            raise UnreadableError(_explain_character(text[position]))
+        position = match.end()
+        if match["number"]:
+            yield _number(match["number"]), spaced
+        elif match["fraction"]:
+            yield sp.Rational(unicodedata.numeric(match[0])).limit_denominator(10), spaced
+        elif match["word"]:
+            for name in _names(match["word"]):
                 yield _ALL.get(name, name), spaced
                 spaced = False
         else:
-            yield found["sign"], spaced
+            yield match["sign"], spaced
         spaced = False
 
 
-def _strange(character: str) -> str:
+def _explain_character(character: str) -> str:
+    """Return the message about a character that no formula contains."""
     if character == "Ω":
         return _("Type only the right side of the equation: a formula without Ω.")
     if character in "<>":
@@ -164,12 +165,12 @@ def _number(digits: str) -> sp.Expr:
 
 
 def _names(word: str) -> list[str]:
-    """Return the names that a run of letters is made of: mR is m and R."""
+    """Split a run of letters into names: mR becomes m and R."""
     names, position = [], 0
     while position < len(word):
-        found = _NAME.match(word, position)
-        if found is None:
+        match = _NAME.match(word, position)
+        if match is None:
             raise UnknownNameError(unicodedata.normalize("NFC", word)[:MAX_DIGITS])
-        names.append(_ALIASES.get(found[0], found[0]))
-        position = found.end()
+        names.append(_ALIASES.get(match[0], match[0]))
+        position = match.end()
     return names

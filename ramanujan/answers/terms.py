@@ -31,24 +31,21 @@ _MAX_WEIGHT, _MAX_TERMS = 40, 120
 
 
 @dataclass(frozen=True)
-class Difference:
+class TermDifference:
     """A coefficient that differs from the right one.
 
     Parameters
     ----------
-    term : the product of names that it multiplies, as shown; empty for the constant term
-    sentence : a sentence about it
-    is_slip : whether a slip of the pen explains it: a sign, a factor of 2, a missing term, m for m′
-    cancels : whether the term is in the answer as typed, but its parts add up to zero
+    term : the product of names after the coefficient, as shown; empty for the constant term
+    sentence : a sentence about the coefficient
+    is_slip : whether a slip of the pen explains the difference: a sign, a factor of 2, a missing term, m for m′
+    cancels : whether the typed answer contains the term, but its parts add up to zero
     """
 
     term: str
     sentence: str
     is_slip: bool
     cancels: bool = False
-
-
-Differences = list[Difference]
 
 
 @dataclass(frozen=True)
@@ -85,48 +82,58 @@ _OF_THE_CONSTANT = _Words(
 
 
 class NotComparableError(ValueError):
-    """The formula cannot be written out; the message tells the student."""
+    """The formula cannot be expanded into terms; the message is for the student."""
 
 
 _TOO_LARGE = _("Your answer differs from the right one. It cannot be compared term by term.")
 
 
 def _check_size(expression: sp.Expr) -> None:
-    """Raise if the lowest terms of a formula would take long to find.
+    """Raise if the reduction of a formula to lowest terms would take long.
 
-    A sum of few terms is multiplied out at once. The common factors of a quotient take longer.
+    Expanding a sum of few terms is fast. Finding the common factors of a quotient is slow.
+
+    Raises
+    ------
+    NotComparableError : the formula has too many terms and too many names.
     """
-    if _terms(expression) > _MAX_TERMS and weights(expression).total() > _MAX_WEIGHT:
+    if _count_terms(expression) > _MAX_TERMS and weights(expression).total() > _MAX_WEIGHT:
         raise NotComparableError(_TOO_LARGE)
 
 
-def _terms(expression: sp.Expr) -> float:
-    """Return how many terms a formula has at most when it is multiplied out; infinity if it divides by a sum."""
+def _count_terms(expression: sp.Expr) -> float:
+    """Return an upper bound of the number of terms after expansion, infinity if the formula divides by a sum."""
     if expression.is_Add:
-        return sum(map(_terms, expression.args))
+        return sum(map(_count_terms, expression.args))
     if expression.is_Mul:
-        return prod(map(_terms, expression.args))
-    if expression.is_Pow:
-        terms, exponent = _terms(expression.base), expression.exp
-        if terms > 1 and not (exponent.is_Integer and exponent > 0):
-            return inf
-        return terms ** int(exponent) if terms > 1 else terms
-    return 1
+        return prod(map(_count_terms, expression.args))
+    if not expression.is_Pow:
+        return 1
+    terms, exponent = _count_terms(expression.base), expression.exp
+    if terms <= 1:
+        return terms
+    if exponent.is_Integer and exponent > 0:
+        return terms ** int(exponent)
+    return inf
 
 
 def names_in(formula: FracElement) -> frozenset[str]:
     """Return the names on which a formula depends."""
-    return frozenset(
-        name for i, name in enumerate(NAMES) if any(powers[i] for p in (formula.numer, formula.denom) for powers in p)
-    )
+    all_powers = [*formula.numer, *formula.denom]
+    return frozenset(name for i, name in enumerate(NAMES) if any(powers[i] for powers in all_powers))
 
 
 def exact(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
-    """Return a formula in lowest terms, with m′/m for ε or, if it is a formula in the mass ratio, with εm for m′.
+    """Return a formula in lowest terms.
+
+    Parameters
+    ----------
+    expression : the formula, which may be unevaluated
+    of_ratio : whether to replace m′ by εm, for a formula in the mass ratio; otherwise m′/m replaces ε
 
     Raises
     ------
-    NotComparableError : it is too large, or has a root.
+    NotComparableError : it is too large, or contains a root.
     """
     _check_size(expression)
     masses = {m_prime: epsilon * m} if of_ratio else {epsilon: m_prime / m}
@@ -141,47 +148,52 @@ def exact(expression: sp.Expr, *, of_ratio: bool = False) -> FracElement:
 
 
 def shown_name(name: str) -> str:
-    """Return a name as a sentence shows it."""
+    """Return a name with its Greek letters and primes, for a sentence."""
     for typed, shown in _SHOWN.items():
         name = name.replace(typed, shown)
     return name
 
 
 def listed(names: list[str]) -> str:
-    """Return names as a sentence lists them."""
+    """Return names as a list in a sentence: "m, k and R"."""
     *first, last = map(shown_name, names)
     return _("{names} and {last}").format(names=", ".join(first), last=last) if first else last
 
 
 def _shown_product(powers: tuple[int, ...]) -> str:
-    return "".join(
-        shown_name(name) + (superscript(n) if n > 1 else "") for name, n in zip(NAMES, powers, strict=True) if n
-    )
+    factors = []
+    for name, power in zip(NAMES, powers, strict=True):
+        if power:
+            factors.append(shown_name(name) + (superscript(power) if power > 1 else ""))
+    return "".join(factors)
 
 
 def shown_factor(factor: FracElement) -> str | None:
-    """Return a factor that is one term over one term, such as 3m′/(2m), as a sentence shows it; else None."""
+    """Return a quotient of two single terms as text, such as 3m′/(2m); None for a factor with more terms."""
     if len(factor.numer) != 1 or len(factor.denom) != 1:
         return None
-    (above, p), (below, q) = next(iter(factor.numer.items())), next(iter(factor.denom.items()))
-    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _shown_product(above)
-    denominator = (str(int(q)) if q != 1 else "") + _shown_product(below)
+    (numerator_powers, p), *_none = factor.numer.items()
+    (denominator_powers, q), *_none = factor.denom.items()
+    numerator = (str(abs(int(p))) if abs(p) != 1 else "") + _shown_product(numerator_powers)
+    denominator = (str(int(q)) if q != 1 else "") + _shown_product(denominator_powers)
     shown = ("−" if p < 0 else "") + (numerator or "1")
     if not denominator:
         return shown
-    plain = sum(n > 0 for n in below) + (q != 1) == 1
-    return f"{shown}/{denominator}" if plain else f"{shown}/({denominator})"
+    names_below = sum(power > 0 for power in denominator_powers)
+    if names_below + (q != 1) == 1:
+        return f"{shown}/{denominator}"
+    return f"{shown}/({denominator})"
 
 
-def how_many_times(factor: str) -> str:
-    """Return a factor in words, such as "twice" or "3/2 times", to be followed by "the right one"."""
+def factor_in_words(factor: str) -> str:
+    """Return a factor in words, such as "twice" or "3/2 times", for a sentence that continues with "the right one"."""
     # TRANSLATORS: stands for {times} in a sentence such as: Your answer is {times} the right one.
     return _WORDS.get(factor) or _("{factor} times").format(factor=factor)
 
 
-def in_short(differences: Differences) -> list[str]:
-    """Return the sentences about what differs; if there are many, their number and the first one."""
-    sentences = [each.sentence for each in differences]
+def in_short(differences: list[TermDifference]) -> list[str]:
+    """Return the sentences about the differences; of a long list, a sentence with its length and the first one."""
+    sentences = [difference.sentence for difference in differences]
     if len(sentences) <= _MOST_SENTENCES:
         return sentences
     n = len(sentences)
@@ -192,19 +204,29 @@ def in_short(differences: Differences) -> list[str]:
 
 
 def multiple(ratio: FracElement) -> list[str]:
-    """Return the ratio of the given answer to the right one in a sentence, if the ratio is simple."""
+    """Return a sentence with the ratio of the given answer to the right one; an empty list unless it is simple."""
     factor = shown_factor(ratio)
     times, sign = _("Your answer is {times} the right one."), _("Your answer has the wrong sign.")
     return [] if factor is None else [_size_and_sign(factor, times, sign)]
 
 
 def _size_and_sign(factor: str, times: str, sign: str, **names: str) -> str:
-    """Return how many times the right one it is, or that its sign is wrong, and its size if that is wrong as well."""
-    said = how_many_times(factor.removeprefix("−"))
+    """Return a sentence about the size of a factor, after a sentence about its sign if the factor is negative.
+
+    Parameters
+    ----------
+    factor : the factor, as shown
+    times, sign : templates of the two sentences
+    names : values of the other slots in the templates
+    """
+    size = factor_in_words(factor.removeprefix("−"))
     if not factor.startswith("−"):
-        return times.format(times=said, **names)
-    size = _("Its size is {times} the right one.").format(times=said)
-    return sign.format(**names) + ("" if factor == "−1" else f" {size}")
+        return times.format(times=size, **names)
+    wrong_sign = sign.format(**names)
+    if factor == "−1":
+        return wrong_sign
+    wrong_size = _("Its size is {times} the right one.").format(times=size)
+    return f"{wrong_sign} {wrong_size}"
 
 
 # Term by term
@@ -217,7 +239,7 @@ class Compared:
     Parameters
     ----------
     given : the answer
-    right : what it should be
+    right : the right answer
     typed : the answer with every minus sign replaced by a plus, so that no two of its terms cancel
     """
 
@@ -225,34 +247,36 @@ class Compared:
     right: FracElement
     typed: FracElement
 
-    def differences(self, variables: tuple[str, ...], place: str = "{term}") -> Differences | None:
-        """Return the coefficients that differ; None if the answer is not a polynomial in the variables.
+    def differences(self, variables: tuple[str, ...], place: str = "{term}") -> list[TermDifference] | None:
+        """Return the coefficients that differ, None if the answer is not a polynomial in the variables.
 
         Parameters
         ----------
-        variables : the names in whose products both formulas are written; the coefficients may contain the others
-        place : a template that says where these terms are, such as "{term} in the numerator"
+        variables : the variables of the polynomials; their coefficients may contain all other names
+        place : a template for a term and its place, such as "{term} in the numerator"
         """
-        given, right, typed = (_coefficients(each, variables) for each in (self.given, self.right, self.typed))
+        given = _coefficients(self.given, variables)
+        right = _coefficients(self.right, variables)
+        typed = _coefficients(self.typed, variables) or {}
         if given is None or right is None:
             return None
         differences = []
         for powers in sorted(given.keys() | right.keys(), reverse=True):
-            coefficients = Compared(*(each.get(powers, FIELD.zero) for each in (given, right, typed or {})))
+            coefficients = Compared(*(terms.get(powers, FIELD.zero) for terms in (given, right, typed)))
             if coefficients.given != coefficients.right:
                 product = _shown_product(powers)
                 term = place.format(term=product) if product else ""
                 differences.append(coefficients._difference(product, term, variables))
         return differences
 
-    def _difference(self, product: str, term: str, variables: tuple[str, ...]) -> Difference:
-        """Return how a coefficient differs; if it is a sum, only one mass of it may be wrong."""
+    def _difference(self, product: str, term: str, variables: tuple[str, ...]) -> TermDifference:
+        """Return how a coefficient differs; of a sum in which one mass is wrong, only the difference of that mass."""
         if variables != NAMES and self.given and len(self.right.numer) > 1:
             within = self.differences(NAMES, f"{{term}}{product}")
             if within and len(within) == 1:
                 return replace(within[0], term=product)
         cancels = bool(self.typed) and not self.given
-        return Difference(product, self._sentence(term), self._is_slip(), cancels)
+        return TermDifference(product, self._sentence(term), self._is_slip(), cancels)
 
     def _is_slip(self) -> bool:
         right = self.right
@@ -276,7 +300,7 @@ class Compared:
         return _size_and_sign(factor, words.multiple, sign, term=term)
 
     def _names_off(self, term: str) -> str | None:
-        """Return which names differ, if the coefficients differ in names alone."""
+        """Return a sentence about the names in which the coefficients differ, None if their numbers differ, too."""
         ratio = self.given / self.right
         if not names_in(ratio) or ratio.numer.LC * ratio.denom.LC != 1:
             return None
@@ -295,18 +319,19 @@ class Compared:
 
     # Of the whole formula
 
-    def of_equation(self, variables: tuple[str, ...]) -> Differences | None:
-        """Return how “given = 0” differs from “right = 0”, multiplied such that as few terms as possible differ."""
-        given, right = (_coefficients(each, variables) or {} for each in (self.given, self.right))
+    def of_equation(self, variables: tuple[str, ...]) -> list[TermDifference] | None:
+        """Return the differences of “given = 0” and “right = 0”, multiplied by the factor that leaves the fewest."""
+        given = _coefficients(self.given, variables) or {}
+        right = _coefficients(self.right, variables) or {}
         factors = [given[powers] / right[powers] for powers in given.keys() & right.keys()]
         compared = [replace(self, right=self.right * factor).differences(variables) for factor in factors]
         return min(filter(None, compared), key=len, default=None)
 
-    def of_fraction(self) -> tuple[str, Differences] | None:
-        """Return a sentence on what is right in a fraction, and how the rest differs; None if nothing is right.
+    def of_fraction(self) -> tuple[str, list[TermDifference]] | None:
+        """Return a sentence about the right part of a fraction, and the differences in its other part; or None.
 
-        With the right denominator D the given numerator is given·D; with the right numerator N the denominator is
-        N/given.
+        Written with the right denominator D, the answer has the numerator given·D. Written with the right numerator
+        N, it has the denominator N/given.
         """
         above, below = FIELD(self.right.numer), FIELD(self.right.denom)
         numerators = Compared(self.given * below, above, self.typed * below)
@@ -319,7 +344,7 @@ class Compared:
             return _("Written as one fraction, your answer has the right denominator."), numerator
         if denominator and not names_in(FIELD(self.given.numer) / above):
             return _("Written as one fraction, your answer has the right numerator."), denominator
-        # A wrong fraction may have cancelled: then neither part is right, but the fraction can be expanded.
+        # Reducing a wrong fraction to lowest terms may change both parts. Then the expanded fraction is compared.
         if numerator and len(numerator) == 1:
             return _("Written with the right denominator, your answer differs in one term."), numerator
         if denominator and len(denominator) == 1:
@@ -333,13 +358,18 @@ def _interchanged(formula: FracElement) -> FracElement:
 
 
 def _coefficients(formula: FracElement, variables: tuple[str, ...]) -> dict[tuple[int, ...], FracElement] | None:
-    """Return products of variables and what multiplies each; None if a variable is below a fraction line."""
-    chosen = [name in variables for name in NAMES]
-    if any(n and c for powers in formula.denom for n, c in zip(powers, chosen, strict=True)):
+    """Return product of variables → its coefficient, None if a variable is below a fraction line.
+
+    A product is a tuple with the power of each of `NAMES`.
+    """
+    is_variable = [name in variables for name in NAMES]
+    denominator = FIELD(formula.denom)
+    if names_in(denominator).intersection(variables):
         return None
-    found: dict[tuple[int, ...], FracElement] = {}
-    for powers, number_of in formula.numer.items():
-        product = tuple(n * c for n, c in zip(powers, chosen, strict=True))
-        rest = tuple(n - used for n, used in zip(powers, product, strict=True))
-        found[product] = found.get(product, FIELD.zero) + FIELD(FIELD.ring({rest: number_of})) / FIELD(formula.denom)
-    return found
+    coefficients: dict[tuple[int, ...], FracElement] = {}
+    for powers, number in formula.numer.items():
+        product = tuple(power * chosen for power, chosen in zip(powers, is_variable, strict=True))
+        rest = tuple(power - used for power, used in zip(powers, product, strict=True))
+        term = FIELD(FIELD.ring({rest: number})) / denominator
+        coefficients[product] = coefficients.get(product, FIELD.zero) + term
+    return coefficients

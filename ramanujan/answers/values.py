@@ -1,9 +1,9 @@
-"""What a typed formula is worth: at a few points, in 1,200 digits, and in which unit.
+"""The values of a typed formula at three points, to 1,200 digits, and its unit.
 
-Two formulas count as equal if they agree at all `POINTS`. Their coordinates have twelve random digits: by the lemma of
-Schwartz and Zippel, two different rational formulas of degree 120 agree with a probability below 1e-29. A value carries
-as many digits as a hundred names have together: fractions with fewer names in numerators and denominators differ
-within these digits if they differ at all.
+Two formulas count as equal if they agree at all `POINTS`, whose coordinates have twelve random digits. By the lemma of
+Schwartz and Zippel, two different rational formulas of degree 120 agree there with a probability below 1e-29. The
+product of a hundred coordinates has 1,200 digits. So two different fractions with fewer names in numerators and
+denominators also differ within the digits of a value.
 """
 
 import random
@@ -27,7 +27,7 @@ _AGREEING, _VANISHING = _MP.mpf(10) ** -1150, _MP.mpf(10) ** -1180
 Number = mpmath.mpf
 Values = tuple[Number, ...]
 Mistakes = tuple[tuple[str, Values], ...]
-"""Hints, and the values of what the mistake of each gives."""
+"""Pairs of a hint and the values of the formula that its mistake leads to."""
 
 
 class NegativeRootError(ArithmeticError):
@@ -39,7 +39,7 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
 
     Parameters
     ----------
-    expression : SymPy's nodes, unevaluated ones too
+    expression : a SymPy expression, which may be unevaluated
     values : symbol → its value
 
     Raises
@@ -51,33 +51,47 @@ def evaluate(expression: sp.Expr, values: Mapping[sp.Expr, Number]) -> Number:
     if expression.is_Mul:
         return _MP.fprod(evaluate(part, values) for part in expression.args)
     if expression.is_Add:
-        parts = [evaluate(part, values) for part in expression.args]
-        total = _MP.fsum(parts)
-        return _MP.zero if any(abs(total) < _VANISHING * abs(part) for part in parts) else total
+        return _sum([evaluate(part, values) for part in expression.args])
     if expression.is_Pow:
-        base = evaluate(expression.base, values)
-        if base < 0 and not expression.exp.is_Integer:
-            raise NegativeRootError
-        return base ** int(expression.exp) if expression.exp.is_Integer else _MP.sqrt(base) ** int(2 * expression.exp)
+        return _raise(evaluate(expression.base, values), expression.exp)
     number = sp.Rational(str(expression))
     return _MP.mpf(number.p) / number.q
 
 
+def _sum(parts: list[Number]) -> Number:
+    """Return a sum, exactly zero if the parts cancel up to rounding errors."""
+    total = _MP.fsum(parts)
+    if any(abs(total) < _VANISHING * abs(part) for part in parts):
+        return _MP.zero
+    return total
+
+
+def _raise(base: Number, exponent: sp.Rational) -> Number:
+    """Return a power with an integer or a half-integer exponent."""
+    if exponent.is_Integer:
+        return base ** int(exponent)
+    if base < 0:
+        raise NegativeRootError
+    return _MP.sqrt(base) ** int(2 * exponent)
+
+
 def point(**values: Number | int) -> dict[sp.Expr, Number]:
-    """Return symbol → value with ε = m′/m, the other values by the names as they are typed in a formula."""
-    known = {SYMBOLS[name]: _MP.convert(value) for name, value in values.items()}
-    return known | {epsilon: known[m_prime] / known[m]}
+    """Return symbol → value for values by typed name, with ε = m′/m."""
+    coordinates = {SYMBOLS[name]: _MP.convert(value) for name, value in values.items()}
+    return coordinates | {epsilon: coordinates[m_prime] / coordinates[m]}
 
 
 def _points() -> tuple[dict[sp.Expr, Number], ...]:
     source = random.Random(1729)
-    found = []
+    points = []
     for sign in (1, -1, 1):
-        drawn = {name: source.randrange(10**11, 10**12) for name in SYMBOLS if name != "eps"}
-        # Velocities take both signs against each other, so that √(X′²) is told from X′.
-        signed = {name: sign * x if name in MOTION and "phi" not in name else x for name, x in drawn.items()}
-        found.append(point(**signed))
-    return tuple(found)
+        values = {name: source.randrange(10**11, 10**12) for name in SYMBOLS if name != "eps"}
+        # A negative velocity distinguishes √(X′²) from X′.
+        for name in values:
+            if name in MOTION and "phi" not in name:
+                values[name] *= sign
+        points.append(point(**values))
+    return tuple(points)
 
 
 POINTS = _points()
@@ -85,13 +99,13 @@ POINTS = _points()
 
 @cache
 def moved_points(names: tuple[str, ...]) -> tuple[dict[sp.Expr, Number], ...]:
-    """Return `POINTS` with other values of these names, eps among them for the mass ratio."""
+    """Return `POINTS` with other values of these names; `eps` changes m′ and the mass ratio."""
     names = tuple("m'" if name == "eps" else name for name in names)
-    found = []
-    for here, there in zip(POINTS, POINTS[1:] + POINTS[:1], strict=True):
-        moved = here | {SYMBOLS[name]: there[SYMBOLS[name]] + 1 for name in names}
-        found.append(moved | {epsilon: moved[m_prime] / moved[m]})
-    return tuple(found)
+    points = []
+    for old, other in zip(POINTS, POINTS[1:] + POINTS[:1], strict=True):
+        moved = old | {SYMBOLS[name]: other[SYMBOLS[name]] + 1 for name in names}
+        points.append(moved | {epsilon: moved[m_prime] / moved[m]})
+    return tuple(points)
 
 
 def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = POINTS) -> Values:
@@ -101,85 +115,94 @@ def at_points(expression: sp.Expr, points: tuple[dict[sp.Expr, Number], ...] = P
     ------
     ArithmeticError : it divides by zero, or takes the root of a negative number (`NegativeRootError`), at a point.
     """
-    return tuple(evaluate(expression, known) for known in points)
+    return tuple(evaluate(expression, values) for values in points)
 
 
 def up_to_a_factor(expression: sp.Expr, names: tuple[str, ...]) -> Values:
-    """Return values in which the equation “expression = 0” has, whatever it is multiplied by.
+    """Return values that do not change if the equation “expression = 0” is multiplied by a factor.
 
-    They are quotients of its values at points that differ in these names alone: a factor without them cancels.
+    They are quotients of its values at points that differ only in these names. A factor without these names cancels.
 
     Raises
     ------
-    ArithmeticError : as `at_points` does.
+    ArithmeticError : under the conditions of `at_points`.
     """
-    here, there = at_points(expression), at_points(expression, moved_points(names))
-    return tuple(a / b if b else _MP.zero for a, b in zip(here, there, strict=True))
+    numerators, denominators = at_points(expression), at_points(expression, moved_points(names))
+    return tuple(a / b if b else _MP.zero for a, b in zip(numerators, denominators, strict=True))
 
 
 def agree(left: Values, right: Values) -> bool:
-    """Tell whether two formulas have the same values."""
+    """Return whether two formulas have the same values."""
     return all(abs(a - b) <= _AGREEING * abs(a) for a, b in zip(left, right, strict=True))
 
 
 def rational_ratio(left: Values, right: Values) -> Fraction | None:
-    """Return the rational number that is the quotient of two formulas, None if there is none, or only a long one."""
+    """Return the quotient of two formulas if it is a rational number with a denominator up to 10⁶, else None."""
     if 0 in right:
         return None
     quotients = tuple(a / b for a, b in zip(left, right, strict=True))
-    found = Fraction(_MP.nstr(quotients[0], 40)).limit_denominator(10**6)
-    return found if agree(quotients, (_MP.mpf(found.numerator) / found.denominator,) * len(quotients)) else None
+    ratio = Fraction(_MP.nstr(quotients[0], 40)).limit_denominator(10**6)
+    value = _MP.mpf(ratio.numerator) / ratio.denominator
+    return ratio if agree(quotients, (value,) * len(quotients)) else None
 
 
 def depends_on(expression: sp.Expr, symbol: sp.Expr, *, of_ratio: bool = False) -> bool:
-    """Tell whether a formula changes with a symbol; unless it is a formula in the ratio, ε changes with the masses."""
-    known = POINTS[0]
-    moved = known | {symbol: known[symbol] + 1}
+    """Return whether the value of a formula changes with a symbol.
+
+    Parameters
+    ----------
+    expression, symbol : the formula and the symbol
+    of_ratio : whether ε is independent of the masses; otherwise it changes with m and m′
+    """
+    old = POINTS[0]
+    moved = old | {symbol: old[symbol] + 1}
     if not of_ratio:
         moved[epsilon] = moved[m_prime] / moved[m]
     try:
-        values = [evaluate(expression, each) for each in (known, moved)]
+        before, after = evaluate(expression, old), evaluate(expression, moved)
     except ArithmeticError:
         return True
-    return not agree(values[:1], values[1:])
+    return not agree((before,), (after,))
 
 
 # Decimals
 
 
 def decimals(expression: sp.Expr) -> set[sp.Symbol]:
-    """Return the decimal numbers that were typed in a formula."""
+    """Return the decimal numbers in a formula."""
     return {symbol for symbol in expression.free_symbols if is_decimal(symbol)}
 
 
 def units_off(expression: sp.Expr, target: Values) -> Number | None:
-    """Return by how many units of its last digit a decimal of the formula differs from the number that is meant.
+    """Return the rounding error of a decimal in the formula, in units of its last digit.
 
-    That number makes the formula right at all points. None if there is none within one and a half units, or if it
-    needs no rounding: who types 0.6 for ½ has not rounded.
+    The exact number makes the formula equal to the target at all points. Return None if no such number exists within
+    one and a half units. A number that fits into the typed digits does not count: 0.6 for ½ is not a rounding error.
     """
     for decimal in decimals(expression):
         typed, unit = _MP.mpf(decimal.name), _MP.mpf(10) ** -len(decimal.name.partition(".")[2])
         try:
-            meant = _meant(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
+            exact = _exact_number(expression, decimal, target, typed - 3 * unit / 2, typed + 3 * unit / 2)
         except ArithmeticError:
             continue
-        if meant is None:
+        if exact is None:
             continue
-        if abs(meant / unit - _MP.nint(meant / unit)) > _MP.mpf(10) ** -60:
-            return abs(meant - typed) / unit
+        if abs(exact / unit - _MP.nint(exact / unit)) > _MP.mpf(10) ** -60:
+            return abs(exact - typed) / unit
     return None
 
 
-def _meant(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Number, high: Number) -> Number | None:
+def _exact_number(expression: sp.Expr, decimal: sp.Symbol, target: Values, low: Number, high: Number) -> Number | None:
+    """Return the number between two bounds that makes the formula right in place of a decimal, or None."""
+
     def error(x: Number, i: int = 0) -> Number:
         return evaluate(expression, POINTS[i] | {decimal: x}) / target[i] - 1
 
     if error(low) * error(high) >= 0:
         return None
-    found = _MP.findroot(error, (low, high), solver="anderson", tol=1e-120, maxsteps=60, verify=False)
-    exact = all(abs(error(found, i)) <= _MP.mpf(10) ** -80 for i in range(len(POINTS)))
-    return found if exact else None
+    root = _MP.findroot(error, (low, high), solver="anderson", tol=1e-120, maxsteps=60, verify=False)
+    is_exact = all(abs(error(root, i)) <= _MP.mpf(10) ** -80 for i in range(len(POINTS)))
+    return root if is_exact else None
 
 
 # Units
@@ -196,33 +219,33 @@ for _q, _unit in zip(COORDINATES, (_M, sp.S.One, sp.S.One), strict=True):
 
 
 def unit(expression: sp.Expr) -> str:
-    """Return the unit of a formula as typed, empty for a plain number; angles are plain numbers.
+    """Return the unit of a formula, empty for a plain number; angles are plain numbers.
 
     Raises
     ------
-    DifferentUnitsError : it adds terms with different units.
+    DifferentUnitsError : the formula adds terms with different units.
 
     >>> unit(k * R**2 / m)
     'm²/s²'
     """
-    # A zero that is added has any unit.
+    # A zero may be added to any unit.
     units = {leaf: _UNITS.get(leaf, sp.S.Zero if leaf == 0 else sp.S.One) for leaf in leaves(expression)}
     value = replaced(expression, units).doit()
-    # A sum of plain numbers, such as 1 + √2, has no unit.
-    for total in sorted((each for each in value.atoms(sp.Add) if each.free_symbols), key=sp.default_sort_key):
-        raise DifferentUnitsError(*sorted(_unit_text(term) for term in total.args[:2]))
+    # Equal units have been added up, and a sum of plain numbers, such as 1 + √2, contains no symbol.
+    sums_of_units = [total for total in value.atoms(sp.Add) if total.free_symbols]
+    if sums_of_units:
+        first, second, *_others = min(sums_of_units, key=sp.default_sort_key).args
+        raise DifferentUnitsError(*sorted((_unit_text(first), _unit_text(second))))
     return _unit_text(value)
 
 
 def _unit_text(value: sp.Expr) -> str:
     powers = value.as_powers_dict()
-    above, below = (
-        "·".join(_power(each, sign * powers[each]) for each in (_KG, _M, _S) if sign * powers[each] > 0)
-        for sign in (1, -1)
-    )
-    if not below:
-        return above
-    return f"{above or 1}/({below})" if "·" in below else f"{above or 1}/{below}"
+    numerator = "·".join(_power(base, powers[base]) for base in (_KG, _M, _S) if powers[base] > 0)
+    denominator = "·".join(_power(base, -powers[base]) for base in (_KG, _M, _S) if powers[base] < 0)
+    if not denominator:
+        return numerator
+    return f"{numerator or 1}/({denominator})" if "·" in denominator else f"{numerator or 1}/{denominator}"
 
 
 def _power(base: sp.Symbol, exponent: sp.Rational) -> str:
