@@ -328,7 +328,9 @@ def test_a_tiny_addition_is_not_overlooked(name, size, root):
     assert judge(name, f"({text})*(1 + 1/{size}^5{root})").kind == "wrong"
 
 
-@pytest.mark.parametrize("altered", machines.altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}")
+@pytest.mark.parametrize(
+    "altered", machines.altered_machines()[::7], ids=lambda each: f"{each.mistake.id} {each.group}"
+)
 def test_what_an_altered_machine_gives_by_the_route_of_the_page_is_known(altered):
     """SymPy solves the equations of motion of the altered machine; the judge has them solved in numbers."""
     yours = eliminate(altered.machine)
