@@ -81,6 +81,8 @@ def difference(english: str, translation: str) -> str:
 def _marks(text: str) -> Counter[str]:
     """Return the parts of a text that are not words, in any order; decimal marks and words in formulas may differ."""
     formulas = re.sub(r"\\text\{+[^{}]*\}+", "", text.replace("{,}", "."))
+    # The word for a number depends on its place in the sentence.
+    formulas = re.sub(r":(Word|alone|Alone)\}", ":word}", formulas)
     return Counter([*NOT_WORDS.findall(formulas), *_MARKDOWN.findall(text)])
 
 

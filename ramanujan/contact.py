@@ -276,12 +276,11 @@ def _valid_spacing(oscillator: Oscillator, compression: float, spacing: float) -
     distance = positive("spacing", spacing, infinite=True)
     if distance <= compression:
         raise ValueError(
-            f"spacing must exceed the largest compression of the spring, {compression:.6g} m, or the slab tips off its "
-            f"rollers; it is {distance:.6g} m"
+            f"spacing must exceed the largest compression of the spring, {compression} m, or the slab tips off its "
+            f"rollers; it is {distance} m"
         )
     if distance < 2 * oscillator.radius:
         raise ValueError(
-            f"spacing must be at least 2R, {2 * oscillator.radius:.6g} m, or the rollers overlap; it is "
-            f"{distance:.6g} m"
+            f"spacing must be at least 2R, {2 * oscillator.radius} m, or the rollers overlap; it is {distance} m"
         )
     return distance

@@ -5,6 +5,7 @@
     number(4.56e153)          4.6×10¹⁵³         percent(0.25)              25 %
     filled("It takes {t:3 s}.", t=0.61)         It takes 0.610 s.
     at_most(5.36e-16, 1), at_least(0.36, 1)     6×10⁻¹⁶, 0.3: bounds that are rounded to their own side
+    filled("All {n:word} forms are equal.", n=7)    All seven forms are equal.
 
 The decimal mark is that of the language. `components/sentences.js` follows the same rules in the browser. LaTeX has its
 own digits, in `derivation.printers`. Files for programs keep Python's way to write numbers.
@@ -24,9 +25,18 @@ DECIMAL = pgettext("decimal mark", ".")
 THIN = "\u202f"
 """A thin space that does not break: between groups of three digits, and between a number and its unit."""
 
+# TRANSLATORS: the numbers from one to twelve as your language writes them before a noun, a space between two of them.
+_WORDS = pgettext("before a noun", "one two three four five six seven eight nine ten eleven twelve").split()
+# TRANSLATORS: the same without a noun, as in: Of 40 choices, two are right. In many languages nothing changes.
+_WORDS_ALONE = pgettext("without a noun", "one two three four five six seven eight nine ten eleven twelve").split()
+
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FROM_SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 """Small raised digits, and the way back."""
+
+_OTHER_MARK = "," if DECIMAL == "." else "."
+_MAYBE_THOUSANDS = re.compile(rf"[+-]?[1-9]\d{{0,2}}{re.escape(_OTHER_MARK)}\d{{3}}", re.ASCII)
+"""A number with the mark that separates decimals in other languages and may separate thousands in this one."""
 
 _DIGITS_OF_A_FLOAT = 17
 _LONGEST_INTEGER = 10**6
@@ -104,6 +114,60 @@ def _rounded(value: Number, digits: int, rounding: str) -> Number:
     return decimal.quantize(last_digit, rounding)
 
 
+def word(count: int) -> str:
+    """Return a small whole number as the word before a noun, and a number beyond twelve in digits.
+
+    Running text has words. Formulas, measured values, tables, labels and counters have digits.
+
+    >>> word(2), word(12), word(13)
+    ('two', 'twelve', '13')
+    """
+    return _word(count, _WORDS)
+
+
+def word_alone(count: int) -> str:
+    """Return a small whole number as a word without a noun: in Hungarian *kettő*, and not *két*."""
+    return _word(count, _WORDS_ALONE)
+
+
+def _word(count: int, words: list[str]) -> str:
+    return words[count - 1] if 1 <= count <= len(words) else number(count)
+
+
+def two_readings(text: str) -> tuple[str, str] | None:
+    """Return how an ambiguous number can be written as a decimal and as a whole number, or None if it is clear.
+
+    Three digits after the mark of another language can be decimals or a group of a thousand.
+
+    >>> two_readings("12,500")
+    ('12.500', '12500')
+    >>> two_readings("0,500"), two_readings("12.500"), two_readings("1234,500")
+    (None, None, None)
+    """
+    numerator_and_denominator = text.strip().split("/")
+    decimals, wholes = [], []
+    for part in numerator_and_denominator:
+        is_ambiguous = _MAYBE_THOUSANDS.fullmatch(part)
+        decimals.append(part.replace(_OTHER_MARK, DECIMAL) if is_ambiguous else part)
+        wholes.append(part.replace(_OTHER_MARK, "") if is_ambiguous else part)
+    return None if decimals == wholes else ("/".join(decimals), "/".join(wholes))
+
+
+def ambiguous_number(formula: str) -> str | None:
+    """Return the sentence about the first number of a formula that has two readings, or None.
+
+    >>> ambiguous_number("k/12,500 + 0,125m")
+    '12,500 can mean 12.500 or 12500. Type one of these two.'
+    >>> ambiguous_number("12.500k + 1234,500")
+    """
+    for text in re.findall(r"[0-9.,]+", formula):
+        if readings := two_readings(text):
+            decimal, whole = readings
+            sentence = _("{text} can mean {decimal} or {whole}. Type one of these two.")
+            return sentence.format(text=text, decimal=decimal, whole=whole)
+    return None
+
+
 def told_from(value: float, other: float, digits: int = 2, write: Callable[[Number, int], str] = number) -> str:
     """Return a number with so many significant digits, or as many more as show on which side of another one it is.
 
@@ -179,7 +243,9 @@ def percent(share: float, digits: int = 2) -> str:
 def filled(template: str, **values: object) -> str:
     """Return a sentence whose slots define the format of their numbers: significant digits, then a unit or %.
 
-    An arrow after the digits rounds up or down: "at most {error:1↑}", "at least {time:2↓ s}".
+    An arrow after the digits rounds up or down: "at most {error:1↑}", "at least {time:2↓ s}". A count is a word up to
+    twelve: "{n:word} methods", at the beginning of a sentence "{n:Word} methods". A translation may write "{n:alone}"
+    or "{n:Alone}" instead, if no noun follows.
 
     Parameters
     ----------
@@ -190,8 +256,23 @@ def filled(template: str, **values: object) -> str:
     '7 periods take 0.610\\u202fs, 25\\u202f% more than 4.'
     >>> filled("The error is at most {error:1↑ %}.", error=0.0707)
     'The error is at most 8\\u202f%.'
+    >>> filled("{n:Word} forms, {exact:word} of them exact.", n=13, exact=7)
+    '13 forms, seven of them exact.'
     """
     return _SENTENCES.vformat(template, (), values)
+
+
+def _capital(text: str) -> str:
+    return text[0].upper() + text[1:]
+
+
+_WORD_FORMATS: dict[str, Callable[[int], str]] = {
+    "word": word,
+    "Word": lambda count: _capital(word(count)),
+    "alone": word_alone,
+    "Alone": lambda count: _capital(word_alone(count)),
+}
+"""Format of a slot → what writes its count."""
 
 
 class _Sentences(string.Formatter):
@@ -199,6 +280,8 @@ class _Sentences(string.Formatter):
         rounding, _space, unit = format_spec.partition(" ")
         if not rounding or isinstance(value, str):
             return str(value)
+        if rounding in _WORD_FORMATS:
+            return _WORD_FORMATS[rounding](int(value))
         digits = int(rounding.rstrip("↑↓"))
         write = {"↑": at_most, "↓": at_least}.get(rounding[-1], number)
         if unit == "%":

@@ -17,7 +17,8 @@ from playwright.sync_api import expect
 
 from ramanujan.browser.standalone import html
 from ramanujan.derivation.model import k, m, m_prime
-from ramanujan.shell.parameters import PARAMETERS, read_number, two_readings
+from ramanujan.numerals import two_readings
+from ramanujan.shell.parameters import PARAMETERS, read_number
 from tests.engines import ANY_ENGINE
 from tests.reference import natural_frequency_squared
 

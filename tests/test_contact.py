@@ -1,6 +1,7 @@
 """The contacts at the worst moment of a cycle, and the first to slip; test_whole_range.py has their forces."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -28,6 +29,15 @@ STARTS = st.builds(InitialState, X=PUSH, phi=PUSH, Phi=PUSH, X_dot=PUSH, phi_dot
 
 def whole_cycle(oscillator, points=121):
     return np.linspace(0, oscillator.period, points)
+
+
+@pytest.mark.parametrize("radius", [0.1, 0.30000004, 1 / 3])
+def test_the_bound_of_an_error_is_accepted(radius):
+    oscillator = Oscillator(radius=radius)
+    with pytest.raises(ValueError, match="spacing must be at least 2R") as refusal:
+        largest_compression(oscillator, 0.3, spacing=1.9 * radius)
+    least = float(re.search(r"2R, (\S+) m", str(refusal.value))[1])
+    assert largest_compression(oscillator, 0.3, spacing=least) > 0
 
 
 @pytest.mark.parametrize("spacing", [0.2, 0.1999, 0.05])

@@ -108,6 +108,8 @@ def test_reads_roots(text: str) -> None:
         ("m_p' + k", "“m_p'”"),
         ("m''", "m''"),
         ("m.real", "“.”"),
+        ("12,500 k", "12,500 can mean 12.500 or 12500."),
+        ("k/(m + 1,127m')", "1,127 can mean 1.127 or 1127."),
         ("2 3", "Two numbers"),
         ("m2", "follows a name"),
         ("(m)2", "follows a bracket"),

@@ -293,6 +293,8 @@ def test_tasks_are_done_with_the_controls_of_the_page(opened):
     app = opened(part="tasks", task="half-energy")
     assert done(app.text_input(key="task_part").set_value("3/8").run())
     assert not done(app.text_input(key="task_part").set_value("<b>").run())
+    sound(app.text_input(key="task_part").set_value("1/1,250").run())
+    assert any("can mean 1.250 or 1250" in text.value.replace("\\", "") for text in app.markdown)
 
     app = opened(part="tasks", task="two-cubes", task_left="sphere", task_right="sphere")
     assert not done(app)

@@ -223,7 +223,7 @@ def test_a_comma_with_one_meaning_separates_decimals(app):
 
 
 THOUSANDS = """
-from ramanujan.shell.parameters import two_readings
+from ramanujan.numerals import two_readings
 print([two_readings(text) for text in ("12.500", "12,500", "0.500", "1234.500", "12.50")])
 """
 

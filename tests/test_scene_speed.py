@@ -256,6 +256,25 @@ def test_a_strip_says_where_its_form_is_right_and_what_it_returns_elsewhere(app)
     assert [note.text for note in figure.layout.annotations] == list(strips)
 
 
+def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
+    """Plotly would write 3.2e-7, with a hyphen, in every language."""
+    colors, x, errors = theme.colors(), np.array([1.0, 1e7]), np.array([3.2e-7, 0.0125])
+    titles = {"titles": ("cost", "error"), "tolerance": 1e-3, "tried": [(1e7, 3.2e-7)]}
+    singled = {"cheapest": (1.0, 3.2e-7, "star", 15, "ink")}
+    drawings = (
+        figures.error_growth({"a": (x, errors, errors)}, "a", (x, errors), ["a"], colors),
+        figures.work_precision({("a", "float64"): (x, errors, x)}, singled=singled, colors=colors, **titles),
+        figures.phase_errors(x, dict.fromkeys("abc", errors), colors),
+    )
+    shown = [trace for drawing in drawings for trace in drawing.checked().data if trace.customdata is not None]
+    assert len(shown) == 9
+    for trace in shown:
+        assert ":" not in re.sub(r"%\{text\}|periods: ", "", trace.hovertemplate)
+        texts = {str(text) for text in np.ravel(trace.customdata)}
+        assert "3.2×10⁻⁷" in texts
+        assert texts <= {"1", "10⁷", "3.2×10⁻⁷", "0.0125"}
+
+
 @pytest.fixture(autouse=True)
 def fresh():
     """Every test measures for itself."""

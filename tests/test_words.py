@@ -1,8 +1,11 @@
 """Every sentence for people is a whole template that gettext tools find; in a browser see test_browser_language."""
 
 import ast
+import os
 import re
 import string
+import subprocess
+import sys
 from collections import Counter
 from collections.abc import Iterator
 from functools import cache
@@ -74,7 +77,9 @@ def test_numbers_have_singular_and_plural():
     assert plurals
     for singular, plural in plurals:
         assert singular != plural
-        assert fields(singular) == fields(plural)
+        # "One period" is a singular without its number.
+        assert set(fields(plural)) - set(fields(singular)) <= {"n"}
+        assert set(fields(singular)) <= set(fields(plural))
     # A plural by hand: "(s)", or "1 period" beside "{n} periods".
     assert not [text for text in every_text() if re.search(r"\w\(s\)|\{\w+\}(s|es)\b", text)]
 
@@ -237,6 +242,59 @@ def test_every_sentence_is_set_well_and_short():
         assert text == text.strip()
         for part in re.split(r"(?<=[.?!:;])\s+|\n+", prose):
             assert len(re.findall(r"[\w’{}]+", part)) <= SHORTEST_LIMIT, part
+
+
+# Numbers as words
+
+IN_DIGITS = {
+    "{answered} of {present} here have answered.": "a counter on the wall",
+    "{n} students have joined.": "a counter on the wall",
+    "{n} students joined in the last minute.": "a counter on the wall",
+    "{n} seats are taken. Empty: {empty}.": "a counter at the desk",
+    "Measuring {n} periods on this server …": "progress",
+    "{n} days": "a choice",
+    "{n} minutes": "a time in brackets behind a heading",
+    "{n} periods": "a cell of a table",
+    "({n} points)": "marks on a worksheet",
+    "{dtype}, {n} steps per period": "a point under the pointer",
+}
+"""Plural messages whose numbers remain digits, and what they are."""
+COUNTED = re.compile(
+    r"\{([\w.]+)\} (?:other |full )?"
+    r"(?:methods|precisions|ways|forms|zero modes|bodies|machines|terms|letters|pairs|hints)\b"
+)
+"""A count in digits, of what there may be few."""
+MANY = {"machines", "count", "all"}
+"""Slots for the number of all machines."""
+
+
+def test_small_numbers_are_words_in_sentences():
+    plurals = [message.id[1] for message in messages() if message.pluralizable]
+    counting = [text for text in plurals if {"n", "answered"} & set(fields(text))]
+    assert {text for text in counting if not re.search(r"\{n:[Ww]ord\}", text)} == set(IN_DIGITS)
+    for text in every_text():
+        assert set(COUNTED.findall(text)) <= MANY, text
+
+
+NUMBER_WORDS = """
+from ramanujan.numerals import filled
+print(*(filled("{n:word} {n:Word} {n:alone}", n=n) for n in (1, 2, 7, 12, 13)), sep=", ")
+"""
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", "one One one, two Two two, seven Seven seven, twelve Twelve twelve, 13 13 13"),
+        ("de", "ein Ein eins, zwei Zwei zwei, sieben Sieben sieben, zwölf Zwölf zwölf, 13 13 13"),
+        ("hu", "egy Egy egy, két Két kettő, hét Hét hét, tizenkét Tizenkét tizenkettő, 13 13 13"),
+    ],
+)
+def test_the_words_for_small_numbers(language, words):
+    environment = os.environ | {"RAMANUJAN_LANGUAGE": language}
+    command = [sys.executable, "-c", NUMBER_WORDS]
+    done = subprocess.run(command, cwd=PACKAGE.parent, env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == words
 
 
 # Bounds

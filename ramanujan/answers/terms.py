@@ -14,7 +14,7 @@ from ramanujan.answers.formulas import weights
 from ramanujan.answers.spelling import SYMBOLS
 from ramanujan.answers.values import decimals
 from ramanujan.derivation.model import epsilon, m, m_prime
-from ramanujan.numerals import superscript
+from ramanujan.numerals import filled, superscript
 from ramanujan.translation import _, ngettext
 
 NAMES = tuple(SYMBOLS)
@@ -197,10 +197,8 @@ def in_short(differences: list[TermDifference]) -> list[str]:
     if len(sentences) <= _MOST_SENTENCES:
         return sentences
     n = len(sentences)
-    return [
-        ngettext("{n} term differs from the right one.", "{n} terms differ from the right ones.", n).format(n=n),
-        sentences[0],
-    ]
+    differ = ngettext("One term differs from the right one.", "{n:Word} terms differ from the right ones.", n)
+    return [filled(differ, n=n), sentences[0]]
 
 
 def multiple(ratio: FracElement) -> list[str]:

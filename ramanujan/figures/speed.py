@@ -1,6 +1,6 @@
 """The figures of the speed page: growing errors, work–precision diagram, forms of Ω² and phase at the extremes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,6 +8,7 @@ import numpy as np
 from ramanujan.figures import Drawn, figure, line, logarithmic, marks
 from ramanujan.figures.labels import Area, beside, note
 from ramanujan.figures.logarithmic import Colors, axis, level_line, log_axis, logarithm, look_of, within
+from ramanujan.numerals import number
 from ramanujan.translation import _, ngettext
 
 _NAMED = "<extra>%{fullData.name}</extra>"
@@ -17,8 +18,6 @@ _UPPER, _LOWER = {"domain": [0.54, 1.0]}, {"domain": [0.0, 0.46], "anchor": "x"}
 """The axes of two panels below each other."""
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
 """Exponents of ten: a run whose error grows further leaves the figure at the top, so that the others can be seen."""
-_BOUNDLESS = 1e30
-"""The value that stands for larger errors, which single precision cannot hold."""
 _HIGH = 560
 """Height [px] of two panels with the gap between them."""
 _STRIP, _HALF_STRIP = 62, 0.24
@@ -57,7 +56,7 @@ def error_growth(
     names : of all methods, in the order of their colours
     colors : the theme's
     """
-    hover = _AFTER.format(periods="%{x:.4g}", error="%{customdata:.3g}") + _NAMED
+    hover = _AFTER.format(periods="%{x}", error="%{customdata}") + _NAMED
     tones = {name: look_of(number, colors)[0] for number, name in enumerate(names)}
     # The chosen one is drawn last, on top.
     ordered = sorted(curves, key=lambda name: name == chosen)
@@ -80,7 +79,7 @@ def error_growth(
         drawn_axis, scale, low = logarithmic.axis_with_room(title, [curve[3] for curve in drawn], most)
         for name, color, x, values, look, opacity in drawn:
             own = {"name": name, "yaxis": name_of_axis, "opacity": opacity, "hovertemplate": hover}
-            own["customdata"] = np.float32(np.minimum(values, _BOUNDLESS))
+            own |= {"xhoverformat": ".4~g", "customdata": _written(values)}
             traces.append(line(x, scale(values), color=color, **look) | own)
         named = [(name, color, np.log10(x), scale(values)) for name, color, x, values, _look, _opacity in drawn]
         room = tuple(drawn_axis["range"])
@@ -118,7 +117,7 @@ def work_precision(
     colors : the theme's
     """
     traces, named, methods = [], [], list(dict.fromkeys(name for name, _dtype in curves))
-    hover = _("cost {cost}, error {error}").format(cost="%{x:.3g}", error="%{y:.3g}") + _NAMED
+    hover = _("cost {cost}, error {error}").format(cost="%{customdata[0]}", error="%{customdata[1]}") + _NAMED
     marked = [np.array([tolerance, *(error for _cost, error, *_look in singled.values())])]
     shown = logarithmic.shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
     for (name, dtype), (cost, error, steps) in curves.items():
@@ -129,15 +128,17 @@ def work_precision(
         )
         own = {"mode": "lines+markers", "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8}}
         own |= {"name": name, "text": [_steps(dtype, int(n)) for n in steps], "hovertemplate": f"%{{text}}<br>{hover}"}
+        own["customdata"] = _points(cost, error)
         traces.append(line(cost.astype(np.float32), within(error, shown), **look) | own)
         if double:
             named.append((name, color, logarithm(cost), logarithm(within(error, shown))))
     for cost, error in tried:
-        traces.append(marks([cost], [error], "diamond-open", 11, colors["ink"], width=2) | {"hovertemplate": hover})
+        mark = marks([cost], [error], "diamond-open", 11, colors["ink"], width=2)
+        traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover})
     for name, (cost, error, symbol, size, color) in singled.items():
         x, y = np.array([cost]), np.array([max(error, shown[0])])
         mark = marks(x.tolist(), y.tolist(), symbol, size, colors[color], width=3)
-        traces.append(mark | {"name": name, "hovertemplate": hover})
+        traces.append(mark | {"name": name, "customdata": _points([cost], [error]), "hovertemplate": hover})
         named.append((name, colors[color], logarithm(x), logarithm(y)))
     reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
     reached += [cost for cost, *_others in (*singled.values(), *tried)]
@@ -200,10 +201,11 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     curves : name → phase error [rad]
     colors : the theme's
     """
-    traces, hover = [], _AFTER.format(periods="%{x:.0e}", error="%{y:.3g} rad") + _NAMED
+    traces, hover = [], _AFTER.format(periods="%{customdata[0]}", error="%{customdata[1]}\u202frad") + _NAMED
     for (name, errors), look in zip(curves.items(), (1, 2, 3), strict=True):
         color, symbol = look_of(look, colors)
         own = {"name": name, "mode": "lines+markers", "marker": {"symbol": symbol, "size": 8}, "hovertemplate": hover}
+        own["customdata"] = _points(periods, errors)
         traces.append(line(list(periods), list(errors), color=color, width=3) | own)
     lost = _("half a turn: phase lost")
     traces.append(level_line([periods[0], periods[-1]], np.pi, lost, colors))
@@ -214,6 +216,16 @@ def phase_errors(periods: Sequence[float], curves: Mapping[str, Sequence[float]]
     x_axis = axis(_("periods"), x_range, type="log", dtick=3)
     notes = beside(Area(named, x_range, tuple(y_axis["range"]), 320))
     return figure(traces, colors, 384, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
+
+
+def _points(x: Iterable[float], y: Iterable[float]) -> list[list[str]]:
+    """Return both numbers of each point as people write them."""
+    return [list(point) for point in zip(_written(x), _written(y), strict=True)]
+
+
+def _written(values: Iterable[float]) -> list[str]:
+    """Return numbers as people write them. Plotly would write 3.2e-7 in every language."""
+    return [number(float(value), 3, strip=True) for value in values]
 
 
 def _steps(dtype: str, n: int) -> str:

@@ -182,8 +182,10 @@ TASKS = (
             "whose number is a sum of two positive cubes?"
         ),
         (
-            _("Of all {machines} choices, {cubes} have this property, the paper’s included.").format(
-                machines=len(machines()), cubes=sum(bool(machine.cubes) for machine in machines())
+            filled(
+                _("Of all {machines} choices, {cubes:alone} have this property, the paper’s included."),
+                machines=len(machines()),
+                cubes=sum(bool(machine.cubes) for machine in machines()),
             ),
             _("Try a machine with a spherical shell in it."),
             _("One of them has two solid spheres below."),

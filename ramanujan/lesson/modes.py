@@ -13,8 +13,6 @@ from ramanujan.translation import _
 _SPEED = COMPRESSION / 2 / EQUAL.period
 """The speed of gliding and rolling [m/s], slow enough to watch."""
 _SPACING = drawn_spacing(EQUAL.radius)
-# TRANSLATORS: how many zero modes: no, one, two, three zero modes.
-_COUNTS = (_("no"), _("one"), _("two"), _("three"))
 # TRANSLATORS: inside a sentence, after "the contact".
 _CONTACTS = {
     "hoop_slab": _("between hoop and slab"),
@@ -69,10 +67,10 @@ STOPS = (
         answer=lambda: ("none", "one", "two", "three")[zero_modes(EQUAL)],
         why=_(
             "The machine has three coordinates, X, φ and Φ, and one spring. The spring resists only φ. In the first "
-            "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes {count} "
-            "zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
+            "zero mode the whole machine glides. In the second one the top cylinder rolls freely. That makes "
+            "{count:word} zero modes beside one oscillating mode. To each zero mode belongs a conserved momentum."
         ),
-        numbers=lambda: {"count": _COUNTS[zero_modes(EQUAL)]},
+        numbers=lambda: {"count": zero_modes(EQUAL)},
         hints=(_("A motion oscillates only if it deforms the spring. Which motions leave the spring as it is?"),),
         purpose=_("The answer prepares the spectrum: one oscillating mode and two zero modes."),
         expect=_("“One” is common: the gliding machine is found first, the rolling top cylinder is overlooked."),

@@ -323,7 +323,7 @@ STOPS = (
         why=_(
             "With a solid sphere on top the number under the root is {number}. The machine is then in step at ε = "
             "{ratio:4}. The top body is not idle: friction makes it turn, and its moment of inertia counts. Of all "
-            "{machines} choices of bodies, only {cubes} lead to a sum of two positive cubes."
+            "{machines} choices of bodies, only {cubes:alone} lead to a sum of two positive cubes."
         ),
         numbers=_others,
         hints=(_("What turns the top body when the block moves under it?"),),

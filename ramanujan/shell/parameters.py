@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import streamlit as st
 
 from ramanujan import Oscillator
-from ramanujan.numerals import DECIMAL, number, quantity
+from ramanujan.numerals import number, quantity, two_readings
 from ramanujan.shell.address import URLParameter, bare, fits
 from ramanujan.translation import _
 
@@ -136,30 +136,6 @@ SENTENCES = {
 LONGEST = 60
 """Characters of a number that are read."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
-
-
-# The mark that separates decimals in other languages and may separate thousands in this one.
-_OTHER_MARK = "," if DECIMAL == "." else "."
-_MAYBE_THOUSANDS = re.compile(rf"[+-]?[1-9]\d{{0,2}}{re.escape(_OTHER_MARK)}\d{{3}}", re.ASCII)
-
-
-def two_readings(text: str) -> tuple[str, str] | None:
-    """Return how an ambiguous number can be written as a decimal and as a whole number, or None if it is clear.
-
-    Three digits after the mark of another language can be decimals or a group of a thousand.
-
-    >>> two_readings("12,500")
-    ('12.500', '12500')
-    >>> two_readings("0,500"), two_readings("12.500"), two_readings("1234,500")
-    (None, None, None)
-    """
-    numerator_and_denominator = text.strip().split("/")
-    decimals, wholes = [], []
-    for part in numerator_and_denominator:
-        is_ambiguous = _MAYBE_THOUSANDS.fullmatch(part)
-        decimals.append(part.replace(_OTHER_MARK, DECIMAL) if is_ambiguous else part)
-        wholes.append(part.replace(_OTHER_MARK, "") if is_ambiguous else part)
-    return None if decimals == wholes else ("/".join(decimals), "/".join(wholes))
 
 
 def read_number(text: str) -> float | None:

@@ -15,7 +15,7 @@ import streamlit as st
 from numpy.typing import ArrayLike, NDArray
 
 from ramanujan import UNIT_MASS_RATIO, normalized_frequency_squared
-from ramanujan.numerals import number
+from ramanujan.numerals import filled, number
 from ramanujan.pages.oscillator import cache
 from ramanujan.translation import _
 
@@ -106,9 +106,10 @@ def words() -> dict[str, str]:
         "begin": _("Bring them into step"),
         "again": _("Again"),
         "stop": _("Stop"),
-        "stills": _(
-            "Both hands start together. After {periods} periods of the plain mass they stand like this:"
-        ).format(periods=STILL_PERIODS),
+        "stills": filled(
+            _("Both hands start together. After {periods:word} periods of the plain mass they stand like this:"),
+            periods=STILL_PERIODS,
+        ),
         "hint": _("Watch how the hands part as m′ changes, and where they stay together"),
     }
 

@@ -9,7 +9,7 @@ import streamlit as st
 from ramanujan.accuracy.work_precision import DTYPES, STEPS_PER_PERIOD, cheapest
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.numerals import number, percent
+from ramanujan.numerals import filled, number, percent
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, drawings, theme, widgets
 from ramanujan.shell.display_mode import columns, is_projector, picture_and_words
@@ -121,21 +121,23 @@ def cost_diagram(periods: int, by: str, tolerance: float) -> None:
 
 def _how_measured(periods: int, spread: float) -> str:
     points = ngettext(
-        "Each point is the largest error in {n} period.", "Each point is the largest error in {n} periods.", periods
-    ).format(n=periods)
+        "Each point is the largest error in one period.",
+        "Each point is the largest error in {n:word} periods.",
+        periods,
+    )
     times = _(
         "Errors and evaluations are the same for every machine. Solid: float64; dotted: float32. Times were measured "
         "on this server: each is the median of repeated runs, and half of these lie within a range of typically "
         "{spread} of the median."
     ).format(spread=percent(spread))
-    return f"{points} {times}"
+    return f"{filled(points, n=periods)} {times}"
 
 
 def what_is_measured() -> None:
     """Say what the button would measure."""
-    st.markdown(
-        _(
-            "Press the button: this server then runs {methods} methods in {precisions} precisions with {least} to "
-            "{most} steps per period. Then choose the error that you allow."
-        ).format(methods=len(METHODS), precisions=len(DTYPES), least=STEPS_PER_PERIOD[0], most=STEPS_PER_PERIOD[-1])
+    sentence = _(
+        "Press the button: this server then runs {methods:word} methods in {precisions:word} precisions with {least} "
+        "to {most} steps per period. Then choose the error that you allow."
     )
+    least, most = STEPS_PER_PERIOD[0], STEPS_PER_PERIOD[-1]
+    st.markdown(filled(sentence, methods=len(METHODS), precisions=len(DTYPES), least=least, most=most))

@@ -62,7 +62,7 @@ _CHOICES = (
 
 def forms_at_extremes() -> list[Sweep]:
     """Draw the forms of Ω² over the range of floating point; return what is shown."""
-    st.header(_("Extreme values: {count} ways to write Ω²").format(count=len(FORMS)), anchor=False)
+    st.header(filled(_("Extreme values: {count:word} ways to write Ω²"), count=len(FORMS)), anchor=False)
     words, figure = columns("forms")
     with words:
         sentence = _(
@@ -78,11 +78,11 @@ def forms_at_extremes() -> list[Sweep]:
         name = widgets.segmented_control(SWEEP, _("What is varied, and the precision"), label_visibility="collapsed")
         along, _between, dtype = name.partition("_")
         shown = [s for s in swept if (s.along, s.dtype) == (along, dtype)]
-        sees = _("What {count} forms of Ω² return, from the least value to the greatest. {findings}.")
+        sees = _("What {count:word} forms of Ω² return, from the least value to the greatest. {findings}.")
         findings = "; ".join(map(verdicts.in_words, shown))
         strips = {FORMS[each.form].title: verdicts.strip(each) for each in shown}
         drawn = figures.forms(strips, quantity=cache.ALONG[along][1], colors=theme.colors())
-        drawings.plot(drawn, "forms", sees.format(count=len(FORMS), findings=findings))
+        drawings.plot(drawn, "forms", filled(sees, count=len(FORMS), findings=findings))
     with words:
         sentence = _(
             "A strip for each form: where it is right, and what it returns where it fails. A wrong value may look "

@@ -29,8 +29,8 @@ def method_facts(method: Method, steps: int) -> str:
     """Say of what order a method is, what it costs, and whether these steps are stable."""
     turn, limit = 2 * math.pi / steps, method.stability_limit
     cost = ngettext(
-        "**{method}** has order {order} and takes {n} evaluation of the force per step of size h.",
-        "**{method}** has order {order} and takes {n} evaluations of the force per step of size h.",
+        "**{method}** has order {order} and takes one evaluation of the force per step of size h.",
+        "**{method}** has order {order} and takes {n:word} evaluations of the force per step of size h.",
         method.evaluations,
     )
     if math.isinf(limit):
@@ -42,7 +42,7 @@ def method_facts(method: Method, steps: int) -> str:
     else:
         stable = _("It is stable up to hΩ = {limit}; here it is {turn}.")
     title = method.title[0].upper() + method.title[1:]
-    cost = cost.format(method=title, order=method.order, n=method.evaluations)
+    cost = filled(cost, method=title, order=method.order, n=method.evaluations)
     # A stable turn and the limit are rounded down alike, so the limit remains a bound and the larger of the two.
     write = number if turn > limit else at_least
     turn_and_limit = {"turn": told_from(turn, limit, 3, write), "limit": told_from(limit, turn, 3, write)}
@@ -52,11 +52,14 @@ def method_facts(method: Method, steps: int) -> str:
 def errors_of(run: Run) -> str:
     """Say which run this is, how far it is off at its end, and whether it shows."""
     worst = float(np.max(run.energy))
-    evaluated = ngettext(
-        "**{method}, {steps} steps per period, {precision}:** in {n} period the force was evaluated {cost} times.",
-        "**{method}, {steps} steps per period, {precision}:** in {n} periods the force was evaluated {cost} times.",
+    sentence = ngettext(
+        "**{method}, {steps} steps per period, {precision}:** in one period the force was evaluated {cost} times.",
+        "**{method}, {steps} steps per period, {precision}:** in {n:word} periods the force was evaluated {cost} "
+        "times.",
         run.periods,
-    ).format(
+    )
+    evaluated = filled(
+        sentence,
         method=METHODS[run.method].title,
         steps=run.steps,
         precision=run.dtype,
@@ -118,10 +121,10 @@ def _cheapest(best: Choice, tolerance: float, by: str) -> str:
 
 def _none_reaches(tolerance: float) -> str:
     sentence = _(
-        "None of the {methods} methods on this page stays within an error of {tolerance} with {most} steps per period "
-        "or fewer."
+        "None of the {methods:word} methods on this page stays within an error of {tolerance} with {most} steps per "
+        "period or fewer."
     )
-    return sentence.format(methods=len(METHODS), tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1])
+    return filled(sentence, methods=len(METHODS), tolerance=number(tolerance, 1), most=STEPS_PER_PERIOD[-1])
 
 
 def order_and_slope(curves: Sequence[WorkPrecision], run: Callable[[str, int, int, str], Run]) -> str:

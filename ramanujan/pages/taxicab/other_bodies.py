@@ -9,7 +9,7 @@ from ramanujan import number_theory
 from ramanujan.browser import components, stage
 from ramanujan.figures import taxicab as figures
 from ramanujan.number_theory import BODIES, BodyChoice
-from ramanujan.numerals import in_latex
+from ramanujan.numerals import filled, in_latex
 from ramanujan.pages.taxicab import cache
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
 from ramanujan.shell.display_mode import slide
@@ -108,8 +108,8 @@ def about_cubes(story: cache.Story) -> str:
     ways = len(story.machine.cubes)
     sentence = (
         ngettext(
-            "The discriminant {number} is a sum of two positive cubes in {n} way: ${cubes}$.",
-            "The discriminant {number} is a sum of two positive cubes **in {n} ways**: ${cubes}$.",
+            "The discriminant {number} is a sum of two positive cubes in one way: ${cubes}$.",
+            "The discriminant {number} is a sum of two positive cubes **in {n:word} ways**: ${cubes}$.",
             ways,
         )
         if ways
@@ -117,7 +117,7 @@ def about_cubes(story: cache.Story) -> str:
     )
     discriminant = str(story.machine.discriminant)
     factors = "" if story.factors == discriminant else f" $={story.factors}$"
-    return sentence.format(number=f"**{discriminant}**{factors}", cubes=story.cubes, n=ways)
+    return filled(sentence, number=f"**{discriminant}**{factors}", cubes=story.cubes, n=ways)
 
 
 def _about_field(machine: BodyChoice) -> str:

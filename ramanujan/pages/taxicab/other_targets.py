@@ -169,22 +169,22 @@ def the_number_as_a_norm() -> None:
     norms = {prime: number_theory.represent_x2_plus_3y2(prime)[0] for prime in primes}
     written = "$ $= ".join(f"{a}^2+3\\cdot{b}^2" for a, b in reversed(ways))
     sentence = ngettext(
-        "**What it says about {number}.** There is {n} way to write it in this form: ${written}$.",
-        "**What it says about {number}.** There are {n} ways to write it in this form: ${written}$.",
+        "**What it says about {number}.** There is one way to write it in this form: ${written}$.",
+        "**What it says about {number}.** There are {n:word} ways to write it in this form: ${written}$.",
         len(ways),
     )
     number, cubes = columns("ways")
     with number:
-        st.markdown(sentence.format(number=PAPER.discriminant, n=len(ways), written=written))
+        st.markdown(filled(sentence, number=PAPER.discriminant, n=len(ways), written=written))
     factors = "$, $".join(f"{prime}={a}^2+3\\cdot{b}^2" for prime, (a, b) in norms.items())
     remainder = ", ".join(str(rest) for rest in {p % 3 for p in primes})
     sentence = _(
         "Its prime factors are norms themselves: ${norms}$. Multiply these three, each with either sign of "
-        "$\\sqrt{{-3}}$, and you get the {n} ways. The primes all leave the remainder {remainder} when divided by 3. "
-        "This is no accident: a square-free number of this form has no other prime factors, except 3."
+        "$\\sqrt{{-3}}$, and you get the {n:word} ways. The primes all leave the remainder {remainder} when divided by "
+        "3. This is no accident: a square-free number of this form has no other prime factors, except 3."
     )
     with number:
-        st.markdown(sentence.format(norms=factors, n=len(ways), remainder=remainder))
+        st.markdown(filled(sentence, norms=factors, n=len(ways), remainder=remainder))
     sentence = _(
         "**What it has to do with cubes.** They belong to the same arithmetic: in $x^3+y^3=(x+y)(x^2-xy+y^2)$ the "
         "second factor is such a norm, too. Here ${factored}$. So numbers of this form should be sums of two cubes "
@@ -221,8 +221,8 @@ def count_of_cubes(tallies: list[cache.Tally], at: int) -> None:
         "Counted for all targets p/q with p and q up to {most} that every machine reaches, and for each body on top: "
         "{paper.machines} discriminants for each pair of lower rollers. The paper’s pair, {pair}, gives {paper.sums} "
         "sums of two cubes; the next pair gives {second}. Small numbers are such sums more often, but this is not the "
-        "reason here: half of this pair’s discriminants are below {paper.median:3↑}, and for {smaller} other pairs "
-        "that limit is lower."
+        "reason here: half of this pair’s discriminants are below {paper.median:3↑}, and for {smaller:word} other "
+        "pairs that limit is lower."
     )
     most = cache.COUNTED_PART
     st.caption(filled(counted, most=most, paper=paper, pair=labels[at], second=second.sums, smaller=len(smaller)))
@@ -233,8 +233,8 @@ def what_stays(paper: cache.Tally) -> None:
     near = ", ".join(str(machine.discriminant) for machine in number_theory.one_change_away())
     sentence = _(
         "**What stays a coincidence.** The simplest target, 1, gives a number that is a sum of two cubes in *two* "
-        "ways, even the smallest such number. Of the {count} discriminants, {taxicabs} are sums of two cubes in two "
-        "ways, and nothing known singles out the target 1. If you change any one body you get {near}, and none of "
+        "ways, even the smallest such number. Of the {count} discriminants, {taxicabs:alone} are sums of two cubes in "
+        "two ways, and nothing known singles out the target 1. If you change any one body you get {near}, and none of "
         "these is such a sum. The norm explains the form of {number}, but not why it had to be {number}."
     )
-    st.markdown(sentence.format(count=paper.machines, taxicabs=paper.taxicabs, near=near, number=PAPER.discriminant))
+    st.markdown(filled(sentence, count=paper.machines, taxicabs=paper.taxicabs, near=near, number=PAPER.discriminant))

@@ -9,6 +9,7 @@ from ramanujan import Oscillator
 from ramanujan.lesson.class_codes import ALPHABET, spaced
 from ramanujan.lesson.picture import machine_svg
 from ramanujan.lesson.worksheet import Question, in_a_row, questions
+from ramanujan.numerals import filled
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import PARAMETERS
@@ -101,8 +102,8 @@ def name_of_worksheet() -> None:
         if name := worksheet_keys.read_name(st.session_state["worksheet_name"]):
             st.session_state[SEED.name] = name
         else:
-            sentence = _("A worksheet’s name has {n} letters, all from {letters}. The old name was kept.")
-            messages.note(SEED.name, sentence.format(n=worksheet_keys.LETTERS, letters=ALPHABET), warning=True)
+            sentence = _("A worksheet’s name has {n:word} letters, all from {letters}. The old name was kept.")
+            messages.note(SEED.name, filled(sentence, n=worksheet_keys.LETTERS, letters=ALPHABET), warning=True)
 
     st.session_state["worksheet_name"] = spaced(address.held(SEED))
     st.text_input(

@@ -12,6 +12,7 @@ from ramanujan.integrators import METHODS
 from ramanujan.lesson import Setting, Task, Verdict
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
+from ramanujan.numerals import ambiguous_number
 from ramanujan.shell import address, parameters, sidebar, stages, widgets
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
 from ramanujan.shell.parameters import WATCH, Parameter, read_number
@@ -91,13 +92,20 @@ def _bodies() -> tuple[str, ...]:
     return tuple(widgets.beside(3, *(partial(widgets.selectbox, *each) for each in zip(PLACES, labels, strict=True))))
 
 
+def _part() -> float | None:
+    """Draw the box for a part of a period, and return its number; a number with two readings is none."""
+    text = st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
+    if refusal := ambiguous_number(text):
+        st.markdown(f":small[{widgets.plain(refusal)}]")
+        return None
+    return read_number(text)
+
+
 FIELDS = {
     "release": lambda: widgets.page_slider(RELEASE),
     "glide": lambda: widgets.page_slider(GLIDE),
     "spin": lambda: widgets.page_slider(SPIN),
-    "part": lambda: read_number(
-        st.text_input(_("Part of a period"), key="task_part", placeholder=_EXAMPLE.format(entry="1/3"))
-    ),
+    "part": _part,
     "seconds": lambda: components.stopwatch("task_stopwatch"),
     "periods": lambda: widgets.count(PERIODS, _("For how many periods?")),
     "formula": lambda: st.text_input("ε =", key="task_formula", placeholder=_EXAMPLE.format(entry="(sqrt(5) − 1)/2")),
