@@ -19,30 +19,30 @@ r"""Ramanujan's oscillator: a machine whose frequency is √(k/m) exactly when m
     2Rφ             deformation of the spring, positive in compression;   x₀ its value at release
     Ω               natural frequency [rad/s];   Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32)
 
-The core is eight files of plain floating-point arithmetic. An `Oscillator` is four numbers; with an `InitialState` it
-has one motion (q, q̇), in closed form. Energies, momenta and contact forces are functions of the state, and a record has
-all of them as a table.
+The core is eight files of plain floating-point arithmetic. An `Oscillator` has four parameters: m, m′, k and R. An
+`InitialState` then determines the motion (q, q̇), which `motion` evaluates in closed form. Energies, momenta and contact
+forces are functions of the state (q, q̇). A record contains all of them as a table.
 
     file           equations of the paper                                      results
     frequency      (8) 104/99, (12) Ω², (13) inverse, (14) ε*                  Ω²m/k over ε, ε for a given Ω²m/k
-    oscillator     (9) L as M and K, (10) M q̈ + K q = 0, (11) mode shape       Ω, T, M_x, matrices of one machine
+    oscillator     (9) L = ½q̇ᵀMq̇ − ½qᵀKq, (10) Mq̈ + Kq = 0, (11) mode shape    Ω, T, M_x, M and K of a machine
     motion         x = 2Rφ, (1) velocities, (11) and (12) integrated           q(t), q̇(t), motion of each body
     energy         (1) ½mv², ½Iω², ½kx²; (10a), (10b) momenta                  energies by body, p_X, p_Φ
-    contact        none: the constraints of the paper need these forces        forces, friction, first slip
-    record         none                                                        all of this at equal times, CSV
+    contact        none; forces that enforce rolling without slipping          forces, friction, first slip
+    record         none                                                        all of these on a time grid, CSV
     integrators    none                                                        step methods for x″ = a(x)
     validation     none                                                        checks of numbers and arrays
 
-A notebook needs this package alone:
+Example for a notebook:
 
     from ramanujan import Oscillator, motion, released
 
     machine = Oscillator(m=1, m_prime=1.127, k=10)
     q, q_dot = motion(machine, released(machine, 0.08), [0, 0.5, 1])
 
-The other equations are steps of `derivation`; `.github/paper.md` has a table of all of them. `number_theory` explains
-1729, `accuracy` measures errors and costs, `figures` and `browser` draw, `pages` has one folder for each page, and
-`shell` is shared by all pages.
+The other equations are steps of the package `derivation`; `.github/paper.md` lists all equations. `number_theory`
+explains 1729, `accuracy` measures errors and costs, `figures` and `browser` draw, `pages` has one folder for each page,
+and all pages share `shell`.
 """
 
 from ramanujan.contact import (

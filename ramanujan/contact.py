@@ -1,31 +1,42 @@
-r"""The five rolling contacts: their forces, the friction that they need, and the compression at which one slips.
+r"""Forces at the five rolling contacts, the friction that they require, and the largest compression without slip.
 
-The forces are what holds the rolling constraints of the paper. They are right as long as every contact rolls without
-slipping; the motion after a slip is not modelled.
+The paper assumes rolling without slipping. The contact forces enforce this constraint. They are valid as long as no
+contact slips; the motion after a slip is not modelled.
 
                                                    ___
                                                   / | \      top cylinder, angle Φ
         ← −2kRφ                                   \_|_/
-     [=========== slab ===========]/\/\/|       f →            f, F, T   forces ON a roller, right positive;
-           T →           T →            |                                the other body feels the opposite
-            ___           ___           |                      L         spacing of the axes, at least 2R
-           / | \         / | \          |                      φ, Φ      count clockwise, X to the left
+     [=========== slab ===========]/\/\/|       f →            T, F, f   horizontal forces ON a rolling body,
+           T →           T →            |                                right positive
+            ___           ___           |                      L         distance between the axes, ≥ 2R
+           / | \         / | \          |                      φ, Φ, X   clockwise, clockwise, to the left
            \___/         \_|_/          |
            F →           F →            |
      ___________________________________|     block            X ←
              |←     L     →|
 
-Newton's law for the five bodies, the three torques and the five rolling constraints give, with a = Rφ̈ = −Ω²Rφ, the
-forces on a lower roller of moment of inertia βm′R² (hoop β = 1, cylinder β = ½)
+Let a = Rφ̈ = −Ω²Rφ. Then Ẍ = κa and RΦ̈ = λa = ⅔κa by eqs. (11) of the paper. The moment of inertia of a lower roller is
+βm′R², with β = 1 for the hoop and β = ½ for the cylinder. Newton's law and the torque about the axis give
 
-    from the slab   T = ½m′a (1 + β − κ)          from the block   F = ½m′a (1 − β − κ)
+    T + F = m′(a − Ẍ)  = m′a(1 − κ)               T = ½m′a(1 + β − κ)    from the slab
+    T − F = βm′Rφ̈      = βm′a              ⟹      F = ½m′a(1 − β − κ)    from the block
 
-The slab is thin, and at φ = 0 its centre of mass is midway between the rollers' axes. It moves twice as far as they
-do, so its weight shifts towards the roller to which it moves:
+    −f = ½mRΦ̈ = ⅓κma                       ⟹      f = −⅓κma              on the top cylinder, from the block
 
-    N_hoop = mg (½ − Rφ/L),   N_cylinder = mg (½ + Rφ/L)
+The slab is thin: all horizontal forces on it act along one line and have no torque. At φ = 0 its centre of mass is
+midway between the axes of the rollers. It moves by 2Rφ and each axis by Rφ, so the loads of the slab on the rollers are
 
-The block also carries the weight m′g of each lower roller, and the weight mg of the top cylinder.
+    on the hoop   mg(½ − Rφ/L)             on the cylinder   mg(½ + Rφ/L)
+
+Let A be the amplitude of Rφ. The ratio force/load of each contact is largest at φ = A/R or φ = −A/R, where the load is
+smaller. The block also carries the weight m′g of each lower roller.
+
+    contact            largest force c·mΩ²A          load mg(n − sA/L)
+    hoop_slab          c = ½ε(2 − κ)                 n = ½        s = 1
+    cylinder_slab      c = ½ε(3/2 − κ)               n = ½        s = 1
+    hoop_block         c = ½εκ                       n = ½ + ε    s = 1
+    cylinder_block     c = ½ε|½ − κ|                 n = ½ + ε    s = 1
+    top_block          c = ⅓κ                        n = 1        s = 0
 """
 
 from __future__ import annotations
@@ -44,25 +55,25 @@ FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.float64])
 
 
 def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return the horizontal force [N], right positive, at every contact and in the spring.
+    """Return the horizontal force [N], right positive, at every contact and of the spring.
 
-        ½m′a(1 + β − κ) from the slab,   ½m′a(1 − β − κ) from the block,   −κma/3 on the top cylinder,   −2kRφ
+    The forces at the contacts are T, F and f of the module docstring. The force of the spring on the slab is −2kRφ.
 
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ matters
+    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ is used
 
     Returns
     -------
-    dict of arrays of shape (…t): hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block are the forces ON
-    the roller, spring is the force on the slab; the other body of each pair feels the opposite
+    dict of arrays of shape (…t). The keys hoop_slab, cylinder_slab, hoop_block, cylinder_block and top_block have the
+    force ON the rolling body, the key spring has the force on the slab. The reactions have the opposite sign.
 
     Raises
     ------
     ValueError : q does not have three rows of finite numbers.
 
-    Source: Newton's equations with the rolling constraints, as in the module docstring.
+    Source: Newton's equations with the rolling constraints, module docstring.
 
     >>> forces = contact_forces(Oscillator(k=10, radius=0.1), [0, 0.4, 0])
     >>> round(float(forces["spring"]), 12)
@@ -70,23 +81,26 @@ def contact_forces(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np
     """
     R, phi = oscillator.radius, coordinates("q", q)[1]
     acceleration = -oscillator.natural_frequency_squared * R * phi
-    forces = {name: share * oscillator.m * acceleration for name, share in _forces(oscillator).items()}
+    coefficients = _force_coefficients(oscillator)
+    forces = {name: coefficient * oscillator.m * acceleration for name, coefficient in coefficients.items()}
     return forces | {"spring": -2 * oscillator.k * R * phi}
 
 
 def normal_forces(
     oscillator: Oscillator, q: ArrayLike, g: float = GRAVITY, spacing: float = math.inf
 ) -> dict[str, NDArray[np.float64]]:
-    """Return the normal force [N] at the five contacts; the load shifts as the slab moves.
+    """Return the load, that is the normal force [N], at each of the five contacts.
 
-        mg(½ ∓ Rφ/L) between slab and roller,   m′g more between roller and block,   mg under the top cylinder
+        hoop and slab        mg(½ − Rφ/L)          hoop and block        mg(½ − Rφ/L) + m′g
+        cylinder and slab    mg(½ + Rφ/L)          cylinder and block    mg(½ + Rφ/L) + m′g
+        top and block        mg
 
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ matters
+    q : (X, φ, Φ), shape (3, …t), from the closed form or an integrator; only φ is used
     g : gravitational acceleration [m/s²]
-    spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
+    spacing : L, distance between the axes of hoop and lower cylinder [m]; for ∞ the loads are constant
 
     Returns
     -------
@@ -97,24 +111,25 @@ def normal_forces(
     ValueError : q does not have three rows of finite numbers, g is not positive, spacing is less than 2R, or the slab
         tips off its rollers in one of the states.
 
-    Source: balance of moments of a thin slab, module docstring.
+    Source: balance of torques of a thin slab, module docstring.
 
     >>> loads = normal_forces(Oscillator(m=1, radius=0.1), [0, 0.4, 0], g=10, spacing=0.4)
     >>> {name: round(float(load), 9) for name, load in loads.items()}["cylinder_slab"]
     6.0
     """
-    travel = oscillator.radius * coordinates("q", q)[1]
-    distance = _valid_spacing(oscillator, 2 * float(np.abs(travel).max(initial=0.0)), spacing)
+    displacement = oscillator.radius * coordinates("q", q)[1]
+    compression = 2 * float(np.abs(displacement).max(initial=0.0))
+    L = _checked_spacing(oscillator, compression, spacing)
     weight = oscillator.m * positive("g", g)
-    loads = _loads(oscillator, 1 / 2 - travel / distance, 1 / 2 + travel / distance)
-    return {name: np.broadcast_to(weight * load, travel.shape) for name, load in loads.items()}
+    loads = _load_coefficients(oscillator, 1 / 2 - displacement / L, 1 / 2 + displacement / L)
+    return {name: np.broadcast_to(weight * load, displacement.shape) for name, load in loads.items()}
 
 
 def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
-    """Return A = R√(φ₀² + (φ̇₀/Ω)²) [m], how far the lower rollers move relative to the block to either side.
+    """Return A = R√(φ₀² + (φ̇₀/Ω)²) [m], the amplitude of the displacement Rφ of the lower rollers.
 
-    Every contact force depends on the initial state through A alone. So the friction that a motion needs in the long
-    run is that after a release with the compression 2A.
+    The largest force/load of each contact depends on the initial state only through A. Therefore the required friction
+    equals that of a release from rest with the compression 2A.
 
     Parameters
     ----------
@@ -136,21 +151,17 @@ def travel_amplitude(oscillator: Oscillator, initial: InitialState) -> float:
 def required_friction(
     oscillator: Oscillator, compression: float, g: float = GRAVITY, spacing: float = math.inf
 ) -> dict[str, float]:
-    """Return the least coefficient of static friction at which each contact does not slip after a release from rest.
+    """Return the least coefficient of static friction that prevents slip at each contact after a release from rest.
 
-        hoop_slab        16ε(3ε+4)/D · u/(1 − 2A/L)         hoop_block       24ε(1+ε)/D · u/(½ − A/L + ε)
-        cylinder_slab    12ε(2ε+3)/D · u/(1 − 2A/L)         cylinder_block    2ε(6ε+5)/D · u/(½ − A/L + ε)
-        top_block        16(1+ε)/D · u
-
-    with D = 18ε² + 49ε + 32, A = |x₀|/2 and u = kA/(mg). Each force is largest at both ends of the swing, and the load
-    on each roller smallest at one of them: the hoop's at φ = A/R, the cylinder's at φ = −A/R.
+    It is the largest force/load over one period, μ = (Ω²A/g)·c/(n − sA/L) with A = |x₀|/2 and the coefficients in the
+    module docstring.
 
     Parameters
     ----------
     oscillator : the machine
     compression : x₀, the spring's compression at release [m]; negative means a stretched spring
     g : gravitational acceleration [m/s²]
-    spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
+    spacing : L, distance between the axes of hoop and lower cylinder [m]; for ∞ the loads are constant
 
     Returns
     -------
@@ -158,30 +169,32 @@ def required_friction(
 
     Raises
     ------
-    ValueError : compression is not finite, g is not positive, spacing is less than 2R or does not exceed |compression|,
-        so that the slab would tip off its rollers.
+    ValueError : compression is not finite, g is not positive, or spacing is less than 2R or not greater than
+        |compression|, so that the slab would tip off its rollers.
 
-    Source: module docstring; the largest value of |horizontal force|/normal force over one period.
+    Source: module docstring.
 
     >>> needed = required_friction(Oscillator(m=1, m_prime=1, k=10), 0.08)
     >>> max(needed, key=needed.get)
     'hoop_slab'
     """
     amplitude = abs(finite("compression", compression)) / 2
-    pull = oscillator.natural_frequency_squared * amplitude / positive("g", g)
-    return {name: ratio * pull for name, ratio in _force_per_load(oscillator, amplitude, spacing).items()}
+    # The largest acceleration of the axes relative to the block, divided by g.
+    relative_acceleration = oscillator.natural_frequency_squared * amplitude / positive("g", g)
+    ratios = _force_load_ratios(oscillator, amplitude, spacing)
+    return {name: ratio * relative_acceleration for name, ratio in ratios.items()}
 
 
 def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: float = math.inf) -> str:
-    """Return the contact that needs the most friction after a release from rest, and so slips first.
+    """Return the contact with the largest required friction after a release from rest; it slips first.
 
-    It is always top_block or hoop_slab. For L → ∞ it is top_block if ε < (√21 − 3)/6 ≈ 0.2638, else hoop_slab. For
-    finite L the load shifts, and hoop_slab comes first already at a smaller ε.
+    It is always top_block or hoop_slab. For L → ∞ it is top_block if ε < (√21 − 3)/6 ≈ 0.2638, otherwise hoop_slab. For
+    finite L this limit of ε is smaller.
 
     Parameters
     ----------
     oscillator : the machine
-    compression : x₀ [m]; 0 means the limit of a small compression. It matters only if spacing is finite.
+    compression : x₀ [m]; 0 means the limit of a small compression. It has no effect for infinite spacing.
     spacing : L, distance between the axes of hoop and lower cylinder [m]
 
     Returns
@@ -192,29 +205,30 @@ def first_to_slip(oscillator: Oscillator, compression: float = 0.0, spacing: flo
     ------
     ValueError : as in `required_friction`.
 
-    Source: `required_friction`, whose largest value this is.
+    Source: `required_friction`; its key with the largest value.
 
     >>> first_to_slip(Oscillator(m=1, m_prime=0.2)), first_to_slip(Oscillator(m=1, m_prime=0.3))
     ('top_block', 'hoop_slab')
     """
-    ratios = _force_per_load(oscillator, abs(finite("compression", compression)) / 2, spacing)
+    amplitude = abs(finite("compression", compression)) / 2
+    ratios = _force_load_ratios(oscillator, amplitude, spacing)
     return max(ratios, key=ratios.__getitem__)
 
 
 def largest_compression(
     oscillator: Oscillator, friction_coefficient: float, g: float = GRAVITY, spacing: float = math.inf
 ) -> float:
-    """Return the largest compression x₀ [m] from which the machine can be released without slip at any contact.
+    """Return the largest compression x₀ [m] for a release from rest without slip at any contact.
 
-    A contact with the force f·mΩ²A at the end of the swing and the load mg(n − σA/L) slips beyond
-    A = μn/(fΩ²/g + μσ/L), with σ = 0 for the top cylinder and 1 for the others. x₀ is twice the least of the five.
+    It is always top_block or hoop_slab. For L → ∞ it is top_block if ε < (√21 − 3)/6 ≈ 0.2638, otherwise hoop_slab.
+    For finite L this limit of ε is smaller.
 
     Parameters
     ----------
     oscillator : the machine
     friction_coefficient : μ, coefficient of static friction, the same at all contacts, dimensionless
     g : gravitational acceleration [m/s²]
-    spacing : L, distance between the axes of hoop and lower cylinder [m]; infinite means that no load shifts
+    spacing : L, distance between the axes of hoop and lower cylinder [m]; for ∞ the loads are constant
 
     Returns
     -------
@@ -230,18 +244,19 @@ def largest_compression(
     0.52028
     """
     mu = positive("friction_coefficient", friction_coefficient)
-    pull = oscillator.natural_frequency_squared / positive("g", g)
-    distance = _valid_spacing(oscillator, 0.0, spacing)
-    forces, loads = _forces(oscillator), _loads(oscillator, 1 / 2, 1 / 2)
+    squared_over_g = oscillator.natural_frequency_squared / positive("g", g)
+    L = _checked_spacing(oscillator, 0.0, spacing)
+    forces = _force_coefficients(oscillator)
     amplitudes = []
-    for name, load in loads.items():
-        shift = 0.0 if name == "top_block" else mu / distance
-        amplitudes.append(mu * load / (abs(forces[name]) * pull + shift))
+    for name, n in _load_coefficients(oscillator, 1 / 2, 1 / 2).items():
+        c = abs(forces[name])
+        s = 0.0 if name == "top_block" else 1.0
+        amplitudes.append(mu * n / (c * squared_over_g + s * (mu / L)))
     return 2 * min(amplitudes)
 
 
-def _forces(oscillator: Oscillator) -> dict[str, float]:
-    """Return the horizontal force at each contact divided by ma, with a = Rφ̈, as in the module docstring."""
+def _force_coefficients(oscillator: Oscillator) -> dict[str, float]:
+    """Return T, F or f at each contact, divided by ma. The absolute values are the coefficients c."""
     kappa, half = oscillator.block_coupling, oscillator.mass_ratio / 2
     return {
         "hoop_slab": half * (2 - kappa),
@@ -252,8 +267,10 @@ def _forces(oscillator: Oscillator) -> dict[str, float]:
     }
 
 
-def _loads(oscillator: Oscillator, on_hoop: FloatOrArray, on_cylinder: FloatOrArray) -> dict[str, FloatOrArray | float]:
-    """Return the normal force at each contact divided by mg, from both parts of the weight of the slab."""
+def _load_coefficients(
+    oscillator: Oscillator, on_hoop: FloatOrArray, on_cylinder: FloatOrArray
+) -> dict[str, FloatOrArray | float]:
+    """Return the load of each contact divided by mg, from the loads of the slab on hoop and cylinder over mg."""
     return {
         "hoop_slab": on_hoop,
         "cylinder_slab": on_cylinder,
@@ -263,16 +280,16 @@ def _loads(oscillator: Oscillator, on_hoop: FloatOrArray, on_cylinder: FloatOrAr
     }
 
 
-def _force_per_load(oscillator: Oscillator, amplitude: float, spacing: float) -> dict[str, float]:
-    """Return |force|/load at each contact in units of Ω²A/g, at the end of the swing where the load is smaller."""
-    distance = _valid_spacing(oscillator, 2 * amplitude, spacing)
-    least = 1 / 2 - amplitude / distance
-    loads = _loads(oscillator, least, least)
-    return {name: abs(force) / loads[name] for name, force in _forces(oscillator).items()}
+def _force_load_ratios(oscillator: Oscillator, amplitude: float, spacing: float) -> dict[str, float]:
+    """Return c/(n − sA/L) for each contact: its largest force/load in units of Ω²A/g."""
+    L = _checked_spacing(oscillator, 2 * amplitude, spacing)
+    smaller_load = 1 / 2 - amplitude / L
+    loads = _load_coefficients(oscillator, smaller_load, smaller_load)
+    return {name: abs(force) / loads[name] for name, force in _force_coefficients(oscillator).items()}
 
 
-def _valid_spacing(oscillator: Oscillator, compression: float, spacing: float) -> float:
-    """Return L. Raise `ValueError` if the two rollers overlap, or if the slab tips off them, that is if x₀ ≥ L."""
+def _checked_spacing(oscillator: Oscillator, compression: float, spacing: float) -> float:
+    """Return L as a float. Raise `ValueError` if the rollers overlap, or if the slab tips off them: |x₀| ≥ L."""
     distance = positive("spacing", spacing, infinite=True)
     if distance <= compression:
         raise ValueError(

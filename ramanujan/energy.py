@@ -1,9 +1,11 @@
-"""Energies and momenta of a state: the energy of each body, and the two momenta that the motion conserves.
+"""Energies and momenta of a state: energy and linear momentum of each body, and the two conserved momenta.
 
-Each is a function of a state (q, q̇), whether it comes from the closed form or from an integrator.
+They are functions of a state (q, q̇), which may come from the closed form or from an integrator.
 
-    E   = Σ ½mv² + Σ ½Iω² + ½k(2Rφ)²         the terms of eq. (1), with v relative to the ground
-    p   = M q̇ = ∂L/∂q̇                        p_X and p_Φ are constant, since neither X nor Φ enters L
+    E   = Σ ½mv² + Σ ½Iω² + ½k(2Rφ)²         the terms of eq. (1); velocities v relative to the ground
+    p   = ∂L/∂q̇ = Mq̇ = (p_X, p_φ, p_Φ)       generalized momenta
+
+X and Φ are cyclic coordinates: L depends on Ẋ and Φ̇ but not on X and Φ. Therefore p_X and p_Φ are conserved.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from ramanujan.validation import coordinates
 
 
 def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return the energy [J] of each body by kind: ½mv² relative to the ground, ½Iω², and the spring's ½k(2Rφ)².
+    """Return the terms of the energy [J]: ½mv² and ½Iω² of each body, and ½k(2Rφ)² of the spring.
 
     Parameters
     ----------
@@ -27,7 +29,7 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
     Returns
     -------
     dict with the keys block_translation, hoop_translation, hoop_rotation, cylinder_translation, cylinder_rotation,
-    slab_translation, top_translation, top_rotation and spring, each of shape (…t); their sum is E
+    slab_translation, top_translation, top_rotation and spring, each of shape (…t); their sum is the total energy E
 
     Raises
     ------
@@ -35,8 +37,8 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
 
     Source: paper, eq. (1).
 
-    >>> stored = energies(Oscillator(k=10, radius=0.1), [0, 0.4, 0], [0, 0, 0])
-    >>> round(float(sum(stored.values())), 12)
+    >>> terms = energies(Oscillator(k=10, radius=0.1), [0, 0.4, 0], [0, 0, 0])
+    >>> round(float(sum(terms.values())), 12)
     0.032
     """
     q, q_dot = coordinates("q", q), coordinates("q_dot", q_dot)
@@ -44,21 +46,21 @@ def energies(oscillator: Oscillator, q: ArrayLike, q_dot: ArrayLike) -> dict[str
         raise ValueError(f"q_dot must have the shape of q, {q.shape}, not {q_dot.shape}")
     _X_dot, phi_dot, Phi_dot = q_dot
     velocity = ground_velocities(oscillator, q_dot)
-    spin = {"hoop": phi_dot, "cylinder": phi_dot, "top": Phi_dot}
-    energy = {}
+    angular_velocity = {"hoop": phi_dot, "cylinder": phi_dot, "top": Phi_dot}
+    terms = {}
     for body, mass in oscillator.masses.items():
-        energy[f"{body}_translation"] = mass / 2 * velocity[body] ** 2
-        if body in spin:
-            energy[f"{body}_rotation"] = oscillator.moments_of_inertia[body] / 2 * spin[body] ** 2
-    energy["spring"] = oscillator.k / 2 * relative_positions(oscillator, q)["slab"] ** 2
-    return energy
+        terms[f"{body}_translation"] = mass / 2 * velocity[body] ** 2
+        if body in angular_velocity:
+            terms[f"{body}_rotation"] = oscillator.moments_of_inertia[body] / 2 * angular_velocity[body] ** 2
+    terms["spring"] = oscillator.k / 2 * relative_positions(oscillator, q)["slab"] ** 2
+    return terms
 
 
 def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
     """Return the two conserved momenta: p_X = ∂L/∂Ẋ [kg·m/s] and p_Φ = ∂L/∂Φ̇ [kg·m²/s].
 
-        p_X = (3m + 2m′)Ẋ − 2(m + m′)Rφ̇ − mRΦ̇      the linear momentum of the machine, to the left as X counts
-        p_Φ = (3/2)mR²Φ̇ − mRẊ                       the angular momentum of the top cylinder about its contact
+        p_X = (3m + 2m′)Ẋ − 2(m + m′)Rφ̇ − mRΦ̇      linear momentum of the machine, positive to the LEFT like X
+        p_Φ = (3/2)mR²Φ̇ − mRẊ                       angular momentum of the top cylinder about its line of contact
 
     Parameters
     ----------
@@ -73,7 +75,7 @@ def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.fl
     ------
     ValueError : q_dot does not have three rows of finite numbers.
 
-    Source: paper, eqs. (10a) and (10b), whose left sides are dp_X/dt and dp_Φ/dt.
+    Source: paper, eq. (10a), dp_X/dt = 0, and eq. (10b), dp_Φ/dt = 0 divided by mR.
 
     >>> float(momenta(Oscillator(m=1, m_prime=1), [1, 0, 0])["p_X"])
     5.0
@@ -83,7 +85,7 @@ def momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.fl
 
 
 def body_momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return each body's linear momentum mv relative to the ground [kg·m/s], right positive.
+    """Return the linear momentum mv of each body, relative to the ground [kg·m/s], right positive.
 
     Parameters
     ----------
@@ -98,7 +100,7 @@ def body_momenta(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[
     ------
     ValueError : q_dot does not have three rows of finite numbers.
 
-    Source: paper, eq. (1): the velocities in it.
+    Source: paper, eq. (1): the velocities v.
 
     >>> float(body_momenta(Oscillator(m=2), [1, 0, 0])["block"])
     -2.0

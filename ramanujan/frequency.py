@@ -1,16 +1,20 @@
-"""The frequency of the oscillating mode as a function of the mass ratio, and its inverse.
+"""Frequency of the oscillating mode as a function of the mass ratio, and the inverse function.
 
-Equation (12) of the paper is φ̈ + Ω²φ = 0. With ε = m′/m its coefficient is
+Equation (12) of the paper is φ̈ + Ω²φ = 0 with Ω² = k/M_x. The effective mass M_x is one eighth of the denominator in
+eq. (12). In the oscillating mode the kinetic energy is ½M_xẋ², where x = 2Rφ is the compression of the spring. In units
+of m, with ε = m′/m,
 
-    Ω² = (k/m) / (M_x/m),    M_x/m = 3ε/8 + (8 + 7ε)/(2(7 + 6ε)) = 4/7 + 3ε/8 + ε/(14(7 + 6ε)),
+    M_x/m = ⅛(7ε + 8 − 24(ε + 1)²/(7 + 6ε))         eq. (12)
+          = 3ε/8 + (8 + 7ε)/(2(7 + 6ε))             polynomial division
+          = 4/7 + 3ε/8 + ε/(14(7 + 6ε))             only positive terms that do not decrease with ε; used here
 
-where M_x is the mass that the spring feels. With massless rollers it is 4m/7, and 3m′/8 is the spin of both rollers. In
-one fraction,
+    Ω²m/k = m/M_x = 8(7 + 6ε)/(18ε² + 49ε + 32)     as one fraction
 
-    Ω²m/k = 8(7 + 6ε)/(18ε² + 49ε + 32).
+The term 4/7 is the effective mass for massless rollers. The term 3ε/8 comes from the rotation of hoop
+and lower cylinder.
 
-This curve falls from 7/4 at ε = 0 like 8/(3ε) for heavy rollers. It is 104/99 for equal masses, eq. (8), and 1 at ε*,
-eq. (14).
+Ω²m/k decreases from 7/4 at ε = 0 and approaches 8/(3ε) for heavy rollers. It is 104/99 for equal masses, eq. (8), and 1
+at ε = ε*, eq. (14).
 """
 
 from __future__ import annotations
@@ -24,19 +28,19 @@ from numpy.typing import ArrayLike, NDArray
 from ramanujan.validation import float_array
 
 UNIT_MASS_RATIO = 48 / (1 + math.sqrt(1729))
-"""ε* = (√1729 − 1)/36, eq. (14), where Ω² = k/m. Without the subtraction it rounds to the nearest double."""
+"""ε* = (√1729 − 1)/36, eq. (14), where Ω² = k/m. The nearest double: the subtraction in eq. (14) loses a digit."""
 
 LIGHT_ROLLERS_LIMIT = 7 / 4
-"""Ω²m/k for ε → 0. It is smaller for every machine with rollers."""
+"""Upper bound of Ω²m/k: its limit for ε → 0."""
 
 FloatOrArray = TypeVar("FloatOrArray", float, NDArray[np.floating])
 
 
 def effective_mass_ratio(mass_ratio: FloatOrArray) -> FloatOrArray:
-    """Return M_x/m = 4/7 + (3ε/8 + ε/(14(7 + 6ε))), the mass that the spring feels in units of m.
+    """Return M_x/m = 4/7 + (3ε/8 + ε/(14(7 + 6ε))), the effective mass in units of m.
 
-    In floating point this sum rises with ε, as the exact one does. The form with two terms does not: near ε = 10⁻¹⁵ it
-    falls from one number to the next.
+    The computed sum never decreases with ε. The form with two terms, 3ε/8 + (8 + 7ε)/(2(7 + 6ε)), decreases between
+    some neighbouring floats near ε = 10⁻¹⁵, because of rounding.
 
     Parameters
     ----------
@@ -46,7 +50,7 @@ def effective_mass_ratio(mass_ratio: FloatOrArray) -> FloatOrArray:
     -------
     M_x/m : of the type and shape of mass_ratio
 
-    Source: paper, eq. (12): the denominator of Ω² divided by 8m, as a sum of positive terms.
+    Source: paper, eq. (12), rearranged as in the module docstring.
 
     >>> effective_mass_ratio(0.0) == 4 / 7
     True
@@ -57,16 +61,16 @@ def effective_mass_ratio(mass_ratio: FloatOrArray) -> FloatOrArray:
 def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] | np.floating:
     """Return Ω²m/k = m/M_x, the square of the natural frequency in units of k/m.
 
-    The error is at most 2.5 units in the last place for 1e-300 ≤ ε ≤ 1e300. The values fall with ε. They are exactly
-    7/4 at 0, 104/99 at 1 and 1 at ε*.
+    The error is at most 2.5 units in the last place for 1e-300 ≤ ε ≤ 1e300. The values never increase with ε. They are
+    7/4 at 0, the nearest float to 104/99 at 1, and 1 at ε*.
 
     Parameters
     ----------
-    mass_ratio : ε = m′/m ≥ 0, dimensionless, a number or an array of any shape; float32 in gives float32 out
+    mass_ratio : ε = m′/m ≥ 0, dimensionless, a number or an array of any shape
 
     Returns
     -------
-    Ω²m/k : of the shape of mass_ratio, in (0, 7/4]
+    Ω²m/k : of the shape of mass_ratio, in (0, 7/4]; float32 for float32, otherwise float64
 
     Raises
     ------
@@ -82,7 +86,7 @@ def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] 
     ratio = float_array("mass_ratio", mass_ratio)
     if np.any(ratio < 0):
         raise ValueError("mass_ratio must not be negative")
-    # Beyond ε = 3·10³⁰⁷ the last denominator overflows, and its term vanishes.
+    # For ε > 3·10³⁰⁷ the denominator 7 + 6ε is ∞, so its term is 0 instead of 1/84. The sum does not change.
     with np.errstate(over="ignore"):
         value: NDArray[np.floating] = 1 / effective_mass_ratio(ratio.astype(np.float64))
     return value.astype(ratio.dtype)[()]
@@ -91,26 +95,26 @@ def normalized_frequency_squared(mass_ratio: ArrayLike) -> NDArray[np.floating] 
 def mass_ratio_for(normalized_frequency_squared: ArrayLike) -> NDArray[np.floating] | np.floating:
     """Return the mass ratio ε at which Ω²m/k has the value w.
 
-    The quadratic equation 18wε² + (49w − 48)ε + (32w − 56) = 0 has exactly one positive root for 0 < w < 7/4. With
-    b = 49w − 48 and d² = (7w − 48)² + 48w² it is
+    Ω²m/k = w gives the quadratic equation 18wε² + (49w − 48)ε + (32w − 56) = 0. It has exactly one positive root for
+    0 < w < 7/4. With b = 49w − 48 and the discriminant d² = b² − 72w(32w − 56) = (7w − 48)² + 48w² the root is
 
         ε = 16(7 − 4w)/(d + |b|) for b ≥ 0,    ε = (d + |b|)/(36w) for b < 0.
 
-    Neither form subtracts numbers that are almost equal. The error is at most 16 units in the last place.
+    Neither form subtracts nearly equal numbers d and |b|. The error is at most 16 units in the last place.
 
     Parameters
     ----------
-    normalized_frequency_squared : w = Ω²m/k, dimensionless, a number or an array; float32 in gives float32 out
+    normalized_frequency_squared : w = Ω²m/k, dimensionless, a number or an array of any shape
 
     Returns
     -------
-    ε : of the shape of w, dimensionless
+    ε : of the shape of w, dimensionless; float32 for float32, otherwise float64
 
     Raises
     ------
-    ValueError : w is not between 0 and 7/4, or so small that ε exceeds the largest float.
+    ValueError : w is not between 0 and 7/4, or is so small that ε exceeds the largest float.
 
-    Source: paper, eq. (13), with w in place of 1.
+    Source: paper, eq. (12) with Ω² = wk/m; for w = 1 the quadratic equation is eq. (13).
 
     >>> float(mass_ratio_for(1)) == UNIT_MASS_RATIO
     True

@@ -1,14 +1,18 @@
-"""The motion in closed form: the state of the machine at any time, from its initial state.
+"""The motion in closed form: initial states, the state at any time, and the displacement and velocity of each body.
 
-Neither X nor Φ enters the Lagrangian (9), so both momenta are conserved. X and Φ are each a steady drift plus a
-multiple of the oscillation of φ, by eqs. (11) of the paper:
+Eq. (12) of the paper, φ̈ = −Ω²φ, gives φ(t). Eqs. (11), Ẍ = κRφ̈ and Φ̈ = λφ̈, then give X(t) and Φ(t) by integrating
+twice. Each of them is a uniform drift plus a multiple of the oscillation of φ:
 
-    φ(t) = φ₀ + s(t)                                    s = φ̇₀S − φ₀C
-    X(t) = X₀ + (Ẋ₀ − κRφ̇₀) t + κR s(t)                 S = (sin Ωt)/Ω
-    Φ(t) = Φ₀ + (Φ̇₀ − λφ̇₀) t + λ s(t)                   C = 1 − cos Ωt = 2 sin²(Ωt/2)
+    S(t) = (sin Ωt)/Ω
+    C(t) = 1 − cos Ωt = 2 sin²(Ωt/2)
+    s(t) = φ̇₀S(t) − φ₀C(t)                       change of φ since t = 0
 
-The sine of half the phase keeps the digits of a displacement a short time after a release from rest. The phase Ωt has
-the relative error of Ω, about 10⁻¹⁶: after n periods it is wrong by about 10⁻¹⁵n rad.
+    φ(t) = φ₀ + s(t)
+    X(t) = X₀ + (Ẋ₀ − κRφ̇₀)t + κR s(t)
+    Φ(t) = Φ₀ + (Φ̇₀ − λφ̇₀)t + λ s(t)
+
+The form 2 sin²(Ωt/2) avoids the cancellation in 1 − cos Ωt for small Ωt. The phase Ωt inherits the relative error of Ω,
+about 10⁻¹⁶, so its error after n periods is about 10⁻¹⁵n rad.
 """
 
 from __future__ import annotations
@@ -25,7 +29,7 @@ from ramanujan.validation import coordinates, finite, float_array
 
 @dataclass(frozen=True)
 class InitialState:
-    """The initial state: q = (X, φ, Φ) and its time derivatives at t = 0.
+    """The state at t = 0: q = (X, φ, Φ) and its time derivative.
 
     Parameters
     ----------
@@ -35,7 +39,7 @@ class InitialState:
 
     Raises
     ------
-    ValueError : a field is not a finite number; the message names it.
+    ValueError : a field is not a finite number. The message begins with its name.
 
     >>> InitialState(phi=0.4).phi_dot
     0.0
@@ -55,7 +59,7 @@ class InitialState:
 
 
 def released(oscillator: Oscillator, compression: float) -> InitialState:
-    """Return the state at release: at rest, with the spring compressed by x₀ = 2Rφ₀.
+    """Return the initial state of a release from rest with the spring compressed by x₀ = 2Rφ₀.
 
     Parameters
     ----------
@@ -64,7 +68,7 @@ def released(oscillator: Oscillator, compression: float) -> InitialState:
 
     Returns
     -------
-    the initial state, in which only φ₀ = x₀/(2R) differs from zero
+    the initial state; only φ₀ = x₀/(2R) is not zero
 
     Raises
     ------
@@ -81,14 +85,17 @@ def released(oscillator: Oscillator, compression: float) -> InitialState:
 def with_initial_velocities(
     oscillator: Oscillator, compression: float, glide: float = 0.0, spin: float = 0.0
 ) -> InitialState:
-    """Return the state at a release with a velocity in each zero mode: φ₀ = x₀/(2R), Ẋ₀ = −glide, Φ̇₀ = spin.
+    """Return the initial state of a release with a push: φ₀ = x₀/(2R), Ẋ₀ = −glide and Φ̇₀ = spin.
+
+    `glide` excites the zero mode q = (1, 0, 0), a translation of the whole machine. `spin` excites the zero mode
+    q = (0, 0, 1), a rotation of the top cylinder as it rolls over the block. The oscillation φ(t) depends on neither.
 
     Parameters
     ----------
     oscillator : the machine
     compression : x₀ [m]; negative means a stretched spring
-    glide : initial velocity of the whole machine, to the RIGHT [m/s]
-    spin : additional initial angular velocity of the top cylinder, clockwise [rad/s]
+    glide : initial velocity of block, lower rollers and slab, to the RIGHT [m/s]
+    spin : initial angular velocity of the top cylinder, clockwise [rad/s]
 
     Returns
     -------
@@ -110,15 +117,15 @@ def with_initial_velocities(
 def motion(
     oscillator: Oscillator, initial: InitialState, t: ArrayLike
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the state (q, q̇) at the times t, in the order X, φ, Φ, from the closed form of the module docstring.
+    """Return the state (q, q̇) at the times t from the closed form in the module docstring.
 
-    The error is at most 10⁻¹¹ of the amplitude up to 1,000 periods, and 10⁻⁸ up to a million.
+    The error is at most 10⁻¹¹ of the amplitude for up to 1,000 periods, and 10⁻⁸ for up to a million periods.
 
     Parameters
     ----------
     oscillator : the machine
     initial : its state at t = 0
-    t : time [s], a number or an array of any shape, either sign
+    t : time [s], a number or an array of any shape; it may be negative
 
     Returns
     -------
@@ -128,7 +135,7 @@ def motion(
     ------
     ValueError : a time is not a finite number.
 
-    Source: paper, eqs. (11) and (12), integrated with both conserved momenta.
+    Source: paper, eqs. (11) and (12), integrated as in the module docstring.
 
     >>> machine = Oscillator(radius=0.1)
     >>> q, q_dot = motion(machine, released(machine, 0.08), [0, machine.period])
@@ -137,8 +144,12 @@ def motion(
     >>> q[1].round(12)
     array([0.4, 0.4])
     """
-    times = finite("t", t) if isinstance(t, float) else float_array("t", t).astype(np.float64, copy=False)
-    sin = math.sin if isinstance(times, float) else np.sin
+    # For a single time, Python floats and `math.sin` are several times faster than NumPy.
+    times: float | NDArray[np.float64]
+    if isinstance(t, float):
+        times, sin = finite("t", t), math.sin
+    else:
+        times, sin = float_array("t", t).astype(np.float64, copy=False), np.sin
     Omega, Omega_squared = oscillator.natural_frequency, oscillator.natural_frequency_squared
     kappa_R, lambda_ = oscillator.block_coupling * oscillator.radius, oscillator.top_coupling
     X_0, phi_0, Phi_0 = initial.X, initial.phi, initial.Phi
@@ -151,24 +162,26 @@ def motion(
     phi = phi_0 + s
     Phi = Phi_0 + (Phi_dot_0 - lambda_ * phi_dot_0) * times + lambda_ * s
 
-    # The change of φ̇ since the start, with the derivatives S′ = 1 − C and C′ = Ω²S.
-    change = -phi_dot_0 * C - phi_0 * Omega_squared * S
-    rates = [X_dot_0 + kappa_R * change, phi_dot_0 + change, Phi_dot_0 + lambda_ * change]
-    return np.array([X, phi, Phi]), np.array(rates)
+    # φ̇ = ds/dt, with dS/dt = 1 − C and dC/dt = Ω²S. The constant φ̇₀ is added last.
+    phi_dot_change = -phi_dot_0 * C - phi_0 * Omega_squared * S
+    X_dot = X_dot_0 + kappa_R * phi_dot_change
+    phi_dot = phi_dot_0 + phi_dot_change
+    Phi_dot = Phi_dot_0 + lambda_ * phi_dot_change
+    return np.array([X, phi, Phi]), np.array([X_dot, phi_dot, Phi_dot])
 
 
 def relative_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return how far each body has moved relative to the block [m], right positive: Rφ, Rφ, 2Rφ and RΦ.
+    """Return the displacement of each body relative to the block [m], right positive: Rφ, Rφ, 2Rφ and RΦ.
 
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t); the displacements count from q = 0, where the spring is not deformed
+    q : (X, φ, Φ), shape (3, …t); displacements are measured from q = 0, where the spring is undeformed
 
     Returns
     -------
-    dict with the keys hoop, cylinder, slab and top, each of shape (…t); the slab's entry is the deformation of the
-    spring
+    dict with the keys hoop, cylinder, slab and top, each of shape (…t); the displacement of the slab is also the
+    compression of the spring
 
     Raises
     ------
@@ -183,7 +196,7 @@ def relative_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArra
 
 
 def relative_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return each body's velocity relative to the block [m/s], right positive: Rφ̇, Rφ̇, 2Rφ̇ and RΦ̇.
+    """Return the velocity of each body relative to the block [m/s], right positive: Rφ̇, Rφ̇, 2Rφ̇ and RΦ̇.
 
     Parameters
     ----------
@@ -207,14 +220,14 @@ def relative_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, N
 
 
 def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return how far each body has moved relative to the ground [m], right positive.
+    """Return the displacement of each body relative to the ground [m], right positive.
 
         block −X,   hoop and cylinder Rφ − X,   slab 2Rφ − X,   top RΦ − X
 
     Parameters
     ----------
     oscillator : the machine
-    q : (X, φ, Φ), shape (3, …t); the displacements count from q = 0, where the spring is not deformed
+    q : (X, φ, Φ), shape (3, …t); displacements are measured from q = 0, where the spring is undeformed
 
     Returns
     -------
@@ -224,7 +237,7 @@ def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[
     ------
     ValueError : q does not have three rows of finite numbers.
 
-    Source: paper, eq. (1), whose velocities these are when q̇ takes the place of q.
+    Source: paper, eq. (1): its velocities with q instead of q̇.
 
     >>> float(ground_positions(Oscillator(radius=0.1), [0.25, 0, 0])["block"])
     -0.25
@@ -233,7 +246,7 @@ def ground_positions(oscillator: Oscillator, q: ArrayLike) -> dict[str, NDArray[
 
 
 def ground_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """Return each body's velocity relative to the ground [m/s], right positive.
+    """Return the velocity of each body relative to the ground [m/s], right positive.
 
         block −Ẋ,   hoop and cylinder Rφ̇ − Ẋ,   slab 2Rφ̇ − Ẋ,   top RΦ̇ − Ẋ
 
@@ -259,14 +272,17 @@ def ground_velocities(oscillator: Oscillator, q_dot: ArrayLike) -> dict[str, NDA
 
 
 def _relative_to_block(oscillator: Oscillator, q: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """Return the displacement, or velocity, of each body on the block. A roller's highest point moves twice as far."""
+    """Return displacements relative to the block for q, or velocities for q̇.
+
+    The slab moves with the highest point of the rollers, twice as far as their axes.
+    """
     R = oscillator.radius
     _X, phi, Phi = q
     return {"hoop": R * phi, "cylinder": R * phi, "slab": 2 * R * phi, "top": R * Phi}
 
 
 def _relative_to_ground(oscillator: Oscillator, q: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """Return the displacement, or velocity, of each body relative to the ground. X counts to the left."""
+    """Return displacements relative to the ground for q, or velocities for q̇. The block moves by −X, to the right."""
     X = q[0]
-    on_block = _relative_to_block(oscillator, q)
-    return {"block": -X} | {body: displacement - X for body, displacement in on_block.items()}
+    relative_to_block = _relative_to_block(oscillator, q)
+    return {"block": -X} | {body: relative - X for body, relative in relative_to_block.items()}

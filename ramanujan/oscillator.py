@@ -1,16 +1,16 @@
-"""The machine as numbers: four parameters give the matrices, the natural frequency and the mode shape.
+"""Parameters of a machine, and its matrices, natural frequency and mode shape.
 
 The machine has three degrees of freedom, q = (X, φ, Φ), and one spring. Lagrange's equations (10) of the paper are
+Mq̈ + Kq = 0. The only nonzero element of K is K_φφ = 4kR², so K has rank one. Therefore the machine has one oscillating
+mode and two zero modes, that is modes of frequency zero. With the effective mass M_x of the module `frequency`,
 
-    M q̈ + K q = 0,    K = 4kR² e_φ e_φᵀ  (rank one),
+    Ω² = k/M_x                          natural frequency of the oscillating mode, eq. (12)
+    X : φ : Φ = κR : 1 : λ              its mode shape, eqs. (11)
+    κ = (1 + ε)/(7/6 + ε),   λ = 2κ/3   its coefficients, where ε = m′/m
 
-so there is one oscillating mode and there are two zero modes. The spring feels the mass M_x (`frequency`), and
-
-    Ω² = k/M_x = (k/m)/(M_x/m),    mode shape (X, φ, Φ) ∝ (κR, 1, λ),    κ = (1 + ε)/(7/6 + ε),    λ = 2κ/3.
-
-Ω² has an error of at most 5 units in the last place wherever k/m and ε = m′/m are normal floating-point numbers. A
-machine whose ε, k/m or Ω² is not a finite positive number is an error. No other range is checked here: for a radius of
-10²⁰⁰ m, Python raises `OverflowError` where a moment of inertia is computed.
+The error of Ω² is at most 5 units in the last place if k/m and ε are normal floating-point numbers. `Oscillator` raises
+`ValueError` if ε, k/m or Ω² is not a finite positive number. Other quantities can still overflow: for R = 10²⁰⁰ m a
+moment of inertia raises `OverflowError`.
 """
 
 from __future__ import annotations
@@ -28,17 +28,20 @@ from ramanujan.translation import _
 from ramanujan.validation import positive
 
 GRAVITY = 9.81
-"""g [m/s²], the gravitational acceleration, unless a function is called with another one."""
+"""Default value of the gravitational acceleration g [m/s²]."""
 
-SPACING_PER_RADIUS, SPACING_GAP = 2.4, 0.05
-"""a and b [m] in the distance aR + b between the axes of hoop and lower cylinder, as every picture shows it."""
+SPACING_PER_RADIUS = 2.4
+"""Coefficient a in `drawn_spacing`, L = aR + b."""
+
+SPACING_GAP = 0.05
+"""Constant b [m] in `drawn_spacing`, L = aR + b."""
 
 
 def drawn_spacing(radius: float) -> float:
     """Return L = 2.4R + 5 cm, the distance between the axes of hoop and lower cylinder in every picture.
 
-    There is a gap between the two rollers for every radius. No frequency depends on L. The load of the slab on each
-    roller does, and with it the friction that the contacts need.
+    The two rollers do not touch, whatever the radius. The natural frequency does not depend on L. The load on each
+    roller depends on L, and therefore the required friction does, too.
 
     Parameters
     ----------
@@ -46,13 +49,13 @@ def drawn_spacing(radius: float) -> float:
 
     Returns
     -------
-    L : distance of the axes [m], at least 2R
+    L : distance between the axes [m], greater than 2R
 
     Raises
     ------
     ValueError : radius is not a finite positive number.
 
-    Source: a choice of this app; the paper does not say where the rollers are.
+    Source: chosen for the pictures; the paper does not specify the distance.
 
     >>> round(drawn_spacing(0.1), 3)
     0.29
@@ -69,11 +72,11 @@ class Oscillator:
     m : m, mass of the block, of the slab and of the top cylinder [kg]
     m_prime : m′, mass of the hoop and of the lower cylinder [kg]
     k : k, stiffness of the spring [N/m]
-    radius : R, radius of the three rolling bodies [m]; it sets lengths and drops out of every frequency
+    radius : R, radius of the three rolling bodies [m]; the natural frequency does not depend on it
 
     Raises
     ------
-    ValueError : a parameter is not a finite positive number, or m′/m, k/m or Ω² is not. The message names it.
+    ValueError : a parameter, m′/m, k/m or Ω² is not a finite positive number. The message contains its name.
 
     Source: paper, figure 1 and section 2.
 
@@ -90,7 +93,7 @@ class Oscillator:
     radius: float = 0.1
 
     def __post_init__(self) -> None:
-        # The class is frozen, so the converted values go into its dictionary.
+        # A frozen dataclass forbids `self.m = …`. Writing to its dictionary is the fastest way around that.
         fields = vars(self)
         for name, value in fields.items():
             fields[name] = positive(name, value)
@@ -111,7 +114,7 @@ class Oscillator:
 
     @property
     def effective_mass(self) -> float:
-        """M_x = 3m′/8 + (m/2)(8m + 7m′)/(7m + 6m′) [kg], the mass that the spring feels; Ω² = k/M_x."""
+        """M_x = 3m′/8 + (m/2)(8m + 7m′)/(7m + 6m′) [kg], the effective mass: Ω² = k/M_x, eq. (12)."""
         return self.m * effective_mass_ratio(self.mass_ratio)
 
     @cached_property
@@ -141,24 +144,24 @@ class Oscillator:
 
     @property
     def mode_shape(self) -> NDArray[np.float64]:
-        """The oscillating mode (κR, 1, λ), shape (3,), for q = (X, φ, Φ): metres, radians, radians."""
+        """(κR, 1, λ), shape (3,): X [m], φ [rad] and Φ [rad] in the oscillating mode, scaled to φ = 1, eqs. (11)."""
         return np.array([self.block_coupling * self.radius, 1.0, self.top_coupling])
 
     @property
     def masses(self) -> dict[str, float]:
-        """The mass [kg] of each body: block, hoop, cylinder, slab and top cylinder."""
+        """Body → its mass [kg], with the keys block, hoop, cylinder, slab and top."""
         m, m_prime = self.m, self.m_prime
         return {"block": m, "hoop": m_prime, "cylinder": m_prime, "slab": m, "top": m}
 
     @property
     def moments_of_inertia(self) -> dict[str, float]:
-        """The moment of inertia [kg·m²] of each rolling body: m′R² of a hoop, ½m′R² and ½mR² of solid cylinders."""
+        """Rolling body → its moment of inertia [kg·m²]: hoop m′R², cylinder ½m′R², top ½mR²."""
         m, m_prime, R = self.m, self.m_prime, self.radius
         return {"hoop": m_prime * R**2, "cylinder": m_prime * R**2 / 2, "top": m * R**2 / 2}
 
     @property
     def mass_matrix(self) -> NDArray[np.float64]:
-        """M, shape (3, 3): T = ½ q̇ᵀMq̇ for q = (X, φ, Φ), eq. (9); units kg, kg·m and kg·m² by row and column."""
+        """M, shape (3, 3): the kinetic energy in eq. (9) is ½q̇ᵀMq̇. Elements in kg, kg·m or kg·m²."""
         m, m_prime, R = self.m, self.m_prime, self.radius
         return np.array(
             [
@@ -170,13 +173,13 @@ class Oscillator:
 
     @property
     def stiffness_matrix(self) -> NDArray[np.float64]:
-        """K, shape (3, 3): U = ½ qᵀKq, eq. (9); its one entry 4kR² [N·m] belongs to φ."""
+        """K, shape (3, 3): the potential energy in eq. (9) is ½qᵀKq. Its only nonzero element is K_φφ = 4kR² [N·m]."""
         stiffness = np.zeros((3, 3))
         stiffness[1, 1] = 4 * self.k * self.radius**2
         return stiffness
 
     def _repr_markdown_(self) -> str:
-        """Return the table that a notebook shows: the parameters, the natural frequency and Ω²m/k."""
+        """Return a Markdown table of the parameters, Ω and Ω²m/k, which Jupyter displays."""
         rows = (
             ("m", _("block, slab and top cylinder"), self.m, "kg"),
             ("m′", _("hoop and lower cylinder"), self.m_prime, "kg"),

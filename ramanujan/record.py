@@ -1,11 +1,10 @@
-"""A record of one motion: positions, velocities, energies, momenta and forces at equal steps of time, also as CSV.
+"""A record of one motion: positions, velocities, energies, momenta and forces on a uniform time grid, also as CSV.
 
-This module collects and names the series; `motion`, `energy` and `contact` compute them. The table is
-for programs, and numpy reads it back exactly:
+This module collects and names the series. `motion`, `energy` and `contact` compute them. Format of the table:
 
-    # a comment line for each remark and parameter
-    t [s],X [m],…            one header line: each name with its unit
-    0.0,0.04,…               one line for each time: the fewest digits that give back the very same doubles
+    # m = 1.0 kg             a comment line for each parameter
+    t [s],X [m],…            one header line with names and units
+    0.0,0.04,…               one line for each time; numbers as Python's repr, so that NumPy reads the same doubles
 """
 
 from __future__ import annotations
@@ -33,15 +32,15 @@ from ramanujan.translation import _
 from ramanujan.validation import positive
 
 MOST_POINTS = 10**7
-"""The most times that a record may hold; with all its series it then takes some gigabytes."""
+"""Upper limit of the number of times in a record. The series then take several gigabytes."""
 
 
 @dataclass(frozen=True)
 class Record:
-    """A motion at the times t: arrays in SI units, right positive, with the keys of the functions they come from.
+    """All series of a motion at the times t, in SI units.
 
-    Only X, Ẋ and the momentum p_X are positive to the LEFT, as in the paper.
-    `body_momenta` are m v of each body relative to the ground [kg·m/s].
+    Each dictionary is the result of the function of the same name; `forces` is that of `contact_forces`. All quantities
+    are positive to the right, except X, Ẋ and p_X, which are positive to the LEFT as in the paper.
     """
 
     oscillator: Oscillator
@@ -51,10 +50,10 @@ class Record:
     t: NDArray[np.float64]
     q: NDArray[np.float64]
     q_dot: NDArray[np.float64]
-    over_ground: dict[str, NDArray[np.float64]]
-    over_block: dict[str, NDArray[np.float64]]
-    velocity_over_ground: dict[str, NDArray[np.float64]]
-    velocity_over_block: dict[str, NDArray[np.float64]]
+    ground_positions: dict[str, NDArray[np.float64]]
+    relative_positions: dict[str, NDArray[np.float64]]
+    ground_velocities: dict[str, NDArray[np.float64]]
+    relative_velocities: dict[str, NDArray[np.float64]]
     energies: dict[str, NDArray[np.float64]]
     body_momenta: dict[str, NDArray[np.float64]]
     momenta: dict[str, NDArray[np.float64]]
@@ -63,7 +62,7 @@ class Record:
 
     @property
     def total_energy(self) -> NDArray[np.float64]:
-        """E [J], the sum of all energies."""
+        """E [J], the sum of all terms in `energies`."""
         total: NDArray[np.float64] = np.sum(list(self.energies.values()), axis=0)
         return total
 
@@ -78,28 +77,28 @@ def record(
     periods: float,
     points: int,
 ) -> Record:
-    """Return the motion after a release with a push, at equally spaced times, both ends included.
+    """Return the motion after a release with a push, at equally spaced times from 0 to the end of the last period.
 
     Parameters
     ----------
     oscillator, compression, glide, spin : as in `with_initial_velocities`
     spacing : L, distance between the axes of hoop and lower cylinder [m]
-    periods : how long, in periods of the machine
-    points : number of times, from 2 on
+    periods : duration, in periods of the machine
+    points : number of times, at least 2
 
     Returns
     -------
-    the record; every series in it comes from one evaluation of the motion
+    the record; all series are computed from the same (q, q̇)
 
     Raises
     ------
     ValueError : a value is not a finite number, periods is not positive, points is out of range, or the slab tips off
         its rollers.
 
-    Source: `motion`, `energy` and `contact`, where each series is computed.
+    Source: the modules `motion`, `energy` and `contact`.
 
-    >>> motion = record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5)
-    >>> motion.q.shape
+    >>> one_period = record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5)
+    >>> one_period.q.shape
     (3, 5)
     """
     initial = with_initial_velocities(oscillator, compression, glide, spin)
@@ -107,9 +106,9 @@ def record(
         raise ValueError(f"points must be an integer from 2 to {MOST_POINTS}, not {points}")
     t = np.linspace(0, positive("periods", periods) * oscillator.period, points)
     q, q_dot = motion(oscillator, initial, t)
-    # The slab must stay on its rollers between the recorded times as well.
-    widest = travel_amplitude(oscillator, initial) / oscillator.radius
-    normal_forces(oscillator, (0.0, widest, 0.0), spacing=spacing)
+    # The slab might tip off its rollers between two recorded times. At the largest φ, `normal_forces` raises for that.
+    largest_phi = travel_amplitude(oscillator, initial) / oscillator.radius
+    normal_forces(oscillator, (0.0, largest_phi, 0.0), spacing=spacing)
     return Record(
         oscillator=oscillator,
         compression=float(compression),
@@ -118,10 +117,10 @@ def record(
         t=t,
         q=q,
         q_dot=q_dot,
-        over_ground=ground_positions(oscillator, q),
-        over_block=relative_positions(oscillator, q),
-        velocity_over_ground=ground_velocities(oscillator, q_dot),
-        velocity_over_block=relative_velocities(oscillator, q_dot),
+        ground_positions=ground_positions(oscillator, q),
+        relative_positions=relative_positions(oscillator, q),
+        ground_velocities=ground_velocities(oscillator, q_dot),
+        relative_velocities=relative_velocities(oscillator, q_dot),
         energies=energies(oscillator, q, q_dot),
         body_momenta=body_momenta(oscillator, q_dot),
         momenta=momenta(oscillator, q_dot),
@@ -130,85 +129,95 @@ def record(
     )
 
 
-def columns(motion: Record) -> dict[str, NDArray[np.float64]]:
-    """Return every series of a record under a header with its unit, time first.
+def columns(recorded: Record) -> dict[str, NDArray[np.float64]]:
+    """Return every series of a record with its header, time first.
 
     Parameters
     ----------
-    motion : the record
+    recorded : the record
 
     Returns
     -------
-    dict of header → series, each of shape (points,)
+    header, a name with its unit → series of shape (points,)
 
     >>> list(columns(record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5)))[:3]
     ['t [s]', 'X [m]', 'phi [rad]']
     """
-    series = {"t [s]": motion.t}
-    names = (("X", "m"), ("phi", "rad"), ("Phi", "rad"))
-    series |= {f"{name} [{unit}]": row for (name, unit), row in zip(names, motion.q, strict=True)}
-    series |= {f"{name}_dot [{unit}/s]": row for (name, unit), row in zip(names, motion.q_dot, strict=True)}
+    series = {"t [s]": recorded.t}
+    coordinates = (("X", "m"), ("phi", "rad"), ("Phi", "rad"))
+    series |= {f"{name} [{unit}]": row for (name, unit), row in zip(coordinates, recorded.q, strict=True)}
+    series |= {f"{name}_dot [{unit}/s]": row for (name, unit), row in zip(coordinates, recorded.q_dot, strict=True)}
     groups = (
-        ("{} relative to ground [m]", motion.over_ground),
-        ("{} relative to block [m]", motion.over_block),
-        ("velocity of {} relative to ground [m/s]", motion.velocity_over_ground),
-        ("velocity of {} relative to block [m/s]", motion.velocity_over_block),
-        ("energy {} [J]", motion.energies | {"total": motion.total_energy}),
-        ("momentum of {} [kg m/s]", motion.body_momenta),
-        ("force {} [N]", motion.forces),
-        ("normal force {} [N]", motion.normal_forces),
+        ("{} relative to ground [m]", recorded.ground_positions),
+        ("{} relative to block [m]", recorded.relative_positions),
+        ("velocity of {} relative to ground [m/s]", recorded.ground_velocities),
+        ("velocity of {} relative to block [m/s]", recorded.relative_velocities),
+        ("energy {} [J]", recorded.energies | {"total": recorded.total_energy}),
+        ("momentum of {} [kg m/s]", recorded.body_momenta),
+        ("force {} [N]", recorded.forces),
+        ("normal force {} [N]", recorded.normal_forces),
     )
-    series |= {form.format(name): values for form, group in groups for name, values in group.items()}
-    return series | {"p_X [kg m/s]": motion.momenta["p_X"], "p_Phi [kg m2/s]": motion.momenta["p_Phi"]}
+    for header, group in groups:
+        series |= {header.format(name): values for name, values in group.items()}
+    series["p_X [kg m/s]"] = recorded.momenta["p_X"]
+    series["p_Phi [kg m2/s]"] = recorded.momenta["p_Phi"]
+    return series
 
 
-def table(motion: Record, friction_coefficient: float) -> str:
-    """Return a record as comma-separated values: the parameters as comments, units in the header.
+def table(recorded: Record, friction_coefficient: float) -> str:
+    """Return a record as comma-separated values, in the format of the module docstring.
 
     Parameters
     ----------
-    motion : the record
-    friction_coefficient : μ; the comments state the largest x₀ at which no contact slips with it
+    recorded : the record
+    friction_coefficient : μ; one of the comments is the largest compression without slip for this μ
 
     Returns
     -------
-    the table as text; its first line says how many lines numpy has to skip:
+    the table as text; its first line contains the value of skiprows for
     `numpy.loadtxt(file, delimiter=",", skiprows=…)`
 
     Raises
     ------
-    ValueError : the coefficient is not positive.
+    ValueError : friction_coefficient is not positive.
 
     >>> text = table(record(Oscillator(), 0.08, spacing=0.29, periods=1, points=5), 0.3)
     >>> text.splitlines()[2]
     '# m = 1.0 kg'
     """
-    oscillator, initial = motion.oscillator, motion.initial
-    needed = required_friction(oscillator, motion.compression, spacing=motion.spacing)
-    largest = largest_compression(oscillator, friction_coefficient, spacing=motion.spacing)
-    # TRANSLATORS: in a file; {contact} is a name from the program such as hoop_slab.
-    friction = _("friction coefficient needed by {contact}")
-    parameters = (
-        ("m", oscillator.m, "kg"),
-        ("m_prime", oscillator.m_prime, "kg"),
-        ("k", oscillator.k, "N/m"),
-        ("R", oscillator.radius, "m"),
-        (_("compression"), motion.compression, "m"),
-        (_("X_dot at release"), initial.X_dot, "m/s"),
-        (_("Phi_dot at release"), initial.Phi_dot, "rad/s"),
-        ("Omega", oscillator.natural_frequency, "rad/s"),
-        (_("spacing of the lower rollers"), motion.spacing, "m"),
-        ("mu", friction_coefficient, ""),
-        (_("largest compression without slip"), largest, "m"),
-        *((friction.format(contact=contact), value, "") for contact, value in needed.items()),
-    )
-    title = _("Ramanujan’s oscillator in SI units: positive to the right. X, X_dot and p_X are positive to the left.")
-    advice = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows")
-    comments = [title, *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters)]
-    series, text = columns(motion), io.StringIO()
-    # A comment is plain text. The writer would put quotation marks around one with a comma.
-    text.writelines(f"# {comment}\n" for comment in (advice.format(n=len(comments) + 2), *comments))
+    comments = _comments(recorded, friction_coefficient)
+    # The line with this advice and the header are skipped, too.
+    advice = _("numbers begin after {n} lines; numpy.loadtxt takes that number as skiprows").format(n=len(comments) + 2)
+    series = columns(recorded)
+    text = io.StringIO()
+    # The CSV writer would quote a comment that contains a comma, so it writes only the header and the numbers.
+    text.writelines(f"# {comment}\n" for comment in (advice, *comments))
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(series)
     writer.writerows(zip(*(values.tolist() for values in series.values()), strict=True))
     return text.getvalue()
+
+
+def _comments(recorded: Record, friction_coefficient: float) -> list[str]:
+    """Return the title of a table, and one line "name = value unit" for each parameter."""
+    oscillator, initial = recorded.oscillator, recorded.initial
+    needed = required_friction(oscillator, recorded.compression, spacing=recorded.spacing)
+    largest = largest_compression(oscillator, friction_coefficient, spacing=recorded.spacing)
+    # TRANSLATORS: in a file; {contact} is a name from the program such as hoop_slab.
+    friction = _("friction coefficient needed by {contact}")
+    parameters = [
+        ("m", oscillator.m, "kg"),
+        ("m_prime", oscillator.m_prime, "kg"),
+        ("k", oscillator.k, "N/m"),
+        ("R", oscillator.radius, "m"),
+        (_("compression"), recorded.compression, "m"),
+        (_("X_dot at release"), initial.X_dot, "m/s"),
+        (_("Phi_dot at release"), initial.Phi_dot, "rad/s"),
+        ("Omega", oscillator.natural_frequency, "rad/s"),
+        (_("spacing of the lower rollers"), recorded.spacing, "m"),
+        ("mu", friction_coefficient, ""),
+        (_("largest compression without slip"), largest, "m"),
+    ]
+    parameters += [(friction.format(contact=contact), value, "") for contact, value in needed.items()]
+    title = _("Ramanujan’s oscillator in SI units: positive to the right. X, X_dot and p_X are positive to the left.")
+    return [title, *(f"{name} = {float(value)!r} {unit}".rstrip() for name, value, unit in parameters)]

@@ -1,7 +1,7 @@
 """Checks of arguments: real numbers and arrays of real numbers.
 
-Each function returns its value as a float or as an array of floats. A value that is of no use raises `ValueError` with
-one sentence that begins with the name of the parameter.
+Each function converts its argument to a float or to an array of floats. An invalid argument raises `ValueError`. The
+message is one sentence, and its first word is the name of the parameter.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def finite(name: str, value: object) -> float:
 
 
 def positive(name: str, value: object, *, infinite: bool = False) -> float:
-    """Return a positive number as a float. It may be infinite only if `infinite` is true.
+    """Return a positive number as a float; ∞ is valid only if `infinite` is true.
 
     >>> positive("m", -1)
     Traceback (most recent call last):
@@ -42,7 +42,7 @@ def positive(name: str, value: object, *, infinite: bool = False) -> float:
 
 
 def float_array(name: str, values: ArrayLike) -> NDArray[np.floating]:
-    """Return finite real numbers of any shape as an array. float32 stays float32, other types become float64.
+    """Return finite real numbers as an array of the same shape: float32 for float32, float64 for all other types.
 
     >>> float_array("t", [0, 1])
     array([0., 1.])
@@ -61,7 +61,7 @@ def float_array(name: str, values: ArrayLike) -> NDArray[np.floating]:
 
 
 def coordinates(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """Return finite numbers as a float64 array of shape (3, …), whose rows belong to X, φ and Φ.
+    """Return finite numbers as a float64 array of shape (3, …), with one row each for X, φ and Φ.
 
     >>> coordinates("q", [0, 0.1, 0]).shape
     (3,)
@@ -73,7 +73,7 @@ def coordinates(name: str, values: ArrayLike) -> NDArray[np.float64]:
 
 
 def _float(value: object) -> float:
-    """Return a real number as a float, and NaN for any other object."""
+    """Convert a real number to a float, and any other object to NaN."""
     if type(value) is float:
         return value
     if isinstance(value, bool) or not isinstance(value, Real | Decimal):

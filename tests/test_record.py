@@ -50,7 +50,10 @@ def test_the_comments_hold_the_parameters_exactly():
 def test_every_velocity_is_the_slope_of_its_displacement():
     motion = taken(points=4001)
     step = motion.t[1]
-    pairs = [(motion.over_ground, motion.velocity_over_ground), (motion.over_block, motion.velocity_over_block)]
+    pairs = [
+        (motion.ground_positions, motion.ground_velocities),
+        (motion.relative_positions, motion.relative_velocities),
+    ]
     for places, velocities in pairs:
         for body, place in places.items():
             slope = (place[2:] - place[:-2]) / (2 * step)

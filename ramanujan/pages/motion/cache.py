@@ -72,8 +72,8 @@ def figures(view: str, light_or_dark: str, *setting: Oscillator | float) -> tupl
 def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw where the bodies are, relative to the ground and to the block."""
     places = (
-        (_("relative to the ground"), motion.over_ground),
-        (_("relative to the block"), motion.over_block),
+        (_("relative to the ground"), motion.ground_positions),
+        (_("relative to the block"), motion.relative_positions),
     )
     panels = [
         _panel(title, "cm", [_of_body(body, _CM * x, colors, **_LINES.get(body, {})) for body, x in bodies.items()])
@@ -84,8 +84,8 @@ def _displacements(motion: Record, colors: Mapping[str, str]) -> Drawn:
 
 def _orbits(motion: Record, colors: Mapping[str, str]) -> Drawn:
     """Draw one orbit for each coordinate: slab and top cylinder relative to the block, the block to the ground."""
-    to_block = motion.over_block, motion.velocity_over_block
-    shown = {"slab": to_block, "block": (motion.over_ground, motion.velocity_over_ground), "top": to_block}
+    to_block = motion.relative_positions, motion.relative_velocities
+    shown = {"slab": to_block, "block": (motion.ground_positions, motion.ground_velocities), "top": to_block}
     curves = [_of_body(body, _CM * x[body], colors) for body, (x, _v) in shown.items()]
     velocities = [_CM * v[body] for body, (_x, v) in shown.items()]
     return phase_plane(curves, velocities, period=motion.oscillator.period, periods=PERIODS, colors=colors)

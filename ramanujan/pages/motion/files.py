@@ -35,10 +35,10 @@ def columns(motion: Record) -> dict[str, Iterable[float]]:
     friction = dict(motion.forces)
     spring = friction.pop("spring")
     groups = (
-        (_("displacement relative to the ground: {name} [m]"), _by(PARTS, motion.over_ground)),
-        (_("displacement relative to the block: {name} [m]"), _by(PARTS, motion.over_block)),
-        (_("velocity relative to the ground: {name} [m/s]"), _by(PARTS, motion.velocity_over_ground)),
-        (_("velocity relative to the block: {name} [m/s]"), _by(PARTS, motion.velocity_over_block)),
+        (_("displacement relative to the ground: {name} [m]"), _by(PARTS, motion.ground_positions)),
+        (_("displacement relative to the block: {name} [m]"), _by(PARTS, motion.relative_positions)),
+        (_("velocity relative to the ground: {name} [m/s]"), _by(PARTS, motion.ground_velocities)),
+        (_("velocity relative to the block: {name} [m/s]"), _by(PARTS, motion.relative_velocities)),
         (_("energy: {name} [J]"), energies | {_("total energy"): motion.total_energy}),
         (_("momentum: {name} [kg·m/s]"), _by(PARTS, motion.body_momenta)),
         (_("friction: {name} [N]"), _by(cache.CONTACTS, friction)),

@@ -31,13 +31,13 @@ def show_displacements(motion: Record, drawn: tuple) -> None:
     """Draw displacements over time beside the phase plane, and say what the two initial velocities do."""
     time, plane = st.columns([3, 2])
     farthest = {
-        body: 100 * abs(motion.over_ground[body] - motion.over_ground[body][0]).max()
+        body: 100 * abs(motion.ground_positions[body] - motion.ground_positions[body][0]).max()
         for body in PARTS
         if body != "spring"
     }
     end = motion.t[-1]
     # Rounding leaves something of a drift that is not there.
-    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.over_ground["block"], motion.over_block["top"]))
+    drifts = ((x[-1] - x[0]) / end * 100 for x in (motion.ground_positions["block"], motion.relative_positions["top"]))
     block, top = (round(float(drift), 9) for drift in drifts)
     sees = [
         _("Displacements over time."),
