@@ -49,6 +49,7 @@ class Pager {
     document.documentElement.dataset.pager = "";
     project(true);
     observe(document.body, { childList: true, subtree: true }, () => this.look(), signal);
+    dom.watchRuns(() => this.look(), signal);
     signal.addEventListener("abort", () => {
       bus.forget("slides");
       delete document.documentElement.dataset.pager;
@@ -69,10 +70,14 @@ class Pager {
     else if (this.now !== before) this.tell.cancel();
   }
 
-  /** The index of the slide that was asked for, else of the first. While a slide has no title, more slides may come. */
+  /**
+   * The index of the wanted slide, else of the first one. While more slides may come, the wanted one may be among them: until
+   * every slide has its title and, for a page that has shown none yet, until the server's run has ended.
+   */
   place() {
-    const found = indexOf(this.wanted, this.slides), mayCome = this.wanted && this.slides.some(({ title }) => !title);
-    return mayCome ? found : Math.max(found, 0);
+    const index = indexOf(this.wanted, this.slides);
+    const mayCome = this.slides.some(({ title }) => !title) || (!this.hasShown && dom.isRunning());
+    return this.wanted && mayCome ? index : Math.max(index, 0);
   }
 
   listTitles() {
@@ -85,6 +90,7 @@ class Pager {
 
   show(now) {
     this.now = now;
+    this.hasShown ||= now >= 0;
     see(now, this.slides);
     this.list.selectedIndex = now;
     this.back.disabled = now <= 0;

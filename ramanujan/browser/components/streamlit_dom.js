@@ -132,6 +132,13 @@ export const dom = {
     };
   },
 
+  /** Whether the server runs the page. */
+  isRunning: () => !document.querySelector("[data-test-script-state=notRunning]"),
+
+  /** Call a listener whenever the server begins or ends a run of the page. */
+  watchRuns: (listener, signal) =>
+    observe(document.querySelector("[data-testid=stApp]"), { attributeFilter: ["data-test-script-state"] }, listener, signal),
+
   /** Whether this page is a class's wall, on which nothing runs. */
   isIdleWall: () => Boolean(document.querySelector("[data-test-script-state=notRunning] .st-key-class_wall")),
 
