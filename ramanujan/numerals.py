@@ -17,6 +17,7 @@ import string
 from collections.abc import Callable
 from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal
 from numbers import Integral
+from typing import Any
 
 from ramanujan.translation import _, pgettext
 
@@ -276,7 +277,7 @@ _WORD_FORMATS: dict[str, Callable[[int], str]] = {
 
 
 class _Sentences(string.Formatter):
-    def format_field(self, value: object, format_spec: str) -> str:
+    def format_field(self, value: Any, format_spec: str) -> str:
         rounding, _space, unit = format_spec.partition(" ")
         if not rounding or isinstance(value, str):
             return str(value)

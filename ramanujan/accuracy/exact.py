@@ -6,7 +6,7 @@ the extremes compare the formulas of the app with these.
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import mpmath
 import numpy as np
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ramanujan.accuracy.measurement import REFERENCE
 from ramanujan.oscillator import Oscillator
 
-Number = TypeVar("Number")
+Number = TypeVar("Number", bound=Any)
 
 _SPLITTER = 2.0**27 + 1
 """Veltkamp's constant: it cuts a float into two halves whose products are exact."""

@@ -7,6 +7,7 @@ the unknown character or name.
 import re
 import unicodedata
 from collections.abc import Iterator
+from typing import TypeAlias
 
 import sympy as sp
 
@@ -119,7 +120,7 @@ def plain(text: str) -> str:
     return text
 
 
-Token = str | sp.Expr
+Token: TypeAlias = str | sp.Expr
 
 
 def tokens(text: str) -> Iterator[tuple[Token, bool]]:

@@ -10,6 +10,7 @@ import random
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
+from typing import TypeAlias
 
 import mpmath
 import sympy as sp
@@ -24,7 +25,7 @@ _MP.dps = 1200
 _AGREEING, _VANISHING = _MP.mpf(10) ** -1150, _MP.mpf(10) ** -1180
 """Relative differences below which two values count as equal, and a sum as zero."""
 
-Number = mpmath.mpf
+Number: TypeAlias = mpmath.mpf
 Values = tuple[Number, ...]
 Mistakes = tuple[tuple[str, Values], ...]
 """Pairs of a hint and the values of the formula that its mistake leads to."""

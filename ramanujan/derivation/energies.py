@@ -39,7 +39,8 @@ def bodies_steps(bodies: Machine) -> tuple[Step, ...]:
     """Return the steps from the rolling bodies to the Lagrangian as a sum over them."""
     rolling = [body for body in bodies.bodies if body.angle != 0]
     half = sp.Rational(1, 2)
-    energies, block, slab = {}, *sp.symbols("x_block x_slab")
+    energies: dict[str, sp.Expr] = {}
+    block, slab = sp.symbols("x_block x_slab")
     for body in bodies.bodies:
         energies[body.name] = half * body.mass * sp.Symbol(f"v_{body.name}") ** 2
         if body in rolling:

@@ -218,5 +218,5 @@ def _assigned(numbers: Numbers) -> str:
 
 
 def _cell(key: str, kind: str, source: str) -> dict[str, object]:
-    more = {"execution_count": None, "outputs": []} if kind == "code" else {}
+    more: dict[str, object] = {"execution_count": None, "outputs": []} if kind == "code" else {}
     return {"cell_type": kind, "id": f"{key}-{kind}", "metadata": {}, "source": source, **more}

@@ -74,7 +74,9 @@ def product(term: sp.Expr) -> Product:
     >>> product(R**2 * (-m - m_prime) * m / 2)
     Product(number=-1/2, above=(m, m + m_prime, R**2), below=())
     """
-    number, above, below = sp.S.One, [], []
+    number = sp.S.One
+    above: list[sp.Expr] = []
+    below: list[sp.Expr] = []
     for factor in sp.Mul.make_args(term):
         if isinstance(factor, sp.Mul):
             inner = product(factor)

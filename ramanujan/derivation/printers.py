@@ -244,8 +244,10 @@ def exact(value: sp.Expr) -> Number | None:
         return Number(int(value.p), int(value.q))
     parts = sp.expand(value).as_coefficients_dict()
     roots = [part for part in parts if part != 1]
-    root = roots[0] if roots else None
-    is_root = len(roots) == 1 and root.is_Pow and root.base.is_Integer and root.exp == sp.Rational(1, 2)
+    if len(roots) != 1:
+        return None
+    root = roots[0]
+    is_root = root.is_Pow and root.base.is_Integer and root.exp == sp.Rational(1, 2)
     if not is_root or not all(coefficient.is_Rational for coefficient in parts.values()):
         return None
     p, r = sp.Rational(parts[sp.S.One]), sp.Rational(parts[root])

@@ -116,7 +116,7 @@ def rows(step: Step, numbers: Numbers | None = None, make: Callable[..., Row] | 
     none = [""] * len(said.equations)
     # An operation that leads to several lines stands at the first of them.
     once = ("" if above == each else each for above, each in pairwise(("", *(said.operations or none))))
-    found = {}
+    found: dict[Row, Row] = {}
     for equation, label, operation, marked in zip(
         said.equations, said.labels or none, once, said.marks or none, strict=True
     ):
@@ -160,7 +160,8 @@ def side_terms(
         for part in parts:
             text = printer.doprint(part)
             for _place, command in (each for each in dress if each[0] == place):
-                sign, unsigned = re.fullmatch("(- )?(.*)", text).groups("")
+                unsigned = text.removeprefix("- ")
+                sign = text.removesuffix(unsigned)
                 text = rf"{sign}{command}{{{unsigned}}}"
             if part != 0:
                 texts.append(text)

@@ -115,8 +115,8 @@ class Route:
         return "\n\n".join([f"### {self.title}", *sections])
 
 
-class Routes(UserDict[str, Route]):
-    """Routes by name, in the order in which they were added; each is derived when it is first asked for, then kept."""
+class Routes(UserDict[str, Any]):
+    """Routes by name, in the order in which they were added; each is derived at its first use, and cached."""
 
     def add(self, name: str) -> Callable[[Callable[[Machine], Route]], Callable[[Machine], Route]]:
         """Return a decorator that enters a function, which derives a route from the bodies, under a name."""

@@ -121,7 +121,7 @@ def _near_the_root() -> dict[str, object]:
     """Return the numbers of the candidates, of the range, and of the exact ratio."""
     root = unit_frequency_condition().root
     whole = math.isqrt(_NUMBER)
-    numbers = {name: float(remainder(ratio)) for name, ratio in CANDIDATES.items()}
+    numbers: dict[str, object] = {name: float(remainder(ratio)) for name, ratio in CANDIDATES.items()}
     numbers |= {f"{name}_periods": parting(ratio) for name, ratio in CANDIDATES.items()}
     return numbers | {
         "fast": float(normalized(RANGE[0])),

@@ -12,9 +12,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ramanujan.motion import InitialState, motion, released
 from ramanujan.numerals import filled
@@ -174,11 +174,13 @@ class Stop:
         return filled(template, **machines, **self.given, **numbers)
 
 
-def after(part: ArrayLike, machine: Oscillator = EQUAL, compression: float = COMPRESSION) -> tuple[NDArray, NDArray]:
+def after(
+    part: float | NDArray, machine: Oscillator = EQUAL, compression: float = COMPRESSION
+) -> tuple[NDArray, NDArray]:
     """Return the state (q, q̇) of a machine this part of a period, or these, after its release."""
     return motion(machine, released(machine, compression), part * machine.period)
 
 
-def by_sign(value: object, negative: str, zero: str, positive: str) -> str:
+def by_sign(value: Any, negative: str, zero: str, positive: str) -> str:
     """Return one of three ids by the sign of a number."""
     return positive if value > 0 else negative if value < 0 else zero

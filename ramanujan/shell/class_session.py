@@ -63,8 +63,10 @@ def arrive() -> None:
         _write_address(parts_of(mine)[0], lecturer=mine)
     elif code := wall_held():
         _write_address(code, wall="on")
-    elif code := awaited() or (seat_held() and seat_held().code):
+    elif code := awaited():
         _write_address(code)
+    elif seat := seat_held():
+        _write_address(seat.code)
 
 
 def key_held() -> str | None:

@@ -42,8 +42,8 @@ def html(*, has_formulas: bool) -> bytes:
     if has_formulas:
         # KaTeX measures formulas with these letters: if they came late, lines would change their length.
         letters = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size1-Regular)\..*woff2")
-        media = sorted(path.name for path in _STREAMLIT.glob("static/media/*"))
-        fonts += [f"./static/media/{name}" for name in media if letters.match(name)]
+        names = sorted(path.name for path in _STREAMLIT.glob("static/media/*"))
+        fonts += [f"./static/media/{name}" for name in names if letters.match(name)]
     preloads = [f'<link rel="preload" as="font" crossorigin href="{name}">' for name in fonts]
 
     # pager.js switches the projector's style sheet on.

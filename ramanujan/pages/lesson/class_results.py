@@ -54,7 +54,7 @@ def show(access: str, stop: Stop, vote: Vote, solved: bool, chosen: str | None =
 
 
 @st.cache_data(show_spinner=False, max_entries=256)
-def _result(access: str, stop: str, vote: Vote) -> tuple[list[Mapping[str, int]], Counter[tuple[bool, bool]]]:
+def _result(access: str, stop: str, vote: Vote) -> tuple[Sequence[Mapping[str, int]], Counter[tuple[bool, bool]]]:
     """Return the votes on a question, option → number, and the changes; what is revealed stays as it is."""
     votes = [shared().distribution(access, stop, Vote(vote.asking, number)) for number in range(1, vote.number + 1)]
     right = lesson.stop(stop).right
@@ -104,13 +104,13 @@ def learned(access: str) -> None:
         return
     if twice := [each for each in asked if each.second]:
         before = _right([(each.stop, each.first) for each in twice])
-        after = _right([(each.stop, each.second) for each in twice])
+        after = _right([(each.stop, each.second) for each in twice if each.second])
         said = _("Right before students talked to their neighbours: {before}. Right after it: {after}.")
         st.markdown(said.format(before=before, after=after))
     rows = [(_("Question"), _("Right at first"), _("After talking"))]
     for each in asked:
         votes = [_right([(each.stop, vote)]) if vote else "–" for vote in (each.first, each.second)]
-        rows.append((lesson.stop(each.stop).heading, *votes))
+        rows.append((lesson.stop(each.stop).heading, votes[0], votes[1]))
     widgets.table(rows, key="learned")
 
 

@@ -135,8 +135,11 @@ def panel(stop: Stop, phase: Phase) -> None:
 
     Draw the options, or how the class has voted, and what can be done next.
     """
-    class_session.tell_settings(key_held())
-    _follow_stage(parts_of(key_held())[0])
+    key = key_held()
+    if key is None:
+        return
+    class_session.tell_settings(key)
+    _follow_stage(parts_of(key)[0])
     _desk(stop, phase)
 
 
@@ -221,9 +224,15 @@ def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) ->
     """Draw a button for each thing that the lecturer may do now; a clicker presses the first two, back and onward."""
 
     def button(label: str, name: str, act: Callable, *more: object, keyed: str = "", disabled: bool = False) -> None:
-        look = {"type": "primary" if keyed == "PageDown" else "secondary", "shortcut": keyed or None}
-        press = {"on_click": attempt, "args": (act, key, *more), "disabled": disabled}
-        st.button(label, key=f"class_{name}", **look, **press)
+        st.button(
+            label,
+            key=f"class_{name}",
+            type="primary" if keyed == "PageDown" else "secondary",
+            shortcut=keyed or None,
+            on_click=attempt,
+            args=(act, key, *more),
+            disabled=disabled,
+        )
 
     st.html(KEY_NAMES)
     place = stop.id if stop else END
@@ -352,7 +361,8 @@ def _waiting() -> None:
     """Try again to join: many students of one network come at once, and each gets a seat in turn."""
     if code := class_session.awaited():
         attempt(class_session.take_seat, code)
-    if not class_session.awaited():
+    code = class_session.awaited()
+    if code is None:
         st.rerun()
     with st.container(key="class_phone"):
         st.html(NOTHING_TO_SET)

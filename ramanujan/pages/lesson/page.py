@@ -106,7 +106,7 @@ def ending(path: tuple[lesson.Stop, ...]) -> None:
     right, answered, lines = 0, 0, []
     for stop in path:
         chosen, phase = progress.prediction(stop)
-        if phase != progress.ANSWERED:
+        if chosen is None or phase != progress.ANSWERED:
             lines.append(_("- **{heading}** – Not answered yet.").format(heading=stop.heading))
             continue
         answered, right = answered + 1, right + (chosen == stop.right)

@@ -41,7 +41,7 @@ class Predictions(address.URLParameter):
             name, option, *phase = entry.split(".")
             if phase not in ([], [PREDICTED], [MISSED]) or option not in options.get(name, ()):
                 raise ValueError(self.name)
-            made[name] = option, *(phase or [ANSWERED])
+            made[name] = option, phase[0] if phase else ANSWERED
         return made
 
     def write(self, made: Mapping[str, tuple[str, str]]) -> str:

@@ -5,10 +5,11 @@ stage gets neither what `stop.hides` names nor the samples of a computed motion,
 """
 
 import math
+from contextlib import AbstractContextManager
 from functools import partial
+from typing import Any
 
 import streamlit as st
-from streamlit.delta_generator import DeltaGenerator
 
 from ramanujan import Oscillator, drawn_spacing
 from ramanujan.browser import components, stage
@@ -109,7 +110,10 @@ def draw(stop: Stop, number: int) -> None:
     with slide("question", stop.heading):
         # On a projector the question needs all of the width, but an exhibit all of the height.
         above = st.container() if display_mode.is_projector() and not stop.exhibit else None
-        words, picture, reason = (st.container(), None, None) if apart else places(stop, running)
+        if apart:
+            words = picture = reason = st.container()
+        else:
+            words, picture, reason = places(stop, running)
         with above or words, st.container(key="posed"):
             st.title(f"{number}. {stop.heading}", anchor=False)
             st.markdown(stop.question)
@@ -152,7 +156,9 @@ def show(stop: Stop, running: bool, fixed: bool = False) -> None:
         observe(stop, running, fixed)
 
 
-def places(stop: Stop, running: bool) -> tuple[DeltaGenerator, DeltaGenerator, DeltaGenerator]:
+def places(
+    stop: Stop, running: bool
+) -> tuple[AbstractContextManager[Any], AbstractContextManager[Any], AbstractContextManager[Any]]:
     """Return where words, picture and reason stand; machines side by side need all of the width."""
     if _arrangement(stop, running) in _SEVERAL.values():
         return st.container(), st.container(), st.container()
@@ -244,7 +250,7 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
     hidden = [layer for layer in stage.LAYERS if layer not in stop.layers] if running else {*stop.hides, *stage.LAYERS}
     # A machine with a label belongs to the stop; another one follows the sliders.
     labelled = bool(stop.runs[0].label)
-    own = {"watch": {}} if labelled else {}
+    own: dict[str, Any] = {"watch": {}} if labelled else {}
     if fixed or labelled:
         own["limits"] = stages.LIMITS[1:] * 2
     if class_session.key_held():

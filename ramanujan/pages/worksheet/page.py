@@ -52,7 +52,8 @@ def show() -> None:
 
 def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[list[tuple[int, Question]]]:
     """Yield the numbered questions that fit on one slide."""
-    drawn, used = [], 0.0
+    drawn: list[tuple[int, Question]] = []
+    used = 0.0
     for number, question in asked:
         lines = [line for text in written(question, with_key) for line in text.splitlines() if line]
         height = sum(1.5 * (1 + len(each) // _ROW) if "$$" in each else 1 + len(each) // _WIDTH for each in lines)

@@ -1,4 +1,5 @@
 """The two stacks of cubes: on page 4, and at the last step of the derivation."""
+
 from ramanujan.browser import components
 from ramanujan.number_theory import BodyChoice
 from ramanujan.translation import _
@@ -24,5 +25,3 @@ def in_words(smaller: int, larger: int) -> str:
     )
     volumes = f"{smaller**3} + {larger**3}"
     return sees.format(larger=larger, smaller=smaller, volumes=volumes, number=PAPER.discriminant)
-
-
