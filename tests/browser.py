@@ -12,6 +12,7 @@ import urllib.request
 from base64 import b64encode
 from email.message import Message
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 import pytest
 from playwright.sync_api import Error, Page, WebSocket
@@ -94,48 +95,63 @@ def evidence(page: Page, name: str) -> str:
     return "\n".join([f"screenshot: {picture}", f"address: {page.url}", *console])
 
 
-def listen(page: Page) -> None:
-    """Keep count of a page's messages: `frames_sent` and `frames_received` [bytes], and whether one is `unanswered`.
+class Traffic:
+    """The messages between a page and the app.
 
-    `late` is how long a message takes each way [s], where a test has made the network slow.
+    Attributes
+    ----------
+    sent, received : sizes of the messages since the page was opened last [bytes]
+    is_unanswered : whether the page waits for the end of a run
+    late : how long a message takes each way [s], where a test has made the network slow
     """
-    page.late = 0.0
 
-    def sent(data: bytes) -> None:
-        page.frames_sent.append(len(data))
-        page.unanswered |= BackMsg.FromString(data).HasField("rerun_script")
+    def __init__(self, page: Page) -> None:
+        self.late = 0.0
+        self.begin()
+        page.on("websocket", self._watch)
 
-    def received(data: bytes) -> None:
-        page.frames_received.append(len(data))
+    def begin(self) -> None:
+        """Begin anew, for a page that is about to be opened."""
+        self.sent: list[int] = []
+        self.received: list[int] = []
+        self.is_unanswered = True
+
+    def _watch(self, websocket: WebSocket) -> None:
+        websocket.on("framesent", self._count_sent)
+        websocket.on("framereceived", self._count_received)
+
+    def _count_sent(self, data: bytes) -> None:
+        self.sent.append(len(data))
+        self.is_unanswered |= BackMsg.FromString(data).HasField("rerun_script")
+
+    def _count_received(self, data: bytes) -> None:
+        self.received.append(len(data))
         message = ForwardMsg.FromString(data)
         if message.WhichOneof("type") == "script_finished" and message.script_finished in _FINISHED:
-            page.unanswered = False
+            self.is_unanswered = False
 
-    def watch(websocket: WebSocket) -> None:
-        websocket.on("framesent", sent)
-        websocket.on("framereceived", received)
 
-    page.on("websocket", watch)
-    count_anew(page)
+_TRAFFIC: WeakKeyDictionary[Page, Traffic] = WeakKeyDictionary()
+
+
+def traffic(page: Page) -> Traffic:
+    """Return the messages of a page; they are counted from the first call on."""
+    if page not in _TRAFFIC:
+        _TRAFFIC[page] = Traffic(page)
+    return _TRAFFIC[page]
 
 
 def open_address(page: Page, address: str, *scripts: str) -> None:
     """Open an address in a tab, with scripts that run before those of the page, and wait until all of it is there."""
-    if not hasattr(page, "late"):
-        listen(page)
+    messages = traffic(page)
     for script in scripts:
         page.add_init_script(script)
-    count_anew(page)
+    messages.begin()
     page.goto(address)
     page.wait_for_selector("[data-testid=stMainBlockContainer]")
     settle(page)
     until(page, MOUNTED)
     settle(page)  # the first page has asked for what follows its machine
-
-
-def count_anew(page: Page) -> None:
-    """Begin the counts of `listen` again, for a page that is about to be opened."""
-    page.frames_sent, page.frames_received, page.unanswered = [], [], True
 
 
 MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
@@ -157,17 +173,18 @@ def settle(page: Page, seconds: float = 60) -> None:
     not before what waits for a shorter time.
     """
     end = time.monotonic() + seconds
+    messages = traffic(page)
     seen, alone = None, False
-    while seen != (len(page.frames_sent), len(page.frames_received)) or page.unanswered or alone:
+    while seen != (len(messages.sent), len(messages.received)) or messages.is_unanswered or alone:
         assert time.monotonic() < end, "the app did not answer"
-        seen = (len(page.frames_sent), len(page.frames_received))
-        if page.unanswered:
+        seen = (len(messages.sent), len(messages.received))
+        if messages.is_unanswered:
             page.wait_for_timeout(20)
         else:
             # A page that is being left has no timer any more.
             # Of several messages on a slow way the first answer must not pass for the last.
             with contextlib.suppress(Error):
-                alone = page.evaluate(_WAIT, _QUIET + 2500 * page.late)
+                alone = page.evaluate(_WAIT, _QUIET + 2500 * messages.late)
     page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning]", timeout=1000 * seconds)
 
 

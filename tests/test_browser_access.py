@@ -12,7 +12,7 @@ from itertools import pairwise
 import pytest
 
 from ramanujan.shell.navigation import PAGES
-from tests.browser import script, settle, until
+from tests.browser import script, settle, traffic, until
 from tests.engines import REFUSED
 from tests.test_browser_grid import SHIFTS, check_calm, check_widths
 from tests.test_browser_language import OVERLAPS
@@ -122,9 +122,9 @@ def check_figures_follow(page, inks: list[str]) -> None:
     """Check that no figure keeps an ink of the theme before, and that nothing asks the server for ever."""
     until(page, f"(before) => !{TICKS}.some((ink) => before.includes(ink))", inks)
     settle(page)
-    sent = len(page.frames_sent)
+    sent = len(traffic(page).sent)
     page.wait_for_timeout(800)
-    assert len(page.frames_sent) == sent
+    assert len(traffic(page).sent) == sent
 
 
 def check_control(page) -> None:

@@ -17,7 +17,7 @@ from playwright.sync_api import Page, expect
 
 from ramanujan import lesson
 from ramanujan.lesson.classes import Phase, shared
-from tests.browser import next_frame, script, settle
+from tests.browser import next_frame, script, settle, traffic
 
 WRONG = script("wall")
 SIZES = ((1024, 768), (1920, 1080), (1280, 768), (1280, 800), (3840, 2160))
@@ -79,9 +79,9 @@ def hear(*pages: Page) -> None:
 
 def vote(phone: Page, number: int) -> None:
     phone.bring_to_front()  # a tab behind another draws once a second
-    sent = len(phone.frames_sent)
+    sent = len(traffic(phone).sent)
     phone.locator(VOTES).nth(number).click()
-    while len(phone.frames_sent) == sent or phone.unanswered:
+    while len(traffic(phone).sent) == sent or traffic(phone).is_unanswered:
         phone.wait_for_timeout(10)
     expect(phone.locator(VOTES).nth(number).locator("input")).to_be_checked()
     confirmation = phone.get_by_text("Your answer counts")

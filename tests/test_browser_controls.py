@@ -7,7 +7,7 @@ from playwright.sync_api import expect
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, normalized_frequency_squared
 from ramanujan.pages.oscillator.cache import CURVE_RANGE
-from tests.browser import inside, next_frame, press_preset, script, settle, thumb
+from tests.browser import inside, next_frame, press_preset, script, settle, thumb, traffic
 from tests.test_browser_speed import CUT
 
 PANEL = ".st-key-curve .nsewdrag >> nth=0"
@@ -72,18 +72,18 @@ def test_stage_boxes_and_address_follow_a_hand_on_the_sliders(visit):
 
 def check_drag(page) -> None:
     """Check that a drag moves the stage within two frames and sends nothing before it ends."""
-    before = len(page.frames_sent)
+    before = len(traffic(page).sent)
     page.evaluate(script("watch_lag"))
     hold(page, "m_prime", 96, steps=24)
     lags = page.evaluate("window.lags")
     assert len(lags) >= 15
     assert max(lags) <= 2
-    assert len(page.frames_sent) == before
+    assert len(traffic(page).sent) == before
     live = normalized(page)
     page.mouse.up()
     settle(page)
     # Negative control: letting go does send, and the server agrees with what the stage showed.
-    assert len(page.frames_sent) > before
+    assert len(traffic(page).sent) > before
     assert normalized(page) == live
     page.evaluate("delete window.lags")  # the watch ends
 
@@ -144,11 +144,11 @@ def check_away_and_back(page) -> None:
 
 def check_box_follows(page) -> None:
     """Check that the box follows the thumb without the server."""
-    sent = len(page.frames_sent)
+    sent = len(traffic(page).sent)
     x, y = hold(page, "m", 60, steps=5)
     expect(box(page, "m")).to_have_value(slider(page, "m").input_value())
     assert float(box(page, "m").input_value()) > 1.5
-    assert len(page.frames_sent) == sent
+    assert len(traffic(page).sent) == sent
     page.mouse.move(x, y, steps=5)
     page.mouse.up()
     settle(page)
@@ -172,16 +172,16 @@ def test_the_curve_shows_the_machine_and_gives_one_by_a_click(visit):
 def check_bytes(page) -> None:
     """Check that a change sends at most twenty kilobytes."""
     press(page, "In step (1729)")
-    start = len(page.frames_received)
+    start = len(traffic(page).received)
     press(page, "Light rollers")
-    assert 1000 < sum(page.frames_received[start:]) <= 20_000
+    assert 1000 < sum(traffic(page).received[start:]) <= 20_000
     # A slider draws anew what follows it, and nothing else: a whole page is four times as many messages.
-    start = len(page.frames_received)
+    start = len(traffic(page).received)
     slider(page, "k").focus()
     page.keyboard.press("ArrowRight")
     settle(page)
-    assert 1000 < sum(page.frames_received[start:]) <= 10_000
-    assert len(page.frames_received[start:]) <= 15
+    assert 1000 < sum(traffic(page).received[start:]) <= 10_000
+    assert len(traffic(page).received[start:]) <= 15
 
 
 def check_ring(page) -> None:
@@ -194,13 +194,13 @@ def check_ring(page) -> None:
     press(page, "In step (1729)")
     assert middle(page, in_inset) == pytest.approx(middle(page, unit), abs=2)
     assert "Ω²m/k = 1.00000" in page.locator(ring).get_attribute("aria-label")
-    before, sent = middle(page, ring), len(page.frames_sent)
+    before, sent = middle(page, ring), len(traffic(page).sent)
     hold(page, "m_prime", 60, steps=4)
     after = middle(page, ring)
     assert after[0] > before[0] + 20
     assert after[1] > before[1] + 10
     assert page.locator(in_inset).is_hidden()
-    assert len(page.frames_sent) == sent
+    assert len(traffic(page).sent) == sent
     page.mouse.up()
     settle(page)
 

@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from ramanujan.derivation import ROUTES
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import script, settle
+from tests.browser import script, settle, traffic
 from tests.test_browser_access import RING, switch
 from tests.test_look import THEME, rgb
 
@@ -158,7 +158,7 @@ def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(v
     suffixes = {"latex": "tex", "slides": "slides.tex", "step": "step.tex", "markdown": "md", "notebook": "ipynb"}
     for kind, suffix in suffixes.items():
         page.wait_for_selector(f".st-key-file_{kind} button")
-        sent = len(page.frames_sent)
+        sent = len(traffic(page).sent)
         with page.expect_download() as download:
             page.locator(f".st-key-file_{kind} button").click()
         assert download.value.suggested_filename == f"ramanujan-energy-numbers.{suffix}"
@@ -169,7 +169,7 @@ def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(v
         if kind == "notebook":
             assert json.loads(text)["nbformat"] == 4
         settle(page)
-        assert len(page.frames_sent) == sent, kind
+        assert len(traffic(page).sent) == sent, kind
     check_scrolling(page)
     check_long_formulas(visit("derivation?route=matrix&show=reading", width=320, height=640, tab=page))
 

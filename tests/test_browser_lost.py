@@ -15,7 +15,7 @@ from playwright.sync_api import expect
 from ramanujan import Oscillator, lesson
 from ramanujan.lesson.classes import shared
 from ramanujan.shell import navigation
-from tests.browser import inside, next_frame, press_preset, settle, thumb
+from tests.browser import inside, next_frame, press_preset, settle, thumb, traffic
 from tests.slow_network import Network
 from tests.test_browser_class import ASK_WHEN_TOLD
 from tests.test_browser_controls import hold, normalized
@@ -52,11 +52,11 @@ def late(visit, server) -> Iterator[Callable]:
             return pages[-1]
 
         def by(seconds: float) -> None:
-            page, way.seconds, pages[-1].late = pages[-1], 0.0, 0.0
+            page, way.seconds, traffic(pages[-1]).late = pages[-1], 0.0, 0.0
             press_preset(page, "Reset")
             page.evaluate("document.activeElement.blur()")
             settle(page)
-            way.seconds = page.late = seconds
+            way.seconds = traffic(page).late = seconds
 
         open_page.by, open_page.way = by, way
         yield open_page

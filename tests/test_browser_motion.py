@@ -6,7 +6,7 @@ import pytest
 from ramanujan import Oscillator, motion, released
 from ramanujan.contact import contact_forces, normal_forces
 from ramanujan.pages.motion import cache
-from tests.browser import inside, next_frame, settle, slab_over_block
+from tests.browser import inside, next_frame, settle, slab_over_block, traffic
 
 PLOT = ".js-plotly-plot .nsewdrag"
 MARK = ".js-plotly-plot .time-cursor"
@@ -20,11 +20,11 @@ def open_motion(visit, query="", **more):
 
 def nudge(page, key, press="ArrowRight"):
     """Move a slider by one step, and return how many bytes the server sent for it."""
-    before = len(page.frames_received)
+    before = len(traffic(page).received)
     page.locator(f".st-key-{key} input[type=range]").first.focus()
     page.keyboard.press(press)
     settle(page)
-    return sum(page.frames_received[before:])
+    return sum(traffic(page).received[before:])
 
 
 def cursor_times(page):
@@ -74,7 +74,7 @@ def test_one_cursor_moves_machine_and_figures_and_follows_to_another_view_and_ma
 def check_cursor_by_keys(page):
     """Check that the cursor moves all figures without the server."""
     slider = page.get_by_label("Time cursor")
-    before = len(page.frames_sent)
+    before = len(traffic(page).sent)
     slider.fill("0.3")
     next_frame(page)
     period = page.evaluate("document.querySelector('.js-plotly-plot').layout.meta.period")
@@ -86,7 +86,7 @@ def check_cursor_by_keys(page):
     next_frame(page)
     assert cursor_times(page) == [pytest.approx(cache.PERIODS * period, abs=0.02)]
     assert slider.get_attribute("aria-valuetext").endswith("2.00 periods")
-    assert len(page.frames_sent) == before
+    assert len(traffic(page).sent) == before
 
 
 def check_orbit(page):
@@ -140,7 +140,7 @@ def check_dragged_cursor(page):
     slider.fill("0.25")  # half a period of the two shown: the spring is stretched by 8 cm
     next_frame(page)
     assert slab_over_block(page) == pytest.approx(-8, abs=0.02)
-    sent = len(page.frames_sent)
+    sent = len(traffic(page).sent)
     page.get_by_role("button", name="Steps, speed, view").click()
     page.get_by_role("button", name="Step forward").click()
     page.keyboard.press("Escape")
@@ -160,7 +160,7 @@ def check_dragged_cursor(page):
     next_frame(page)
     assert slab_over_block(page) == pytest.approx(-8, abs=0.1)
     assert float(slider.input_value()) == pytest.approx(0.75, abs=2e-3)
-    assert len(page.frames_sent) == sent
+    assert len(traffic(page).sent) == sent
 
 
 def check_energy(page):

@@ -11,7 +11,7 @@ from PIL import Image, ImageColor
 from playwright.sync_api import expect
 
 from ramanujan.shell.theme import BODY_COLORS
-from tests.browser import STAGE, inside, module, next_frame, script, settle
+from tests.browser import STAGE, inside, module, next_frame, script, settle, traffic
 from tests.test_export import ENGINE, environments_nest, typeset
 from tests.test_look import THEME, rgb
 
@@ -126,13 +126,13 @@ def check_assumptions(page, elsewhere):
     }}"""
     assert page.evaluate(moved) == [False, False, True]
     # A slider moved from the page is drawn by Streamlit, and nothing is sent.
-    sent = len(page.frames_sent)
+    sent = len(traffic(page).sent)
     page.evaluate(
         f"{module('components/streamlit_dom')}.then(({{ dom }}) => dom.moveSlider(dom.slider('compression'), 5))"
     )
     expect(page.locator(".st-key-compression [data-testid=stSliderThumbValue]")).to_have_text("5.0")
     settle(page)
-    assert len(page.frames_sent) == sent
+    assert len(traffic(page).sent) == sent
 
 
 @pytest.mark.parametrize(("width", "height"), [(1280, 720), (390, 844)])

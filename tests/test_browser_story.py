@@ -15,7 +15,7 @@ from ramanujan.pages.oscillator.story import PACE, STARTS, STILL_PERIODS, story
 from ramanujan.shell import widgets
 from ramanujan.shell.parameters import PARAMETERS
 from tests.bare import Bare
-from tests.browser import STAGE, inside, next_frame, script, settle, thumb
+from tests.browser import STAGE, inside, next_frame, script, settle, thumb, traffic
 from tests.engines import ANY_ENGINE
 from tests.test_browser_controls import write
 
@@ -187,7 +187,7 @@ def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
     page = visit("?m=1.5&found=on&hide=curve,steps", has_touch=True)
     assert page.evaluate(MARK) != "", "who has found it once has it marked"
     pixel = 9.95 / page.locator(".st-key-m_prime [role=group]").first.bounding_box()["width"]
-    (x, y), sent = thumb(page, "m_prime"), len(page.frames_sent)
+    (x, y), sent = thumb(page, "m_prime"), len(traffic(page).sent)
     goal = x + (GOAL - 1) / pixel
     page.mouse.move(x, y)
     page.mouse.down()
@@ -195,7 +195,7 @@ def test_a_hand_that_comes_near_finds_the_ratio_exactly(visit):
         page.mouse.move(goal + off, y, steps=3)
         next_frame(page)
         assert (held(page)[1] == repr(GOAL)) == near, off
-    assert len(page.frames_sent) == sent
+    assert len(traffic(page).sent) == sent
     page.evaluate(LET_GO, {"clientX": goal + 3, "clientY": y})
     page.mouse.up()
     check_found(page)

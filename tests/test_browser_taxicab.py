@@ -4,7 +4,7 @@ import re
 
 from playwright.sync_api import expect
 
-from tests.browser import settle
+from tests.browser import settle, traffic
 from tests.test_browser_access import OPEN
 
 
@@ -45,4 +45,4 @@ def test_figures_have_words_and_a_click_builds_a_machine(visit: object) -> None:
     assert stage.get_by_role("slider", name="Slab: compression x₀").get_attribute("aria-valuetext") == "8.00\u202fcm"
     # Another body, another frequency, at the same masses.
     expect(shown(page)).not_to_have_text(paper)
-    assert max(page.frames_received) < 200_000
+    assert max(traffic(page).received) < 200_000

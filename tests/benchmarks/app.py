@@ -18,7 +18,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.browser import CHROMIUM, FLAGS, ROOT, STAGE, listen, running, settle
+from tests.browser import CHROMIUM, FLAGS, ROOT, STAGE, running, settle, traffic
 
 BARE = """
 import streamlit as st
@@ -93,7 +93,7 @@ def measure(browser: Browser, subject: Subject, changes: int) -> Costs:
 def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float]:
     """Return a new visitor's page and the seconds to its first picture."""
     page = browser.new_context(viewport={"width": 1280, "height": 1400}, bypass_csp=True).new_page()
-    listen(page)
+    traffic(page)  # counts from here on
     start = perf_counter()
     page.goto(address)
     page.wait_for_selector(subject.drawn)
