@@ -100,13 +100,13 @@ def test_a_catalogue_has_no_fault(language):
     assert not faults, "\n".join(["Correct these translations:", *faults])
 
 
-BREAKING = re.compile(r"(?<=[^\s–−])-(?=(?!egy\b)[a-záéíóöőúüű]{1,3}\b|sz[eoö]r|gyel\b|[áé]v[ae]l\b)")
+BREAKING = re.compile(r"(?<=[^\s–−])-(?=(?!egy\b)[a-záéíóöőúüű]{1,3}\b|ként\b|sz[eoö]r|gyel\b|[áé]v[ae]l\b)")
 """An ordinary hyphen before a Hungarian suffix; compounds such as Lagrange-függvény may break."""
 
 
 def test_no_line_breaks_before_a_hungarian_suffix():
     """A line may end after an ordinary hyphen, but not after U+2011."""
-    for broken in ("26 %-a", "m′-t", "X-től", "R-szerese", "{off}-ával", "1-gyel"):
+    for broken in ("26 %-a", "m′-t", "X-től", "CSV-ként", "R-szerese", "{off}-ával", "1-gyel"):
         assert BREAKING.search(broken.format(off="2")), broken
     found = []
     for message in translated("hu"):

@@ -112,9 +112,9 @@ STOPS = (
         },
         answer=lambda: first_to_slip(EQUAL, COMPRESSION, _SPACING),
         why=_(
-            "To roll without slipping, the contact {first} needs μ = {most:3}. The contact {second} comes next, with "
-            "μ = {next:3}. The hoop has the largest moment of inertia, so it needs the largest force to spin it up. At "
-            "the release only {load:2 %} of the slab’s weight presses on it."
+            "For rolling without slipping, the contact {first} needs μ = {most:3}. The contact {second} comes next, "
+            "with μ = {next:3}. The hoop has the largest moment of inertia, so it needs the largest force to spin it "
+            "up. At the release only {load:2 %} of the slab’s weight presses on it."
         ),
         numbers=_friction,
         hints=(_("Friction has to spin each roller up. Which lower roller resists that more?"),),
