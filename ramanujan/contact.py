@@ -220,8 +220,8 @@ def largest_compression(
 ) -> float:
     """Return the largest compression x₀ [m] for a release from rest without slip at any contact.
 
-    It is always top_block or hoop_slab. For L → ∞ it is top_block if ε < (√21 − 3)/6 ≈ 0.2638, otherwise hoop_slab.
-    For finite L this limit of ε is smaller.
+    The condition (Ω²A/g)·c/(n − sA/L) = μ gives A = μn/(cΩ²/g + sμ/L) for each contact, with the coefficients of the
+    module docstring. The result is x₀ = 2A for the smallest A.
 
     Parameters
     ----------

@@ -1,19 +1,20 @@
-"""Numerical integrators for x″ = a(x): one pure step function for each, and the registry METHODS.
+"""Numerical integrators for x″ = a(x): a step function for each method, and the registry METHODS.
 
-They are independent of the machine. `Method` has the order, the cost and the stability limit of each.
+They are independent of the machine. `Method` contains the order, the cost and the stability limit of a method.
 
 Contract for a step function, `step(acceleration, q, v, h) -> (q, v)`:
 
- 1. `acceleration(q)` returns x″ at the positions q, with the dtype of q. It depends on q alone.
- 2. q and v are independent runs, one per element: an array of any shape, or plain floats for a single run.
-    Element i of the acceleration depends on element i of q alone.
- 3. h is the step, one for all runs or an array with one per run; it may be negative. h has the dtype of q or is a
-    Python float, and constants are Python floats, so that float32 stays float32.
- 4. A step changes no argument in place and keeps nothing between calls.
- 5. A step that ends with a(q) returns the same object q, and a step that begins with a(q) evaluates it at the object
-    that it received. `trajectory` evaluates it once for both, and `Method.evaluations` counts it once. A single
-    velocity Verlet step evaluates twice.
- 6. The implicit method needs a linear acceleration, a(q) = q·a(1).
+ 1. `acceleration(q)` returns x″ at the positions q, with the dtype of q. It depends only on q.
+ 2. q and v are floats for a single run, or arrays with one element per independent run. Element i of the acceleration
+    depends only on element i of q.
+ 3. h is the time step: one number for all runs, or an array with one element per run. It may be negative. h has the
+    dtype of q or is a Python float, and constants are Python floats, so that float32 remains float32.
+ 4. A step function does not modify its arguments and has no state between calls.
+ 5. If the last evaluation of a step is a(q) at the new q, the step returns the same object q. If the first evaluation
+    of a step is a(q) at the old q, it uses the object q that was passed. `trajectory` recognizes this object and reuses
+    the acceleration. `Method.evaluations` assumes this reuse: velocity Verlet evaluates twice in a single step, but
+    once per step in a trajectory.
+ 6. The implicit method requires a linear acceleration, a(q) = q·a(1).
 
 References
 ----------
@@ -36,26 +37,29 @@ from ramanujan.translation import _
 from ramanujan.validation import float_array
 
 Runs: TypeAlias = float | NDArray[np.floating]
-"""One number for each independent run: an array of any shape, or a float for a single run."""
+"""A float for a single run, or an array of any shape with one element for each independent run."""
 
 Acceleration: TypeAlias = Callable[[Runs], Runs]
 Step: TypeAlias = Callable[[Acceleration, Runs, Runs, Runs], tuple[Runs, Runs]]
 
 _YOSHIDA_4_OUTER = 1 / (2 - 2 ** (1 / 3))
 YOSHIDA_4_WEIGHTS = (_YOSHIDA_4_OUTER, -(2 ** (1 / 3)) * _YOSHIDA_4_OUTER, _YOSHIDA_4_OUTER)
-"""Verlet steps that make up one Yoshida 4 step, in units of h: 2w₁ + w₀ = 1 and 2w₁³ + w₀³ = 0. [3] eq. (2.11)."""
+"""Weights (w₁, w₀, w₁) of Yoshida 4: one step consists of velocity Verlet steps w₁h, w₀h and w₁h. [3] eq. (2.11).
 
-_GRID = 1 / 64
-"""Step sizes hΩ at which a stability limit is first looked for."""
+They solve 2w₁ + w₀ = 1 and 2w₁³ + w₀³ = 0.
+"""
 
-# Roots of four polynomial equations without a closed form: [3] table 1, solution A; digits from [1] eq. (V.3.11).
+# Solution of polynomial equations without a closed form: [3] table 1, solution A; digits from [1] eq. (V.3.11).
 _YOSHIDA_6_SIDE = (0.78451361047755726382, 0.23557321335935813368, -1.17767998417887100695)
 YOSHIDA_6_WEIGHTS = (*_YOSHIDA_6_SIDE, 1 - 2 * sum(_YOSHIDA_6_SIDE), *reversed(_YOSHIDA_6_SIDE))
-"""Verlet steps that make up one Yoshida 6 step, in units of h; they are symmetric and sum to 1."""
+"""Weights of Yoshida 6: one step consists of seven velocity Verlet steps wh. The weights are symmetric and sum to 1."""
+
+_SEARCH_STEP = 1 / 64
+"""Increment of hΩ in the search for a bracket of a stability limit."""
 
 
 def explicit_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by q ← q + hv, v ← v + ha(q), both with the old values. [2] section I.7.
+    """Advance by q ← q + hv and v ← v + ha(q), where both right sides contain the old values. [2] section I.7.
 
     >>> explicit_euler(lambda q: -q, 1.0, 0.0, 0.5)
     (1.0, -0.5)
@@ -64,7 +68,7 @@ def explicit_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tup
 
 
 def symplectic_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by v ← v + ha(q), then q ← q + hv with the new velocity. [1] eq. (I.1.9).
+    """Advance by v ← v + ha(q), then by q ← q + hv with the new velocity. [1] eq. (I.1.9).
 
     >>> symplectic_euler(lambda q: -q, 1.0, 0.0, 0.5)
     (0.75, -0.5)
@@ -74,7 +78,7 @@ def symplectic_euler(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> t
 
 
 def velocity_verlet(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by half a kick, a drift and half a kick: v_½ = v + ½ha(q), q ← q + hv_½, v ← v_½ + ½ha(q).
+    """Advance by v_½ = v + ½ha(q), then q ← q + hv_½, then v ← v_½ + ½ha(q) with the new position.
 
     Source: [1] eq. (I.1.17).
 
@@ -102,28 +106,28 @@ def rk4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Ru
 
 
 def yoshida4(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by three velocity Verlet steps w₁h, w₀h, w₁h, the middle one backwards. [3] eq. (2.11).
+    """Advance by velocity Verlet steps w₁h, w₀h and w₁h, where w₀ is negative. [3] eq. (2.11).
 
     >>> [round(x, 6) for x in yoshida4(lambda q: -q, 1.0, 0.0, 0.5)]
     [0.878616, -0.478891]
     """
-    return _composed(YOSHIDA_4_WEIGHTS, acceleration, q, v, h)
+    return _compose_verlet(YOSHIDA_4_WEIGHTS, acceleration, q, v, h)
 
 
 def yoshida6(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by seven velocity Verlet steps, symmetric, two of them backwards. [3] solution A.
+    """Advance by seven velocity Verlet steps wh with YOSHIDA_6_WEIGHTS; two of them are negative. [3] solution A.
 
     >>> [round(x, 6) for x in yoshida6(lambda q: -q, 1.0, 0.0, 0.5)]
     [0.877568, -0.479436]
     """
-    return _composed(YOSHIDA_6_WEIGHTS, acceleration, q, v, h)
+    return _compose_verlet(YOSHIDA_6_WEIGHTS, acceleration, q, v, h)
 
 
 def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Advance by q ← q + h(v + v_new)/2, v ← v + ha(y) with the middle y = (q + q_new)/2, for a linear acceleration.
+    """Solve q_new = q + ½h(v + v_new) and v_new = v + ha(y) with the midpoint y = ½(q + q_new), for a linear a.
 
-    The equation y = q + ½hv + ¼h²a(y) has the solution y = (q + ½hv)/(1 − ¼h²s) if a(y) = sy. One evaluation gives the
-    slope s = a(1), the other one a(y).
+    Elimination of q_new and v_new gives y = q + ½hv + ¼h²a(y). With a(y) = sy the solution is
+    y = (q + ½hv)/(1 − ¼h²s). The first evaluation gives the slope s = a(1), the second one a(y).
 
     Source: [1] eq. (I.1.7); item 6 of the contract.
 
@@ -131,8 +135,8 @@ def implicit_midpoint(acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> 
     [0.882353, -0.470588]
     """
     slope = acceleration(1.0)
-    middle = (q + h / 2 * v) / (1 - h * h / 4 * slope)
-    return 2 * middle - q, v + h * acceleration(middle)
+    midpoint = (q + h / 2 * v) / (1 - h * h / 4 * slope)
+    return 2 * midpoint - q, v + h * acceleration(midpoint)
 
 
 @dataclass(frozen=True)
@@ -141,10 +145,10 @@ class Method:
 
     Parameters
     ----------
-    title : its usual name
-    order : p, so that the error after a fixed time falls like h^p
-    evaluations : evaluations of a(q) per step within a `trajectory`; the first step may take one more
-    stability_limit : the largest hΩ at which x″ = −Ω²x stays bounded; 0 for never, ∞ for always
+    title : usual name
+    order : p, where the error at a fixed time is proportional to h^p for small h
+    evaluations : evaluations of a(q) per step of a `trajectory`; the first step may require one more
+    stability_limit : upper limit of hΩ for bounded solutions of x″ = −Ω²x; 0 if unstable for all h, ∞ if always stable
     step : the step function
     """
 
@@ -161,13 +165,13 @@ def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: 
     Parameters
     ----------
     method : one of METHODS
-    acceleration : a(q) [m/s² or rad/s²], items 1, 2 and 6 of the contract
-    q, v : positions [m or rad] and velocities at the start, of one shape (…runs)
-    h : step [s], a number or an array of shape (…runs)
+    acceleration : a(q) [m/s² or rad/s²], see items 1, 2 and 6 of the contract
+    q, v : initial positions [m or rad] and velocities, both of the shape (…runs)
+    h : time step [s], a number or an array of shape (…runs)
 
     Returns
     -------
-    iterator over (q, v), for example for `itertools.islice`; float32 stays float32
+    iterator over (q, v), for example for `itertools.islice`; float32 for float32, otherwise float64
 
     Raises
     ------
@@ -179,17 +183,30 @@ def trajectory(method: Method, acceleration: Acceleration, q: Runs, v: Runs, h: 
     0.875 -0.46875
     0.53125 -0.8203125
     """
-    shape = float_array("q", q).shape
-    if float_array("v", v).shape != shape:
-        raise ValueError(f"v must have the shape of q, {shape}, not {np.shape(v)}")
-    if float_array("h", h).shape not in ((), shape):
-        raise ValueError(f"h must be one number or have the shape of q, {shape}, not {np.shape(h)}")
-    q, v = (x if isinstance(x, float | np.floating | np.ndarray) else np.asarray(x, dtype=float)[()] for x in (q, v))
-    kind = np.asarray(q).dtype.type
-    # A NumPy number beside a Python float would slow down every operation of a single run.
-    number = kind if isinstance(q, np.floating) else float
-    h = number(h) if np.ndim(h) == 0 else np.asarray(h, dtype=kind)
-    return _steps(method.step, _remembering(acceleration), q, v, h)
+    q, v = _as_runs("q", q), _as_runs("v", v)
+    if np.shape(v) != np.shape(q):
+        raise ValueError(f"v must have the shape of q, {np.shape(q)}, not {np.shape(v)}")
+    if float_array("h", h).shape not in ((), np.shape(q)):
+        raise ValueError(f"h must be one number or have the shape of q, {np.shape(q)}, not {np.shape(h)}")
+    return _steps(method.step, _reusing_last(acceleration), q, v, _as_step(h, q))
+
+
+def _as_runs(name: str, values: Runs) -> Runs:
+    """Return finite floats or floating-point arrays: Python floats and float32 unchanged, other types as float64."""
+    array = float_array(name, values)
+    if isinstance(values, float):
+        return values
+    runs: Runs = array[()]
+    return runs
+
+
+def _as_step(h: Runs, q: Runs) -> Runs:
+    """Convert the time step h to a type that preserves the dtype of q."""
+    dtype = np.asarray(q).dtype.type
+    if np.ndim(h) > 0:
+        return np.asarray(h, dtype=dtype)
+    # A NumPy scalar beside a Python float q would slow down every operation.
+    return dtype(h) if isinstance(q, np.floating) else float(h)
 
 
 def _steps(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> Iterator[tuple[Runs, Runs]]:
@@ -198,42 +215,52 @@ def _steps(step: Step, acceleration: Acceleration, q: Runs, v: Runs, h: Runs) ->
         yield q, v
 
 
-def _remembering(acceleration: Acceleration) -> Acceleration:
-    """Return the acceleration with a memory of one value: the same object q is not evaluated twice in a row."""
+def _reusing_last(acceleration: Acceleration) -> Acceleration:
+    """Return a function that caches the last acceleration, and reuses it if it is called with the same object q."""
     last: tuple[Runs, Runs] | None = None
 
-    def remembered(q: Runs) -> Runs:
+    def cached_acceleration(q: Runs) -> Runs:
         nonlocal last
         if last is None or q is not last[0]:
             last = q, acceleration(q)
         return last[1]
 
-    return remembered
+    return cached_acceleration
 
 
-def _composed(weights: Sequence[float], acceleration: Acceleration, q: Runs, v: Runs, h: Runs) -> tuple[Runs, Runs]:
-    """Take one velocity Verlet step of length wh for each weight w."""
+def _compose_verlet(
+    weights: Sequence[float], acceleration: Acceleration, q: Runs, v: Runs, h: Runs
+) -> tuple[Runs, Runs]:
+    """Advance by one velocity Verlet step wh for each weight w."""
     for weight in weights:
         q, v = velocity_verlet(acceleration, q, v, weight * h)
     return q, v
 
 
 def _stability_limit(step: Step) -> float:
-    """Return the stability limit of an explicit step that preserves area.
+    """Return the stability limit hΩ of an explicit symplectic step function, by bisection.
 
-    Its matrix for x″ = −x has determinant 1, so its powers stay bounded while |trace| < 2. The trace is 2 at h = 0.
+    For x″ = −x a step multiplies (q, v) by a matrix of determinant 1. Its powers are bounded if |trace| < 2.
     """
 
     def is_stable(h: float) -> bool:
-        trace = step(lambda q: -q, 1.0, 0.0, h)[0] + step(lambda q: -q, 0.0, 1.0, h)[1]
+        q_from_position, _v = step(lambda q: -q, 1.0, 0.0, h)
+        _q, v_from_velocity = step(lambda q: -q, 0.0, 1.0, h)
+        trace = q_from_position + v_from_velocity
         return bool(np.abs(trace) < 2)
 
-    low, high = 0.0, _GRID
-    while is_stable(high):
-        low, high = high, high + _GRID
-    while low < (middle := (low + high) / 2) < high:
-        low, high = (middle, high) if is_stable(middle) else (low, middle)
-    return high
+    # At h = 0 the trace is 2, but the step is stable for small h > 0.
+    stable, unstable = 0.0, _SEARCH_STEP
+    while is_stable(unstable):
+        stable, unstable = unstable, unstable + _SEARCH_STEP
+    while True:
+        middle = (stable + unstable) / 2
+        if not stable < middle < unstable:  # neighbouring floats
+            return unstable
+        if is_stable(middle):
+            stable = middle
+        else:
+            unstable = middle
 
 
 METHODS: dict[str, Method] = {
@@ -245,4 +272,4 @@ METHODS: dict[str, Method] = {
     "yoshida6": Method(_("Yoshida 6"), 6, 7, _stability_limit(yoshida6), yoshida6),
     "implicit_midpoint": Method(_("implicit midpoint"), 2, 2, math.inf, implicit_midpoint),
 }
-"""Every integrator by its name, the simplest first."""
+"""Name → integrator, the simplest first."""
