@@ -1,4 +1,4 @@
-"""The experiments: their errors against theory and exact arithmetic."""
+"""The experiments: their errors, compared with theory and exact arithmetic."""
 
 import math
 from dataclasses import replace
@@ -36,13 +36,13 @@ MACHINES = [
 
 @pytest.fixture(scope="module")
 def curves():
-    """A diagram of all methods over ten periods: {(method, dtype): curve}."""
+    """Return (method, dtype) → work-precision curve over ten periods."""
     pairs = [(method, dtype) for method in METHODS for dtype in ("float64", "float32")]
     return {pair: work_precision(*pair, periods=10) for pair in pairs}
 
 
 def integrated(machine, method, steps, periods, kind):
-    """φ/φ₀ and φ′/(φ₀Ω) of a machine at every step, in its own units of mass, length and time."""
+    """Return φ/φ₀ and φ̇/(φ₀Ω) of a machine at every step, integrated in SI units."""
     squared = kind(machine.natural_frequency_squared)
     start = np.full(1, 0.03, kind), np.zeros(1, kind)
     states = trajectory(METHODS[method], lambda q: -squared * q, *start, np.full(1, machine.period / steps, kind))
@@ -56,7 +56,7 @@ def test_every_machine_has_the_same_errors(curves, method, dtype):
     steps, kind = 17, np.dtype(dtype).type
     t = 2 * np.pi * np.arange(1, 10 * steps + 1) / steps
     history, curve = error_history(method, steps, 10, dtype), curves[method, dtype]
-    # Each of some thousand roundings moves a run by half an ulp at most; that of h and Ω² counts once a step.
+    # Each of a few thousand rounding errors is at most half an ulp. That of hΩ occurs in every step.
     rounding = 4000 * np.finfo(kind).eps
     for machine in MACHINES:
         q, v = integrated(machine, method, steps, 10, kind)
@@ -64,21 +64,21 @@ def test_every_machine_has_the_same_errors(curves, method, dtype):
         assert np.all(abs(history.q[1:] - q) <= rounding * scale)
         assert np.all(abs(history.energy_error[1:] - (q * q + v * v - 1)) <= 3 * rounding * scale**2)
         largest = np.hypot(q - np.cos(t), v + np.sin(t)).max()
-        found = curve.error[curve.steps_per_period == steps].item()
-        # What a diagram says is true of the worst rounding.
-        assert largest * (1 - 1e-12) - rounding / 50 <= found <= largest + rounding * scale.max()
+        error = curve.error[curve.steps_per_period == steps].item()
+        # The curve contains the largest error among all machines.
+        assert largest * (1 - 1e-12) - rounding / 50 <= error <= largest + rounding * scale.max()
 
 
 def fewest_steps(machine, method, periods, tolerance):
-    """The fewest steps per period with an error within the tolerance at every step, each whole number tried."""
+    """Return the fewest steps per period with an error within the tolerance at every step, from 3 to 192."""
     n, (omega, T) = np.arange(3, 193), (machine.natural_frequency, machine.period)
     step = [METHODS[method].step(lambda q: -(omega**2) * q, *start, T / n) for start in ((1.0, 0.0), (0.0, 1.0))]
     state, worst = np.stack([np.ones(n.size), np.zeros(n.size)]), np.zeros(n.size)
     for i in range(1, n[-1] * periods + 1):
         with np.errstate(all="ignore"):
             state = state[0] * np.array(step[0]) + state[1] * np.array(step[1])
-            off = np.hypot(state[0] - np.cos(2 * np.pi * i / n), state[1] / omega + np.sin(2 * np.pi * i / n))
-            worst = np.where(i <= n * periods, np.maximum(worst, off), worst)
+            error = np.hypot(state[0] - np.cos(2 * np.pi * i / n), state[1] / omega + np.sin(2 * np.pi * i / n))
+            worst = np.where(i <= n * periods, np.maximum(worst, error), worst)
     return int(n[worst <= tolerance][0]) if (worst <= tolerance).any() else None
 
 
@@ -93,7 +93,7 @@ def test_no_other_whole_number_of_steps_is_cheaper(periods, tolerance):
 
 
 def counted(method, steps):
-    """The evaluations of a run, counted where they happen."""
+    """Return the number of calls of the acceleration in a run."""
     calls = []
     states = trajectory(METHODS[method], lambda q: calls.append(q) or -q, 1.0, 0.0, 0.1)
     next(islice(states, steps - 1, None))
@@ -111,13 +111,13 @@ def test_evaluations_are_those_of_a_whole_run(method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_the_angle_to_the_exact_motion_is_that_of_a_single_run(method):
-    found = work_precision(method, periods=5, steps_per_period=[9, 30], of="phase").error
-    for n, error in zip((9, 30), found, strict=True):
+    errors = work_precision(method, periods=5, steps_per_period=[9, 30], error_kind="phase").error
+    for n, error in zip((9, 30), errors, strict=True):
         phases = error_history(method, n, 5).phase_error
         assert error == pytest.approx(np.abs((phases + np.pi) % (2 * np.pi) - np.pi).max() / (2 * np.pi), rel=1e-9)
 
 
-# Numeric minus exact phase per radian for small z = hΩ: the leading term of each method's expansion.
+# Leading term of the phase error per radian, for small z = hΩ.
 PHASE_ERROR = {
     "explicit_euler": lambda z: -(z**2) / 3,
     "symplectic_euler": lambda z: z**2 / 24,
@@ -130,19 +130,19 @@ PHASE_ERROR = {
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_phase_error_is_what_theory_says(method):
-    # At n = 64, z = 0.1; the next term is about z² smaller than the first.
+def test_phase_error_agrees_with_theory(method):
+    # At n = 64, z ≈ 0.1. The next term is smaller by a factor of about z² = 0.01.
     expected = 20 * np.pi * PHASE_ERROR[method](2 * np.pi / 64)
     assert error_history(method, 64, 10).phase_error[-1] == pytest.approx(expected, rel=0.02)
 
 
 @pytest.mark.parametrize(("method", "within"), [("rk4", 11), ("explicit_euler", 100)])
-def test_a_run_continued_is_the_run_in_one_go(method, within):
-    # With 11 steps per period explicit Euler leaves the range of float32 on the way.
+def test_a_continued_run_equals_a_whole_run(method, within):
+    # With 11 steps per period explicit Euler overflows float32 during the run.
     whole, steps = work_precision(method, "float32", 80, (11, 100, 257)), (11, 100, 257)
     parts = work_precision(method, "float32", 16, steps)
     for periods in (17, 80):
-        parts = work_precision(method, "float32", periods, after=parts)
+        parts = work_precision(method, "float32", periods, previous=parts)
     for field in ("error", "evaluations", "ends"):
         np.testing.assert_array_equal(getattr(parts, field), getattr(whole, field))
     assert [choice.steps_per_period for choice in cheapest([whole], 1e30)] == [within]
@@ -183,19 +183,19 @@ def test_the_effective_mass_is_right_and_integers_are_the_nearest_float_for_rand
     own, integers = sweeps["effective_mass", dtype, "machines"], sweeps["integers", dtype, "machines"]
     assert own.x.size > 300
     assert set(own.verdict) == set(integers.verdict) == {"right"}
-    # float32 is rounded twice: to float64 first.
+    # A float32 result is rounded twice, first to float64.
     assert integers.worst_right_ulp <= 0.5 + (1e-6 if dtype == "float32" else 0)
-    # Negative control: these machines are of every size, so that squares of masses leave the range.
+    # Negative control: the masses are so large or small that their squares overflow or underflow.
     assert {"overflow", "zero"} & set(sweeps["polynomial", dtype, "machines"].verdict)
 
 
 def test_the_papers_form_fails_as_the_exponent_range_says(sweeps):
     first, *_, last = sweeps["paper", "float64", "scale"].stretches
-    # (m + m′)² = 4s² and below half the smallest subnormal it is 0: 8k/(15m) is left, which looks like an answer.
+    # If (m + m′)² = 4s² underflows to 0, the result is 8k/(15m) = 8/15, which is plausible but wrong.
     assert first.verdict == "plausible"
     assert sweeps["paper", "float64", "scale"].value[0] == pytest.approx(8 / 15, rel=1e-12)
     assert 1e-163 < first.last < 1e-161
-    # 8(m + m′)² = 32s² overflows from s = √(max/32) = 2.4e153 or, (m + m′)² first, 6.7e153 on.
+    # 8(m + m′)² = 32s² overflows for s > √(max/32) = 2.4e153, and (m + m′)² for s > 6.7e153.
     assert last.verdict == "zero"
     assert math.copysign(1, sweeps["paper", "float64", "scale"].value[-1]) == -1
     assert 2e153 < last.first < 2e154
@@ -219,15 +219,15 @@ def test_errors_agree_with_exact_fractions(form, sample, along):
 
 
 def test_eigen_solvers_find_the_mode_but_not_two_zeros():
-    found = {(s.solver, s.dtype): s for s in eigen_solvers()}
-    assert {solver for solver, _ in found} == set(SOLVERS)
-    for sweep in found.values():
-        assert np.nanmax(sweep.error_ulp) < 32  # a 3×3 solver's dozens of operations
+    results = {(s.solver, s.dtype): s for s in eigen_solvers()}
+    assert {solver for solver, _ in results} == set(SOLVERS)
+    for sweep in results.values():
+        assert np.nanmax(sweep.error_ulp) < 32  # a solver for 3×3 matrices has dozens of operations
         assert sweep.zero_modes.shape == (sweep.mass_ratio.size, 2)
-    assert found["eigh_cholesky", "float64"].without_frequency.any()
-    assert found["eigvals_ground", "float64"].without_frequency.any()
-    # Negative control: with two zero columns in K the zero modes are exact, so the failures are the coordinates'.
-    assert not found["eigvals", "float64"].without_frequency.any()
+    assert results["eigh_cholesky", "float64"].without_frequency.any()
+    assert results["eigvals_ground", "float64"].without_frequency.any()
+    # Negative control: with two zero columns in K the zero modes are exact, so the coordinates cause the failures.
+    assert not results["eigvals", "float64"].without_frequency.any()
 
 
 @pytest.mark.parametrize("machine", [MACHINE, Oscillator(), Oscillator(m=3.0, m_prime=1e-3, k=1e6)])
@@ -235,19 +235,19 @@ def test_phase_errors(machine):
     rows = phase_errors(machine)
     assert [row.periods for row in rows] == [10.0**decade for decade in range(16)]
     for row in rows:
-        # A phase up to π is rounded once, after turns that are known to 106 bits.
+        # Ω/2π has 106 bits, and a phase of at most π is rounded once.
         assert row.reduced < 1e-15
-        # Ω is good to about 3 ulp and t·Ω to half an ulp: at most 4·2⁻⁵²·2πn; on the circle never beyond π.
+        # The error of Ω is about 3 ulp and that of t·Ω half an ulp, together at most 4·2⁻⁵²·2πn. No angle exceeds π.
         assert row.float64 <= min(2 * np.pi * (row.periods + 1) * 4 * 2.0**-52 + 1e-15, np.pi)
         assert row.float32 <= np.pi
-    # Negative control: the plain product does lose its digits.
+    # Negative control: the plain product loses digits.
     assert rows[12].float64 > 1e-5
     assert rows[6].float32 > 1e-3
 
 
-def test_chords_of_a_cosine_miss_it_by_what_geometry_says():
+def test_distance_of_a_cosine_from_its_chords():
     for points, pixels in list(curve_sampling()["cosine"].items())[1:]:
-        # An arc's chord under the crest: 1 − cos of half a step, times half the height; off the crest a bit less.
+        # The distance at a maximum of the cosine, for a chord symmetric about it. Other chords are closer.
         most = (1 - math.cos(math.pi / (points - 1))) * 200
         assert 0.95 * most < pixels <= most * (1 + 1e-9)
 

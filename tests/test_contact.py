@@ -1,4 +1,4 @@
-"""The contacts at the worst moment of a cycle, and the first to slip; test_whole_range.py has their forces."""
+"""Required friction, the first contact to slip, and the largest compression. test_whole_range.py tests the forces."""
 
 import math
 import re
@@ -22,9 +22,9 @@ from tests.test_whole_range import CONTACTS
 
 MASS = st.floats(0.05, 20)
 MACHINES = st.builds(Oscillator, m=MASS, m_prime=MASS, k=st.floats(0.1, 1e3), radius=st.floats(0.01, 2))
-# To nine decimals: products of subnormal numbers lose digits.
-PUSH = st.floats(-2, 2).map(lambda value: round(value, 9))
-STARTS = st.builds(InitialState, X=PUSH, phi=PUSH, Phi=PUSH, X_dot=PUSH, phi_dot=PUSH, Phi_dot=PUSH)
+# Nine decimals avoid subnormal numbers, whose products lose digits.
+SMALL = st.floats(-2, 2).map(lambda value: round(value, 9))
+INITIAL_STATES = st.builds(InitialState, X=SMALL, phi=SMALL, Phi=SMALL, X_dot=SMALL, phi_dot=SMALL, Phi_dot=SMALL)
 
 
 def whole_cycle(oscillator, points=121):
@@ -61,13 +61,13 @@ def test_the_largest_compression_is_where_the_first_contact_slips(oscillator, mu
     for spacing in (math.inf, room * oscillator.radius):
         largest = largest_compression(oscillator, mu, spacing=spacing)
         needed = required_friction(oscillator, largest, spacing=spacing)
-        # Close to tipping, the needed friction grows with 1/(1 − x₀/L).
+        # Close to tipping, the required friction grows like 1/(1 − x₀/L), and so does its rounding error.
         assert max(needed.values()) == pytest.approx(mu, rel=1e-13 / (1 - largest / spacing))
         assert needed[first_to_slip(oscillator, largest, spacing)] == max(needed.values())
 
 
 @settings(max_examples=60, deadline=None)
-@given(MACHINES, STARTS, st.floats(1.01, 20))
+@given(MACHINES, INITIAL_STATES, st.floats(1.01, 20))
 def test_a_pushed_machine_needs_the_friction_of_a_release_with_its_amplitude(oscillator, initial, room):
     amplitude = travel_amplitude(oscillator, initial)
     spacing = max(2 * amplitude * room, 2 * oscillator.radius)
@@ -77,5 +77,6 @@ def test_a_pushed_machine_needs_the_friction_of_a_release_with_its_amplitude(osc
     for name in CONTACTS:
         largest = np.max(np.abs(forces[name]) / loads[name])
         assert largest <= required[name] * (1 + 1e-11)
-        # Half a step from the crest loses (π/2000)²/2 ≈ 1.2e-6 of the force, up to 100-fold of the load at room = 1.01.
+        # The maximum is at most half a step away. This changes the force by (π/2000)²/2 ≈ 1.2e-6 of its value, and the
+        # smallest load by up to 100 times as much at room = 1.01.
         assert largest >= required[name] * (1 - 3e-4)

@@ -1,4 +1,4 @@
-"""How exact numbers look, and their decimals against fractions of integers; test_my_numbers reads all of them back."""
+"""LaTeX of exact numbers, and their decimals compared with fractions. test_my_numbers parses all of them."""
 
 from fractions import Fraction
 
@@ -17,7 +17,7 @@ ROOT, HALF = sp.sqrt(1729), sp.Rational(1, 2)
 
 
 def shown(number: sp.Expr) -> str:
-    """Return a number as it stands alone, in a formula whose only number it is."""
+    """Return the LaTeX of a number that is the only coefficient of a formula."""
     return "".join(side_terms(number * m, Numbers(1.0, 1.0, 1.0)))
 
 
@@ -56,7 +56,7 @@ def test_how_a_number_looks(number, text):
 
 
 def test_a_near_cancellation_keeps_its_digits():
-    """10³⁰ − r√1729 for the nearest r: what is left has thirty digits less than its terms, and every digit is right."""
+    """The difference 10³⁰ − r√1729, for the nearest integer r, is 10³⁰ times smaller than its terms."""
     p = 10**30
     r = -int(p / mpmath.sqrt(1729))
     exact = mpmath.mpf(p) + r * mpmath.sqrt(1729)

@@ -1,6 +1,6 @@
-"""The expressions of the derivation as functions of mpmath, with which test_whole_range compares the numeric core.
+"""The expressions of the derivation as mpmath functions, and a comparison with the formulas of the browser.
 
-The formulas of the browser are compared with them here, in the JavaScript engine that Playwright brings.
+test_whole_range.py compares the numeric core with the same expressions. The JavaScript runs in Playwright's Node.js.
 """
 
 import json
@@ -22,7 +22,7 @@ from tests.test_numerals import NODE
 
 @cache
 def printed(expression):
-    """An expression of the derivation as a function of mpmath numbers, and the names of its arguments."""
+    """Return an expression of the derivation as a function of mpmath numbers, and the names of its parameters."""
     plain = expression.doit()
     rates = dict(zip(VELOCITIES, sp.symbols("vX vphi vPhi"), strict=True))
     names = rates | dict(zip(COORDINATES, sp.symbols("qX qphi qPhi"), strict=True))
@@ -32,7 +32,7 @@ def printed(expression):
 
 
 def evaluated(expression, oscillator, q=(0, 0, 0), q_dot=(0, 0, 0), digits=50, **others):
-    """The value of an expression of the derivation for a machine in a state, to so many digits."""
+    """Return the value of an expression of the derivation for a machine in a state, with a number of digits."""
     function, names = printed(sp.sympify(expression))
     values = {str(m): oscillator.m, str(m_prime): oscillator.m_prime, str(k): oscillator.k, str(R): oscillator.radius}
     values |= dict(zip(("qX", "qphi", "qPhi"), q, strict=True)) | dict(zip(("vX", "vphi", "vPhi"), q_dot, strict=True))
@@ -42,7 +42,7 @@ def evaluated(expression, oscillator, q=(0, 0, 0), q_dot=(0, 0, 0), digits=50, *
 
 
 def derived(bodies):
-    """The expressions of the derivation for a machine with these bodies, in groups: name → expression."""
+    """Return group → name → expression of the derivation, for a machine with these bodies."""
     spring, block = bodies.potential_energy, bodies["block"]
     squared = ROUTES["newton"].natural_frequency_squared
     rolling = {phi.diff(t, 2): -squared * phi}
@@ -67,7 +67,7 @@ def derived(bodies):
 
 
 def flat(formulas, prefix=""):
-    """Every formula of a tree of formulas: its names, joined → expression."""
+    """Return path → expression for a nested dictionary of formulas; the keys of a path are joined with _."""
     found = {}
     for name, each in formulas.items():
         found |= flat(each, f"{prefix}{name}_") if isinstance(each, dict) else {prefix + name: sp.sympify(each)}
@@ -75,11 +75,11 @@ def flat(formulas, prefix=""):
 
 
 def test_the_browser_computes_the_expressions_of_the_derivation():
-    """One expression, two printers: JavaScript and NumPy get the same numbers from the same names."""
+    """SymPy prints each formula as JavaScript and as NumPy; both have the same values."""
     formulas = flat(stage_formulas())
     names = dict(zip((*VELOCITIES, *COORDINATES), ("X_dot", "phi_dot", "Phi_dot", "X", "phi", "Phi"), strict=True))
     symbols = set().union(*(formula.free_symbols for formula in formulas.values())) - {t, R}
-    # An initial value is a symbol of its own with the name of its coordinate: one number serves both.
+    # The symbol of an initial value has the name of its coordinate, so both get the same number.
     names |= {R: "radius"} | {symbol: symbol.name for symbol in sorted(symbols, key=str)}
     values = {name: 0.2 + 0.07 * i for i, name in enumerate(dict.fromkeys(names.values()))}
     entries = "Object.entries(formulas).map(([name, formula]) => [name, formula(values)])"

@@ -1,4 +1,7 @@
-"""The Ω² curve and its inverse against mpmath, and machines as values. test_whole_range.py has their numbers."""
+"""The function Ω²m/k and its inverse, compared with mpmath, and `Oscillator` as a value.
+
+test_whole_range.py tests its quantities.
+"""
 
 import math
 
@@ -20,7 +23,7 @@ def curve(ratio):
 
 
 def inverse(w):
-    """The positive root of 18wε² + (49w − 48)ε + (32w − 56), with digits to spare."""
+    """Return the positive root of 18wε² + (49w − 48)ε + (32w − 56) with hundreds of digits."""
     a, b, c = 18 * mpmath.mpf(float(w)), 49 * mpmath.mpf(float(w)) - 48, 32 * mpmath.mpf(float(w)) - 56
     with mpmath.workdps(700):
         return (mpmath.sqrt(b * b - 4 * a * c) - b) / (2 * a)
@@ -28,7 +31,7 @@ def inverse(w):
 
 def test_the_unit_ratio_is_the_nearest_double():
     assert float((mpmath.sqrt(1729) - 1) / 36) == UNIT_MASS_RATIO
-    assert (math.sqrt(1729) - 1) / 36 != UNIT_MASS_RATIO  # the textbook form loses a digit
+    assert (math.sqrt(1729) - 1) / 36 != UNIT_MASS_RATIO  # cancellation in eq. (14) loses a digit
 
 
 @settings(deadline=None, max_examples=400)

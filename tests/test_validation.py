@@ -1,4 +1,4 @@
-"""Bad arguments of the numeric rooms: each error begins with the name of the parameter."""
+"""Invalid arguments of the numeric packages: each error message begins with the name of the parameter."""
 
 import math
 import re
@@ -22,7 +22,7 @@ NOT_ARRAYS = [*NOT_NUMBERS[:-1], ["1", "2", "3"], [1.0, None, 2.0], [1.0, math.n
 NOT_INTEGERS = [None, "1", True, 1.0, Fraction(1, 2), HUGE]
 NOT_EXACT = [None, True, 0.5, -1, Fraction(1, HUGE)]
 
-REFUSED = [
+INVALID = [
     *((name, lambda x, name=name: Oscillator(**{name: x}), NOT_POSITIVE) for name in ("m", "m_prime", "k", "radius")),
     *((name, lambda x, name=name: InitialState(**{name: x}), NOT_NUMBERS) for name in ("X", "phi", "Phi_dot")),
     ("compression", lambda x: ramanujan.released(MACHINE, x), NOT_NUMBERS),
@@ -45,18 +45,18 @@ REFUSED = [
     ("target", lambda x: nt.unit_quadratic("hoop", "hoop", "hoop", x), NOT_EXACT),
     ("beta_a", lambda x: nt.unit_quadratic(x, "hoop", "hoop"), [*NOT_EXACT, "nope", 2]),
 ]
-"""Parameter, a call with a value for it, and values that are refused."""
+"""Parameter, a function that passes a value for it, and invalid values."""
 
 
-@pytest.mark.parametrize(("name", "call", "values"), REFUSED, ids=[name for name, *_rest in REFUSED])
-def test_a_bad_value_is_refused_by_the_name_of_its_parameter(name, call, values):
+@pytest.mark.parametrize(("name", "call", "values"), INVALID, ids=[name for name, *_rest in INVALID])
+def test_the_error_for_an_invalid_value_names_its_parameter(name, call, values):
     for value in values:
         with pytest.raises(ValueError, match=rf"^{re.escape(name)}\b") as caught:
             call(value)
         assert "\n" not in str(caught.value)
 
 
-def test_what_counts_as_a_number():
+def test_all_types_of_real_numbers_are_valid():
     for good in (1, 1.0, np.int8(1), np.float32(1), Fraction(1), Decimal(1), sp.Integer(1)):
         assert finite("x", good) == positive("x", good) == 1.0
         assert type(finite("x", good)) is float

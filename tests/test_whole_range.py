@@ -1,4 +1,4 @@
-"""The numeric core against the derivation in 60-digit arithmetic: frequencies, motion, energies and contacts."""
+"""The numeric core, compared with the derivation in 60-digit arithmetic: frequencies, motion, energies, contacts."""
 
 import math
 import sys
@@ -27,12 +27,12 @@ def expressions():
 
 
 def true(group, machine, *state, **others):
-    """The values of a group of expressions of the derivation, to all digits."""
+    """Return the values of a group of expressions of the derivation, with 60 digits."""
     return [mp.mpf(evaluated(each, machine, *state, digits=mp.dps, **others)) for each in expressions()[group].values()]
 
 
 def machines(count, decades, seed=43):
-    """Random machines whose parameters are between 10^−decades and 10^decades."""
+    """Return random machines with parameters between 10^−decades and 10^decades."""
     rng = np.random.default_rng(seed)
     return [core.Oscillator(*(10.0 ** rng.uniform(-decades, decades, 4)).tolist()) for _ in range(count)]
 
@@ -42,7 +42,7 @@ def test_every_frequency_within_5_ulp_or_an_error():
     normal, refused = 0, 0
     for m, m_prime, k in (10.0 ** rng.uniform(-300, 300, (864, 3))).tolist():
         ratios = [mp.mpf(m_prime) / m, mp.mpf(k) / m]
-        # The constructor refuses these machines, so that their truth needs a stand-in with the same parameters.
+        # The constructor raises for some of these parameters, so the exact values are computed for a stand-in.
         stand_in = type("Machine", (), {"m": m, "m_prime": m_prime, "k": k, "radius": 1.0})()
         squared = true("frequency squared", stand_in)[0]
         if all(sys.float_info.min < value < sys.float_info.max for value in (*ratios, squared)):
@@ -75,7 +75,7 @@ QUANTITIES = {
     "momenta of bodies": lambda machine, _q, v: [*body_momenta(machine, v).values()],
     "forces": lambda machine, q, _v: [*core.contact_forces(machine, q).values()],
 }
-"""Group of the derivation → the values of the core, in the same order."""
+"""Group of the derivation → a function of machine, q and q̇ that returns the values of the core in the same order."""
 
 
 @pytest.mark.parametrize("group", QUANTITIES)
@@ -83,7 +83,7 @@ def test_every_quantity_of_a_state(group):
     rng = np.random.default_rng(7)
     for machine in machines(30, 3):
         q, v = 10.0 ** rng.uniform(-3, 3, (2, 3)) * rng.choice([-1, 1], (2, 3))
-        # With X against all other velocities no term takes digits from another one: that is the scale.
+        # With these signs all terms of a sum have the same sign. The result is the scale of the rounding errors.
         apart = [abs(each) * [-1, 1, 1] for each in (q, v)]
         values = np.ravel(QUANTITIES[group](machine, q, v))
         for value, truth, scale in zip(values, true(group, machine, q, v), true(group, machine, *apart), strict=True):
@@ -161,6 +161,6 @@ def test_times_of_any_shape_and_type(shape, dtype):
     assert q.shape == q_dot.shape == (3, *shape)
     assert np.array_equal(np.ravel(core.motion(machine, initial, 0.0)), [0.4, 0.3, -1.0, 0.2, -0.7, 1.5])
     for index in np.ndindex(*shape):
-        # A single time uses the sine of Python, an array that of NumPy.
+        # `math.sin` for a single time and `np.sin` for an array may differ in the last digit.
         single = core.motion(machine, initial, float(t[index]))
         assert np.allclose(np.concatenate([q, q_dot])[:, *index], np.concatenate(single), rtol=0, atol=1e-15)

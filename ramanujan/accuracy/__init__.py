@@ -1,14 +1,14 @@
-"""Experiments on the accuracy and the cost of each method to compute the machine.
+"""Experiments on the accuracy and the cost of the methods that compute the motion and the frequency.
 
-    runs             runs of the integrators, and one of them with its errors as they grow
-    work_precision   error of the integrators against evaluations and seconds; the cheapest one for a tolerance
-    choices          the choices of the app itself: points of a curve, closed form, kind of arithmetic, caching
-    extremes         the forms of Ω² for very large and very small numbers
-    exact            Ω² by exact integers and a phase without whole turns: what the app's own formulas are compared with
-    general_solvers  eigenvalue solvers that know only the machine's matrices
-    phase            the phase after 1 … 1e15 periods
-    measurement      timing, and the reference arithmetic
+    measurement      durations of calls, and 50-digit arithmetic for reference values
+    exact            Ω² in exact arithmetic, and the phase without whole turns: alternatives to the app's own formulas
+    runs             runs of the integrators on the oscillating mode, with their errors at each step
+    work_precision   errors of the integrators against evaluations and seconds; the cheapest run for a tolerance
+    phase            error of the phase after 1 … 1e15 periods
+    extremes         equivalent formulas for Ω² with very large and very small parameters
+    general_solvers  eigenvalue solvers that use only the matrices M and K
+    choices          number of points of a curve, closed form, arithmetic and caching, as used by the app
 
-Every experiment is a plain function, which measures or computes every number when it is called. Results are frozen
-dataclasses. An experiment trusts its arguments: they come from the choices of a page.
+Each experiment is a function that computes or measures its results when it is called. Results are frozen dataclasses.
+The arguments are not validated, because a page offers only valid ones.
 """

@@ -1,7 +1,4 @@
-"""The choices of the app itself, with their errors and costs: points, closed form, arithmetic, caching.
-
-These are four small experiments; `work_precision` compares the integrators.
-"""
+"""Four small experiments on the implementation of the app: points of a curve, closed form, arithmetic and caching."""
 
 from __future__ import annotations
 
@@ -27,24 +24,33 @@ from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 
 POINTS = (9, 17, 33, 65, 129, 257, 513, 1025)
+"""Numbers of points in `curve_sampling`."""
+
 PERIODS = (1, 10, 100, 1000, 10_000)
+"""Default numbers of periods in `closed_form`."""
+
 DIGITS = (15, 30, 50, 100)
+"""Numbers of mpmath digits in `arithmetics`."""
+
 HEIGHT = 400
-"""The height of the figure that the curves fill [pixels]."""
+"""Height of a curve in `curve_sampling` [pixels]."""
+
 LARGEST_MASS_RATIO = 4.0
-"""The right end of the sampled Ω² curve."""
+"""Right end of the Ω² curve in `curve_sampling`."""
 
 ARRAY = 10_000
-"""The number of values in the array of `arithmetics`."""
-STATES = 100
-"""The number of states in one call of `caching`."""
+"""Number of array elements in `arithmetics`."""
 
-_BETWEEN = np.arange(1, 32)[:, None] / 32
+STATES = 100
+"""Number of states in `caching`."""
+
+_FRACTIONS_OF_CHORD = np.arange(1, 32)[:, None] / 32
+"""Positions along each chord at which `_largest_distance` is evaluated, shape (31, 1)."""
 
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The closed form after `periods` periods: its phase error [rad] and the seconds for one state."""
+    """Phase error [rad] of the closed form after a number of periods, and seconds per state."""
 
     periods: int
     phase_error: float
@@ -52,24 +58,24 @@ class ClosedForm:
 
 
 def curve_sampling() -> dict[str, dict[int, float]]:
-    """Return the distance of two curves from their chords, for several numbers of points.
+    """Return the largest error of drawing two curves as straight lines between a number of points.
 
-    Each curve fills the height of the figure. The curves are "cosine", one period of it, and "frequency", Ω²m/k for
-    0 ≤ ε ≤ LARGEST_MASS_RATIO.
+    The curves are "cosine", one period of the cosine, and "frequency", Ω²m/k for 0 ≤ ε ≤ LARGEST_MASS_RATIO. Each is
+    scaled to HEIGHT.
 
     Returns
     -------
-    curve → number of points, of POINTS → the largest vertical distance [pixels]
+    curve → number of points → largest vertical distance between the curve and the lines [pixels]
 
     >>> list(curve_sampling()["cosine"])[:3]
     [9, 17, 33]
     """
     curves = {"cosine": (np.cos, 2 * np.pi), "frequency": (normalized_frequency_squared, LARGEST_MASS_RATIO)}
-    return {name: {n: _off(*curve, n) for n in POINTS} for name, curve in curves.items()}
+    return {name: {n: _largest_distance(*curve, n) for n in POINTS} for name, curve in curves.items()}
 
 
 def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> list[ClosedForm]:
-    """Return error and cost of `motion.motion` after each number of periods; the error grows with them.
+    """Return the error and the cost of `motion.motion` after each number of periods. The error grows with time.
 
     Parameters
     ----------
@@ -83,16 +89,16 @@ def closed_form(oscillator: Oscillator, periods: Sequence[int] = PERIODS) -> lis
     >>> [state.periods for state in closed_form(Oscillator(), [1, 1000])]
     [1, 1000]
     """
-    found, initial = [], InitialState(phi=1.0)
+    results, initial = [], InitialState(phi=1.0)
     for n in periods:
         times = oscillator.period * (n + np.arange(16) / 16)
         seconds = measure(partial(motion, oscillator, initial, float(times[0])))
-        found.append(ClosedForm(n, largest_phase_error(oscillator, times), seconds))
-    return found
+        results.append(ClosedForm(n, largest_phase_error(oscillator, times), seconds))
+    return results
 
 
 def seconds_per_reduction(oscillator: Oscillator) -> float:
-    """Return the seconds that one phase takes if whole turns are subtracted first.
+    """Return the duration of one call of `exact.reduced_phase`.
 
     Parameters
     ----------
@@ -100,7 +106,7 @@ def seconds_per_reduction(oscillator: Oscillator) -> float:
 
     Returns
     -------
-    median [s], for one time
+    median for a single time [s]
 
     >>> seconds_per_reduction(Oscillator()) > 0
     True
@@ -109,15 +115,16 @@ def seconds_per_reduction(oscillator: Oscillator) -> float:
 
 
 def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
-    """Return the seconds that Ω²m/k takes in several kinds of arithmetic.
+    """Return the duration of one evaluation of Ω²m/k in several kinds of arithmetic.
 
     Parameters
     ----------
-    epsilon : ε, taken as exactly this float
+    epsilon : ε; exact arithmetic uses the exact value of this float
 
     Returns
     -------
-    "float64", "array" (one of ARRAY values in float64), "integers", "fraction", and the digits of mpmath → seconds
+    kind of arithmetic → seconds per value. The kinds are "float64", "array" (float64 arrays of ARRAY elements),
+    "integers", "fraction", and for mpmath its number of digits.
 
     >>> list(arithmetics(1.0))
     ['float64', 'array', 'integers', 'fraction', 15, 30, 50, 100]
@@ -127,7 +134,7 @@ def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
         "float64": lambda: 1 / effective_mass_ratio(epsilon),
         "array": lambda: normalized_frequency_squared(many),
         "integers": lambda: frequency_squared_by_integers(1.0, epsilon, 1.0),
-        "fraction": lambda: _at(Fraction(epsilon)),
+        "fraction": lambda: _frequency_squared_at(Fraction(epsilon)),
     }
     cases |= {digits: _with_digits(digits, epsilon) for digits in DIGITS}
     seconds = {kind: measure(evaluate).median for kind, evaluate in cases.items()}
@@ -135,46 +142,50 @@ def arithmetics(epsilon: float = UNIT_MASS_RATIO) -> dict[str | int, float]:
 
 
 def caching(oscillator: Oscillator) -> dict[str, float]:
-    """Return the speed-up of a stored result, and of many values in one call.
+    """Return how much faster a cached result is, and how much faster one call for many values is.
 
     Parameters
     ----------
-    oscillator : the machine of the repeated calls; a first call uses a machine with a slightly different spring
+    oscillator : the machine of the repeated calls
 
     Returns
     -------
-    "frequency" or "state", of a new machine and of the same one again; "states", STATES singly and in one call
+    ratios of durations: "frequency" and "state" for a new machine against the same machine again; "states" for STATES
+    calls against one call with an array
 
     >>> list(caching(Oscillator()))
     ['frequency', 'state', 'states']
     """
     initial, times = InitialState(phi=1.0), np.linspace(0, oscillator.period, STATES)
-    # The spring of each new machine is softer by one part in 1e12.
-    new = (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))
-    ways = {
-        "frequency": (lambda: next(new).natural_frequency, lambda: oscillator.natural_frequency),
-        "state": (lambda: motion(next(new), initial, 1.0), lambda: motion(oscillator, initial, 1.0)),
+    # Each new machine has a spring that is softer by one part in 1e12, so nothing is cached for it.
+    new_machines = (replace(oscillator, k=oscillator.k * (1 - number * 1e-12)) for number in count(1))
+    slow_and_fast = {
+        "frequency": (lambda: next(new_machines).natural_frequency, lambda: oscillator.natural_frequency),
+        "state": (lambda: motion(next(new_machines), initial, 1.0), lambda: motion(oscillator, initial, 1.0)),
         "states": (lambda: [motion(oscillator, initial, t) for t in times], lambda: motion(oscillator, initial, times)),
     }
-    return {name: measure(slow).median / measure(fast).median for name, (slow, fast) in ways.items()}
+    return {name: measure(slow).median / measure(fast).median for name, (slow, fast) in slow_and_fast.items()}
 
 
-def _off(curve: Callable[[np.ndarray], np.ndarray], end: float, points: int) -> float:
-    x = np.linspace(0, end, points)
-    # The height of the curve, not of its samples: two samples may have equal values.
+def _largest_distance(curve: Callable[[np.ndarray], np.ndarray], end: float, points: int) -> float:
+    """Return the largest vertical distance between a curve on [0, end] and its chords [pixels]."""
+    # The height is that of a fine sampling: two points of a cosine would have equal values.
     height = np.ptp(curve(np.linspace(0, end, POINTS[-1])))
-    between, chords = (each[:-1] + _BETWEEN * np.diff(each) for each in (x, curve(x)))
-    return float(np.abs(curve(between) - chords).max() / height * HEIGHT)
+    x = np.linspace(0, end, points)
+    y = curve(x)
+    x_between = x[:-1] + _FRACTIONS_OF_CHORD * np.diff(x)
+    y_on_chords = y[:-1] + _FRACTIONS_OF_CHORD * np.diff(y)
+    return float(np.abs(curve(x_between) - y_on_chords).max() / height * HEIGHT)
 
 
-def _at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
-    """Return Ω²m/k in the arithmetic of ε."""
+def _frequency_squared_at(epsilon: Fraction | mpmath.mpf) -> Fraction | mpmath.mpf:
+    """Return Ω²m/k in the arithmetic of the type of ε."""
     one = type(epsilon)(1)
     return frequency_squared(one, epsilon, one)
 
 
 def _with_digits(digits: int, epsilon: float) -> Callable[[], mpmath.mpf]:
-    """Return a function that evaluates Ω²m/k with `digits` digits, in a separate mpmath context."""
+    """Return a function that evaluates Ω²m/k with this number of digits, in a separate mpmath context."""
     context = mpmath.MPContext()
     context.dps = digits
-    return lambda: _at(context.mpf(epsilon))
+    return lambda: _frequency_squared_at(context.mpf(epsilon))

@@ -1,7 +1,7 @@
-"""What exactness takes: Ω² from exact arithmetic, and a phase from which whole turns are subtracted.
+"""Exact arithmetic: Ω² from integers or fractions, and the phase Ωt without its whole turns.
 
-The app uses neither: `ramanujan.oscillator` and `ramanujan.motion` compute in plain floating point. The experiments on
-the extremes compare the formulas of the app with these.
+`ramanujan.oscillator` and `ramanujan.motion` use plain floating-point arithmetic instead. The experiments in
+`extremes`, `phase` and `choices` compare the two in accuracy and cost.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ramanujan.oscillator import Oscillator
 Number = TypeVar("Number", bound=Any)
 
 _SPLITTER = 2.0**27 + 1
-"""Veltkamp's constant: it cuts a float into two halves whose products are exact."""
+"""Veltkamp's constant, which splits a float into two halves of 26 bits. Products of such halves are exact."""
 
 
 def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
@@ -26,13 +26,13 @@ def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
 
     Parameters
     ----------
-    m, m_prime, k : m, m′ [kg] and k [N/m], all of one kind: fractions, mpmath numbers, or floats
+    m, m_prime, k : m, m′ [kg] and k [N/m], all of the same type: fractions, mpmath numbers, or floats
 
     Returns
     -------
     Ω² [rad²/s²] : exact for fractions
 
-    Source: paper, eq. (12), in one fraction.
+    Source: paper, eq. (12), as one fraction.
 
     >>> from fractions import Fraction
     >>> frequency_squared(Fraction(1), Fraction(1), Fraction(1))
@@ -42,10 +42,10 @@ def frequency_squared(m: Number, m_prime: Number, k: Number) -> Number:
 
 
 def frequency_squared_by_integers(m: float, m_prime: float, k: float) -> float:
-    """Return the float that is nearest to Ω², from integers of any length.
+    """Return the nearest float to Ω², computed with integers of any length.
 
-    Each float is a quotient of two integers. Numerator and denominator of Ω² are multiplied by the denominators of m²
-    and m′², and by that of k. Python rounds the quotient of two integers once, correctly.
+    Each float is a quotient of two integers. With common denominators, Ω² is also a quotient of two integers. Python's
+    division of integers rounds it correctly.
 
     Parameters
     ----------
@@ -53,21 +53,25 @@ def frequency_squared_by_integers(m: float, m_prime: float, k: float) -> float:
 
     Returns
     -------
-    Ω² [rad²/s²] : right to half a unit in the last place
+    Ω² [rad²/s²] : with an error of at most half a unit in the last place
 
     >>> frequency_squared_by_integers(1.0, 1.0, 99.0)
     104.0
     """
-    (m_over, m_under), (prime_over, prime_under) = m.as_integer_ratio(), m_prime.as_integer_ratio()
-    k_over, k_under = k.as_integer_ratio()
-    block, roller, unit = m_over * prime_under, prime_over * m_under, m_under * prime_under
-    above = 8 * k_over * unit * (7 * block + 6 * roller)
-    below = k_under * (32 * block * block + 49 * block * roller + 18 * roller * roller)
-    return above / below
+    m_numerator, m_denominator = m.as_integer_ratio()
+    prime_numerator, prime_denominator = m_prime.as_integer_ratio()
+    k_numerator, k_denominator = k.as_integer_ratio()
+    # Over the common denominator of both masses, m = block/common and m′ = roller/common.
+    common = m_denominator * prime_denominator
+    block = m_numerator * prime_denominator
+    roller = prime_numerator * m_denominator
+    numerator = 8 * k_numerator * common * (7 * block + 6 * roller)
+    denominator = k_denominator * (32 * block * block + 49 * block * roller + 18 * roller * roller)
+    return numerator / denominator
 
 
 def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
-    """Return Ω² [rad²/s²] to 50 digits for the given numbers, taken as exact.
+    """Return Ω² [rad²/s²] with 50 digits, for the exact values of the arguments.
 
     Parameters
     ----------
@@ -84,7 +88,7 @@ def exact_frequency_squared(m: float, m_prime: float, k: float) -> mpmath.mpf:
 
 
 def turns_per_second(oscillator: Oscillator) -> tuple[float, float]:
-    """Return Ω/2π [1/s] as the sum of two floats, the second one much smaller than the first.
+    """Return Ω/2π [1/s] as the sum of two floats, with about 32 digits.
 
     Parameters
     ----------
@@ -92,7 +96,7 @@ def turns_per_second(oscillator: Oscillator) -> tuple[float, float]:
 
     Returns
     -------
-    the nearest float, and the nearest float to the rest
+    the nearest float to Ω/2π, and the nearest float to the remainder
 
     >>> high, low = turns_per_second(Oscillator())
     >>> abs(low) < 1e-16 * high
@@ -105,7 +109,7 @@ def turns_per_second(oscillator: Oscillator) -> tuple[float, float]:
 
 
 def reduced_phase(turns: tuple[float, float], times: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the phase Ωt between −π and π, from which all whole turns are subtracted without an error.
+    """Return the phase Ωt without its whole turns, between −π and π. Their subtraction causes no rounding error.
 
     Parameters
     ----------
@@ -114,7 +118,7 @@ def reduced_phase(turns: tuple[float, float], times: NDArray[np.float64]) -> NDA
 
     Returns
     -------
-    the phase [rad] : right to 1e-15 rad up to 1e15 periods
+    the phase [rad] : with an error of at most 1e-15 rad for up to 1e15 periods
 
     Source: T. J. Dekker, Numer. Math. 18 (1971) 224, for the exact product.
 
@@ -123,12 +127,16 @@ def reduced_phase(turns: tuple[float, float], times: NDArray[np.float64]) -> NDA
     """
     high, low = turns
     product = high * times
-    rest = _product_error(high, times, product) + low * times
-    return 2 * np.pi * ((product - np.rint(product)) + rest)
+    remainder = _product_error(high, times, product) + low * times
+    return 2 * np.pi * ((product - np.rint(product)) + remainder)
 
 
 def _product_error(a: float, b: NDArray[np.float64], rounded: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return ab − fl(ab) exactly, for factors far from the ends of the range (Dekker, with Veltkamp's split)."""
+    """Return ab − `rounded`, exactly, where `rounded` is the float product a * b.
+
+    The factors are split into halves by Veltkamp's method, and the products of the halves are added by Dekker's. No
+    intermediate result may overflow or become subnormal.
+    """
     a_high, b_high = _SPLITTER * a - (_SPLITTER * a - a), _SPLITTER * b - (_SPLITTER * b - b)
     a_low, b_low = a - a_high, b - b_high
     return ((a_high * b_high - rounded) + a_high * b_low + a_low * b_high) + a_low * b_low

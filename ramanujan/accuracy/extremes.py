@@ -1,8 +1,12 @@
-"""Ω² for very large and very small numbers: the error of each formula in ulp, and its value where it fails.
+"""Rounding errors of algebraically equal formulas for Ω², with very large and very small parameters.
 
-The FORMS of Ω² are algebraically equal, so all of them are exact in exact arithmetic. Three sweeps cover the range of
-floating point. "ratio" has m = k = 1 and m′ = ε; "scale" has m = m′ = k = s, where Ω² = 104/99 for every s; "machines"
-has random m, m′ and k of every size. The reference value is computed with 50 digits from the same floats.
+Errors are in ulp, units in the last place of the exact value. Three sweeps cover the range of floating-point numbers:
+
+    ratio       m = k = 1 and m′ = ε, for ε from very small to very large
+    scale       m = m′ = k = s, for s from very small to very large; Ω² = 104/99 for every s
+    machines    random m, m′ and k of very different magnitude
+
+The reference value is computed with 50 digits from the same floats.
 """
 
 from __future__ import annotations
@@ -20,24 +24,36 @@ from ramanujan.frequency import effective_mass_ratio
 from ramanujan.translation import _
 
 RIGHT, INACCURATE, OVERFLOW, ZERO, PLAUSIBLE = "right", "inaccurate", "overflow", "zero", "plausible"
-"""The verdicts: few enough ulp; some digits lost; ∞ or NaN; 0; finite and not 0, but wrong."""
+"""The verdicts on a value.
+
+right         error of at most RIGHT_ULP
+inaccurate    relative error below PLAUSIBLE_ERROR
+overflow      ∞ or NaN
+zero          0
+plausible     finite and not zero, but with a relative error of PLAUSIBLE_ERROR or more
+"""
+
 RIGHT_ULP = 4.0
-"""Up to this error a value counts as right: the rounding errors of a few operations add up to it."""
+"""Largest error of a right value, which the rounding errors of a few operations can cause."""
+
 PLAUSIBLE_ERROR = 1e-2
-"""Relative error from which a finite nonzero value counts as wrong, although it looks like an answer."""
+"""Relative error at which a value is wrong rather than inaccurate."""
+
 DECADES = {"float32": 37, "float64": 300}
-"""The sweeps run from 10^−d to 10^d, so that m′ = ε and Ω² stay normal numbers."""
+"""dtype → d: the sweeps extend from 10^−d to 10^d, so that m′ = ε and Ω² are normal numbers."""
 
 MACHINES = 1000
-"""Random machines; those whose m′/m, k/m or Ω² leaves the range of the sweeps are left out."""
+"""Number of random machines, before those with m′/m, k/m or Ω² beyond the range of the sweeps are excluded."""
+
 SWEPT = ("ratio", "scale", "machines")
+"""Names of the sweeps."""
 
 Values = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
 class Form:
-    """A form of Ω²: its title, the formula as text, and the function (m, m′, k) → Ω² for arrays of one dtype."""
+    """A formula for Ω²: its title, its text, and the function (m, m′, k) → Ω² for arrays of one dtype."""
 
     title: str
     formula: str
@@ -46,7 +62,7 @@ class Form:
 
 @dataclass(frozen=True)
 class Stretch:
-    """Consecutive samples with one verdict: both ends of the stretch."""
+    """The first and the last x of consecutive samples with the same verdict."""
 
     verdict: str
     first: float
@@ -55,14 +71,16 @@ class Stretch:
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """One form in one dtype along one sweep; arrays with one element per sample.
+    """The values of one formula in one dtype along one sweep. Arrays have one element per sample.
 
     Parameters
     ----------
-    form, dtype, along : name in FORMS; "float32" or "float64"; one of SWEPT
+    form : name in FORMS
+    dtype : "float32" or "float64"
+    along : name of the sweep, one of SWEPT
     x : ε, s, or the number of the machine
-    value : Ω² as the form returns it
-    error_ulp : |value − truth| in units of the truth's last place; NaN or ∞ where the value is
+    value : computed Ω²
+    error_ulp : |value − truth| in ulp of the truth; NaN or ∞ if the value is NaN or infinite
     verdict : RIGHT, INACCURATE, OVERFLOW, ZERO or PLAUSIBLE
     """
 
@@ -76,45 +94,46 @@ class Sweep:
 
     @property
     def worst_right_ulp(self) -> float:
-        """The largest error among the samples that count as right; 0 if there are none."""
+        """The largest error of the samples with the verdict RIGHT; 0 if there are none."""
         return float(self.error_ulp[self.verdict == RIGHT].max(initial=0.0))
 
     @property
     def stretches(self) -> list[Stretch]:
-        """The sweep as stretches of one verdict each, in ascending order of x."""
+        """The intervals of x with the same verdict, in ascending order."""
         starts = np.flatnonzero(np.r_[True, self.verdict[1:] != self.verdict[:-1]])
         ends = np.r_[starts[1:], self.x.size] - 1
-        bounds = zip(self.verdict[starts].tolist(), self.x[starts].tolist(), self.x[ends].tolist(), strict=True)
-        return [Stretch(*each) for each in bounds]
+        columns = (self.verdict[starts], self.x[starts], self.x[ends])
+        return [Stretch(*row) for row in zip(*(column.tolist() for column in columns), strict=True)]
 
 
 def extremes(dtypes: Iterable[str] = tuple(DECADES)) -> list[Sweep]:
-    """Return the sweeps: one `Sweep` per sweep, dtype and form.
+    """Return the values and errors of all forms along all sweeps.
 
     Parameters
     ----------
-    dtypes : "float32", "float64"
+    dtypes : "float32", "float64" or both
 
     Returns
     -------
-    a `Sweep` for each
+    one `Sweep` for each sweep, dtype and form, in this order
 
     >>> sweep, *_ = extremes(["float32"])
     >>> [stretch.verdict for stretch in sweep.stretches]
     ['right', 'zero']
     """
-    return [sweep for along in SWEPT for dtype in dtypes for sweep in _sweeps(along, dtype)]
+    return [sweep for along in SWEPT for dtype in dtypes for sweep in _evaluate_forms(along, dtype)]
 
 
+# The formulas are written in FORMS below.
 def _paper(m: Values, m_prime: Values, k: Values) -> Values:
     return 8 * k / (7 * m_prime + 8 * m - 8 * (m_prime + m) ** 2 / (7 * m / 3 + 2 * m_prime))
 
 
 def _scaled(m: Values, m_prime: Values, k: Values) -> Values:
-    r, inverse = m_prime / m, m / m_prime
-    light = k / m * (8 * (7 + 6 * r) / (32 + r * (49 + 18 * r)))
-    heavy = k / m_prime * (8 * (6 + 7 * inverse) / (18 + inverse * (49 + 32 * inverse)))
-    return np.where(m >= m_prime, light, heavy)
+    ratio, inverse = m_prime / m, m / m_prime
+    for_light_rollers = k / m * (8 * (7 + 6 * ratio) / (32 + ratio * (49 + 18 * ratio)))
+    for_heavy_rollers = k / m_prime * (8 * (6 + 7 * inverse) / (18 + inverse * (49 + 32 * inverse)))
+    return np.where(m >= m_prime, for_light_rollers, for_heavy_rollers)
 
 
 def _effective_mass(m: Values, m_prime: Values, k: Values) -> Values:
@@ -149,11 +168,12 @@ FORMS: dict[str, Form] = {
         _integers,
     ),
 }
-"""The forms of Ω² by name; "effective_mass" is the one that the app uses."""
+"""Name → formula for Ω². The app uses "effective_mass"."""
 
 
-def _sweeps(along: str, dtype: str) -> Iterator[Sweep]:
-    x, m, m_prime, k = _swept(along, dtype)
+def _evaluate_forms(along: str, dtype: str) -> Iterator[Sweep]:
+    """Yield one `Sweep` for each form."""
+    x, m, m_prime, k = _samples(along, dtype)
     truth = list(map(exact_frequency_squared, m, m_prime, k))
     for name, form in FORMS.items():
         with np.errstate(all="ignore"):
@@ -162,15 +182,16 @@ def _sweeps(along: str, dtype: str) -> Iterator[Sweep]:
         yield Sweep(name, dtype, along, x, value, error_ulp, _verdicts(value, error_ulp, relative))
 
 
-def _swept(along: str, dtype: str) -> tuple[Values, Values, Values, Values]:
-    """Return x of a sweep, and m, m′ and k there."""
+def _samples(along: str, dtype: str) -> tuple[Values, Values, Values, Values]:
+    """Return the samples of a sweep: x, m, m′ and k."""
     if along == "machines":
         decades = DECADES[dtype]
         exponents = np.random.default_rng(1729).uniform(-decades, decades, (3, MACHINES))
-        m, m_prime, k = exponents
-        within = np.abs(k - np.maximum(m, m_prime)) < decades - 1
-        within &= (np.abs(m_prime - m) < decades) & (np.abs(k - m) < decades)
-        m, m_prime, k = (10.0 ** exponents[:, within]).astype(dtype)
+        log_m, log_m_prime, log_k = exponents
+        # Ω² is of the order of k/max(m, m′).
+        is_within = np.abs(log_k - np.maximum(log_m, log_m_prime)) < decades - 1
+        is_within &= (np.abs(log_m_prime - log_m) < decades) & (np.abs(log_k - log_m) < decades)
+        m, m_prime, k = (10.0 ** exponents[:, is_within]).astype(dtype)
         return np.arange(m.size, dtype=dtype), m, m_prime, k
     x = powers_of_ten(dtype, 3)
     one = np.ones_like(x)
@@ -178,7 +199,7 @@ def _swept(along: str, dtype: str) -> tuple[Values, Values, Values, Values]:
 
 
 def powers_of_ten(dtype: str, density: int) -> np.ndarray:
-    """Return the powers of ten from 10^−d to 10^d and density − 1 values between neighbours, rounded to the dtype.
+    """Return 10^−d … 10^d with `density` values per decade, where d is the entry of the dtype in DECADES.
 
     >>> powers_of_ten("float32", 1).size
     75
@@ -188,25 +209,25 @@ def powers_of_ten(dtype: str, density: int) -> np.ndarray:
 
 
 def ulp_errors(value: np.ndarray, truth: list[mpmath.mpf]) -> tuple[np.ndarray, np.ndarray]:
-    """Return |value − truth| in ulp of the truth and relative to it; NaN and ∞ pass through.
+    """Return |value − truth| in ulp of the truth, and relative to the truth; both are NaN or ∞ for a value NaN or ±∞.
 
     >>> ulp_errors(np.array([1 + 2.0**-51]), [REFERENCE.mpf(1)])[0]
     array([2.])
     """
     ulps = np.spacing(np.array([float(t) for t in truth]).astype(value.dtype))
-    errors = [_error(float(v), t, float(ulp)) for v, t, ulp in zip(value, truth, ulps, strict=True)]
+    errors = [_errors(float(v), t, float(ulp)) for v, t, ulp in zip(value, truth, ulps, strict=True)]
     return tuple(np.array(errors).T)
 
 
-def _error(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float, float]:
-    """Return the two errors of one value; they are divided with 50 digits, since an ulp may be subnormal."""
+def _errors(value: float, truth: mpmath.mpf, ulp: float) -> tuple[float, float]:
+    """Return the error of one value in ulp and its relative error, divided with 50 digits: an ulp may be subnormal."""
     if not np.isfinite(value):
         return abs(value), abs(value)
-    gap = abs(REFERENCE.mpf(value) - truth)
-    return float(gap / ulp), float(gap / truth)
+    difference = abs(REFERENCE.mpf(value) - truth)
+    return float(difference / ulp), float(difference / truth)
 
 
 def _verdicts(value: np.ndarray, error_ulp: np.ndarray, relative: np.ndarray) -> np.ndarray:
-    """Return the verdict on each sample; the first condition that holds decides."""
+    """Return the verdict on each sample, which belongs to the first condition that is true."""
     conditions = [~np.isfinite(value), error_ulp <= RIGHT_ULP, value == 0, relative < PLAUSIBLE_ERROR]
     return np.select(conditions, [OVERFLOW, RIGHT, ZERO, INACCURATE], PLAUSIBLE)

@@ -1,4 +1,7 @@
-"""General eigenvalue solvers, which know the machine only by its matrices M and K, over the mass ratio."""
+"""Errors of general eigenvalue solvers for (K − Ω²M)q = 0, which use only the matrices M and K.
+
+The sweep is over the mass ratio ε, for m = k = R = 1.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ Eigenvalues = Callable[[NDArray[np.floating], NDArray[np.floating]], NDArray]
 
 @dataclass(frozen=True)
 class Solver:
-    """A general eigenvalue solver: its title, and the function (M, K) for R = 1 → the three eigenvalues Ω²."""
+    """A general eigenvalue solver: its title, and the function (M, K) → the three eigenvalues Ω², for R = 1."""
 
     title: str
     eigenvalues: Eigenvalues
@@ -26,14 +29,15 @@ class Solver:
 
 @dataclass(frozen=True, eq=False)
 class EigenSweep:
-    """A general eigenvalue solver along the mass ratio; arrays with one row per sample.
+    """The results of one eigenvalue solver in one dtype. Arrays have one row per sample.
 
     Parameters
     ----------
-    solver, dtype : name in SOLVERS; "float32" or "float64"
+    solver : name in SOLVERS
+    dtype : "float32" or "float64"
     mass_ratio : ε
-    error_ulp : error of the oscillating mode's eigenvalue Ω², in ulp; NaN where the solver gave up
-    zero_modes : what it returns for the two eigenvalues that are exactly 0, shape (samples, 2), complex [rad²/s²]
+    error_ulp : error of the eigenvalue Ω² of the oscillating mode [ulp]; NaN if the solver raised an error
+    zero_modes : computed eigenvalues of both zero modes, shape (samples, 2), complex [rad²/s²]; exactly they are 0
     """
 
     solver: str
@@ -44,20 +48,20 @@ class EigenSweep:
 
     @property
     def without_frequency(self) -> np.ndarray:
-        """Whether a zero mode is negative or complex, so that its square root is not a frequency; shape (samples,)."""
+        """Whether an eigenvalue of a zero mode is negative or complex, so that Ω is not real; shape (samples,)."""
         return np.any((self.zero_modes.real < 0) | (self.zero_modes.imag != 0), axis=1)
 
 
 def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES)) -> list[EigenSweep]:
-    """Return the eigen-solvers: one `EigenSweep` per dtype and solver, for m = k = R = 1 and m′ = ε.
+    """Return the results of all eigenvalue solvers over the mass ratio.
 
     Parameters
     ----------
-    dtypes : "float32", "float64"
+    dtypes : "float32", "float64" or both
 
     Returns
     -------
-    an `EigenSweep` for each
+    one `EigenSweep` for each dtype and solver, in this order
 
     >>> len(eigen_solvers(["float32"])) == len(SOLVERS)
     True
@@ -65,21 +69,23 @@ def eigen_solvers(dtypes: Iterable[str] = tuple(DECADES)) -> list[EigenSweep]:
     return [sweep for dtype in dtypes for sweep in _eigen_sweeps(dtype)]
 
 
-# q = (X, φ, Φ) from the displacements relative to the ground (block, slab, top cylinder), right positive, for R = 1.
-_GROUND = np.array([[-1, 0, 0], [-0.5, 0.5, 0], [-1, 0, 1]], dtype=np.float32)
+# Matrix that converts the displacements of block, slab and top cylinder relative to the ground, right positive, to
+# q = (X, φ, Φ), for R = 1.
+_Q_FROM_GROUND = np.array([[-1, 0, 0], [-0.5, 0.5, 0], [-1, 0, 1]], dtype=np.float32)
 
 
 def _eigvals(M: np.ndarray, K: np.ndarray) -> np.ndarray:
+    """Return the eigenvalues of M⁻¹K."""
     return np.linalg.eigvals(np.linalg.solve(M, K))
 
 
 def _eigvals_over_ground(M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    """The same for the displacements of block, slab and top cylinder relative to the ground; K then has two columns."""
-    return _eigvals(_GROUND.T @ M @ _GROUND, _GROUND.T @ K @ _GROUND)
+    """Return the eigenvalues of M⁻¹K for coordinates relative to the ground, in which K has two nonzero columns."""
+    return _eigvals(_Q_FROM_GROUND.T @ M @ _Q_FROM_GROUND, _Q_FROM_GROUND.T @ K @ _Q_FROM_GROUND)
 
 
 def _eigh_cholesky(M: np.ndarray, K: np.ndarray) -> np.ndarray:
-    """Eigenvalues of L⁻¹KL⁻ᵀ with M = LLᵀ: symmetric, so they are real."""
+    """Return the eigenvalues of the symmetric matrix L⁻¹KL⁻ᵀ with M = LLᵀ. They are real."""
     L = np.linalg.cholesky(M)
     reduced = np.linalg.solve(L, np.linalg.solve(L, K).T)
     return np.linalg.eigvalsh((reduced + reduced.T) / 2)
@@ -90,26 +96,28 @@ SOLVERS: dict[str, Solver] = {
     "eigvals_ground": Solver(_("eigvals of M⁻¹K, displacements relative to the ground"), _eigvals_over_ground),
     "eigh_cholesky": Solver(_("eigh after a Cholesky factorization"), _eigh_cholesky),
 }
-"""General eigenvalue solvers by name; each returns its eigenvalues in any order.
+"""Name → eigenvalue solver. The order of its eigenvalues is arbitrary.
 
 In the coordinates (X, φ, Φ) two columns of K are zero, so the first solver finds both zero modes exactly. The second
-one shows that this depends on the coordinates.
+solver shows that this depends on the coordinates.
 """
 
 
 def _eigen_sweeps(dtype: str) -> Iterator[EigenSweep]:
+    """Yield one `EigenSweep` for each solver."""
     ratios = powers_of_ten(dtype, 1)
     truth = [exact_frequency_squared(1, ratio, 1) for ratio in ratios]
     machines = [Oscillator(m_prime=float(ratio), radius=1.0) for ratio in ratios]
     for name, solver in SOLVERS.items():
-        found = [_sorted_modes(solver.eigenvalues, machine, dtype) for machine in machines]
-        modes = np.array([mode for mode, _zeros in found], dtype)
-        zeros = np.array([zeros for _mode, zeros in found], complex)
-        yield EigenSweep(name, dtype, ratios, ulp_errors(modes, truth)[0], zeros)
+        results = [_sorted_modes(solver.eigenvalues, machine, dtype) for machine in machines]
+        oscillating_modes = np.array([oscillating for oscillating, _zero in results], dtype)
+        zero_modes = np.array([zero for _oscillating, zero in results], complex)
+        errors_ulp, _relative_errors = ulp_errors(oscillating_modes, truth)
+        yield EigenSweep(name, dtype, ratios, errors_ulp, zero_modes)
 
 
 def _sorted_modes(solver: Eigenvalues, machine: Oscillator, dtype: str) -> tuple[float, np.ndarray]:
-    """Return the oscillating mode's eigenvalue, the largest, and the other two; NaN where the solver gives up."""
+    """Return the largest eigenvalue, that of the oscillating mode, and the other two; NaN if the solver fails."""
     try:
         values = solver(machine.mass_matrix.astype(dtype), machine.stiffness_matrix.astype(dtype))
     except np.linalg.LinAlgError:

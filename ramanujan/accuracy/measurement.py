@@ -1,4 +1,4 @@
-"""Shared by all experiments: timing and the reference arithmetic."""
+"""Durations of calls, and 50-digit arithmetic for reference values; all experiments use this module."""
 
 from __future__ import annotations
 
@@ -10,17 +10,20 @@ from dataclasses import dataclass
 import mpmath
 import numpy as np
 
-_REPEATS, _SHORTEST = 7, 1e-3
-"""Batches of which the median and the quartiles are taken, and the least duration of a batch [s]."""
+_BATCHES = 7
+"""Number of timed batches of calls, from which the median and the quartiles are computed."""
+
+_SHORTEST_BATCH = 1e-3
+"""Least duration of a batch [s], so that the resolution of the clock does not matter."""
 
 REFERENCE = mpmath.MPContext()
-"""50-digit arithmetic with an exponent of any size; a separate context, since mpmath.mp is shared."""
+"""50-digit mpmath arithmetic without overflow. It is separate from the global context mpmath.mp."""
 REFERENCE.dps = 50
 
 
 @dataclass(frozen=True)
 class Timing:
-    """Seconds per call: the median of the repeats and their quartiles, `low` and `high`."""
+    """Seconds per call: median, lower quartile `low` and upper quartile `high` of several batches."""
 
     median: float
     low: float
@@ -28,11 +31,11 @@ class Timing:
 
 
 def measure(call: Callable[[], object]) -> Timing:
-    """Return the duration of a call, with its spread.
+    """Return the duration of a call and its spread.
 
     Parameters
     ----------
-    call : called without arguments, many times
+    call : a function without parameters; it is called many times
 
     Returns
     -------
@@ -41,15 +44,17 @@ def measure(call: Callable[[], object]) -> Timing:
     >>> measure(lambda: sum(range(100))).median > 0
     True
     """
+    # Enlarge the batch until it is long enough.
     calls = 1
-    while (seconds := _batch(call, calls)) < _SHORTEST:
-        calls = max(2 * calls, math.ceil(calls * _SHORTEST / max(seconds, 1e-7)))
-    per_call = [_batch(call, calls) / calls for _repeat in range(_REPEATS)]
+    while (seconds := _seconds_of_batch(call, calls)) < _SHORTEST_BATCH:
+        calls = max(2 * calls, math.ceil(calls * _SHORTEST_BATCH / max(seconds, 1e-7)))
+    per_call = [_seconds_of_batch(call, calls) / calls for _repeat in range(_BATCHES)]
     low, median, high = (float(value) for value in np.percentile(per_call, [25, 50, 75]))
     return Timing(median, low, high)
 
 
-def _batch(call: Callable[[], object], calls: int) -> float:
+def _seconds_of_batch(call: Callable[[], object], calls: int) -> float:
+    """Return the duration of a number of calls."""
     start = time.perf_counter()
     for _call in range(calls):
         call()

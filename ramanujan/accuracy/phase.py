@@ -1,7 +1,7 @@
-"""The phase Ωt after very many periods: the plain product, which `motion` uses, and one without whole turns.
+"""Error of the phase Ωt after many periods, for two methods: the plain product, and `exact.reduced_phase`.
 
-The plain product fl(Ω)·t has the relative error of Ω, so its error grows with t. The other one takes Ω/2π as the sum of
-two floats and subtracts whole turns exactly (`exact.reduced_phase`).
+`motion` uses the plain product fl(Ω)·t, where fl(Ω) is Ω as a float. Its error grows with t. `reduced_phase` represents
+Ω/2π by the sum of two floats, and subtracts whole turns without a rounding error.
 """
 
 from __future__ import annotations
@@ -18,14 +18,18 @@ from ramanujan.motion import InitialState, motion
 from ramanujan.oscillator import Oscillator
 
 LARGEST_DECADE = 15
-"""Beyond 1e15 periods neighbouring doubles t are a quarter of a period apart: t itself no longer determines a phase."""
+"""Largest power of ten of the periods. Beyond it, neighbouring doubles t differ by more than a quarter of a period."""
 
 
 @dataclass(frozen=True)
 class PhaseErrors:
-    """The largest phase errors [rad] at times near `periods` periods, the same times t for all.
+    """The largest phase error [rad] of each method at 16 times in the period after `periods` periods.
 
-    float32, float64 : fl(Ω)·t multiplied in that dtype;  reduced : whole turns subtracted first.
+    Parameters
+    ----------
+    periods : number of periods
+    float32, float64 : error of the plain product fl(Ω)·t in this dtype
+    reduced : error of `reduced_phase`
     """
 
     periods: float
@@ -35,7 +39,7 @@ class PhaseErrors:
 
 
 def phase_errors(oscillator: Oscillator) -> list[PhaseErrors]:
-    """Return the phase errors after 1, 10, 100, … 10^LARGEST_DECADE periods, against 50-digit arithmetic.
+    """Return the phase errors after 1, 10, 100, … 10^LARGEST_DECADE periods, relative to 50-digit arithmetic.
 
     Parameters
     ----------
@@ -45,14 +49,17 @@ def phase_errors(oscillator: Oscillator) -> list[PhaseErrors]:
     -------
     the `PhaseErrors` of each decade
 
-    >>> [near.periods for near in phase_errors(Oscillator())][:3]
+    >>> [errors.periods for errors in phase_errors(Oscillator())][:3]
     [1.0, 10.0, 100.0]
     """
-    return [_errors_near(oscillator, 10.0**decade) for decade in range(LARGEST_DECADE + 1)]
+    return [_errors_after(oscillator, 10.0**decade) for decade in range(LARGEST_DECADE + 1)]
 
 
 def largest_phase_error(oscillator: Oscillator, times: NDArray[np.float64]) -> float:
-    """Return the largest phase error [rad] of `motion` at the given times, against 50-digit arithmetic.
+    """Return the largest phase error [rad] of `motion` at the given times, relative to 50-digit arithmetic.
+
+    A phase error δ is computed as sin δ = sin(α + δ) cos α − cos(α + δ) sin α, where α is the exact phase. So δ must be
+    small.
 
     Parameters
     ----------
@@ -61,21 +68,24 @@ def largest_phase_error(oscillator: Oscillator, times: NDArray[np.float64]) -> f
 
     Returns
     -------
-    the largest of the n errors [rad]
+    the largest error [rad]
 
     >>> largest_phase_error(Oscillator(), np.array([1.0, 10.0])) < 1e-14
     True
     """
+    # From φ₀ = 1 at rest, φ = cos Ωt and φ̇ = −Ω sin Ωt.
     q, q_dot = motion(oscillator, InitialState(phi=1.0), times)
-    sines = -q_dot[1] / oscillator.natural_frequency
-    exact = map(REFERENCE.cos_sin, _exact_phases(oscillator, times))
-    return max(
-        abs(float(REFERENCE.mpf(float(s)) * cosine - REFERENCE.mpf(float(c)) * sine))
-        for c, s, (cosine, sine) in zip(q[1], sines, exact, strict=True)
-    )
+    cosines, sines = q[1], -q_dot[1] / oscillator.natural_frequency
+    errors = []
+    for cosine, sine, phase in zip(cosines, sines, _exact_phases(oscillator, times), strict=True):
+        exact_cosine, exact_sine = REFERENCE.cos_sin(phase)
+        error = REFERENCE.mpf(float(sine)) * exact_cosine - REFERENCE.mpf(float(cosine)) * exact_sine
+        errors.append(abs(float(error)))
+    return max(errors)
 
 
-def _errors_near(oscillator: Oscillator, periods: float) -> PhaseErrors:
+def _errors_after(oscillator: Oscillator, periods: float) -> PhaseErrors:
+    """Return the phase errors in the period that begins after a number of periods."""
     times = oscillator.period * (periods + np.arange(16) / 16)
     exact = _exact_phases(oscillator, times)
     omega = oscillator.natural_frequency
@@ -83,19 +93,23 @@ def _errors_near(oscillator: Oscillator, periods: float) -> PhaseErrors:
         single = np.float32(omega) * times.astype(np.float32)
     return PhaseErrors(
         periods=periods,
-        float32=_largest_gap(single, exact),
-        float64=_largest_gap(omega * times, exact),
-        reduced=_largest_gap(reduced_phase(turns_per_second(oscillator), times), exact),
+        float32=_largest_angle(single, exact),
+        float64=_largest_angle(omega * times, exact),
+        reduced=_largest_angle(reduced_phase(turns_per_second(oscillator), times), exact),
     )
 
 
 def _exact_phases(oscillator: Oscillator, times: NDArray[np.float64]) -> list[mpmath.mpf]:
+    """Return Ωt with 50 digits."""
     omega = REFERENCE.sqrt(exact_frequency_squared(oscillator.m, oscillator.m_prime, oscillator.k))
     return [omega * REFERENCE.mpf(float(t)) for t in times]
 
 
-def _largest_gap(phases: NDArray[np.floating], exact: list[mpmath.mpf]) -> float:
-    """Return the largest distance of two phases on the circle [rad], at most π."""
+def _largest_angle(phases: NDArray[np.floating], exact: list[mpmath.mpf]) -> float:
+    """Return the largest angle between a phase and its exact value on the circle [rad], at most π."""
     turn = 2 * REFERENCE.pi
-    gaps = (REFERENCE.mpf(float(phase)) - truth for phase, truth in zip(phases, exact, strict=True))
-    return max(abs(float(gap - turn * REFERENCE.nint(gap / turn))) for gap in gaps)
+    angles = []
+    for phase, exact_phase in zip(phases, exact, strict=True):
+        difference = REFERENCE.mpf(float(phase)) - exact_phase
+        angles.append(abs(float(difference - turn * REFERENCE.nint(difference / turn))))
+    return max(angles)

@@ -1,15 +1,15 @@
-"""Runs of the integrators on the machine's oscillating mode, block by block, in units of 1/Ω and of the amplitude.
+"""Runs of the integrators on the oscillating mode, in units of the amplitude and of 1/Ω, and their errors.
 
-Only the oscillating mode φ″ = −Ω²φ is integrated. X and Φ are each a steady drift, which every method here follows
-exactly, plus a multiple of φ. With the time in units of 1/Ω and q = φ/φ₀ every machine is the same problem
+Only the oscillating mode φ̈ = −Ω²φ is integrated. X and Φ are multiples of φ plus a uniform drift, and all methods here
+compute a uniform drift exactly. In units of 1/Ω for the time and with q = φ/φ₀, all machines pose the same problem,
 
-    q″ = −q,   q = 1 and q′ = 0 at the start,   h = 2π/n
+    q″ = −q,   q(0) = 1,   q′(0) = 0,   h = 2π/n.
 
-so that a run depends on the method, the number n of steps per period, the number of periods and the precision alone.
-With s = q − iv, v = q′, the exact motion is s = e^{it}, and the errors, relative to the amplitude, are
+So a run depends only on the method, the number n of steps per period, the number of periods and the dtype. Let v = q′
+and s = q − iv. The exact solution is s = e^{it}. The errors of a run, relative to the amplitude, are
 
     state error    |s − e^{it}|
-    phase error    angle of s against e^{it}, unwrapped [rad]; positive where the run is ahead
+    phase error    arg(s e^{−it}), unwrapped [rad]; positive if the run is ahead
     energy error   |s|² − 1
 """
 
@@ -27,19 +27,21 @@ from ramanujan.accuracy.measurement import Timing, measure
 from ramanujan.integrators import METHODS, Method, trajectory
 
 _BLOCK = 256
-"""Steps whose errors are worked out at once."""
+"""Largest number of steps in a block."""
 
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """One run; each array has one element per step, the start included.
+    """One run with its errors. Arrays have one element for the start and one for each step.
 
     Parameters
     ----------
-    method, dtype : name in METHODS; "float32" or "float64"
-    q : φ over its amplitude
-    phase_error, energy_error : as above [rad], [1]
-    evaluations : evaluations of the acceleration in the run
+    method : name in METHODS
+    dtype : "float32" or "float64"
+    q : φ divided by its amplitude
+    phase_error : as in the module docstring [rad]
+    energy_error : as in the module docstring, relative to the energy
+    evaluations : number of evaluations of the acceleration
     """
 
     method: str
@@ -51,18 +53,18 @@ class History:
 
 
 def error_history(method: str, steps_per_period: int, periods: int, dtype: str = "float64") -> History:
-    """Return one run with its errors.
+    """Return one run with its errors, which are the same for all machines.
 
     Parameters
     ----------
     method : name in METHODS
-    steps_per_period : n, so that h = 2π/n in units of 1/Ω; at least 3
-    periods : length of the run [periods], whole
+    steps_per_period : n ≥ 3, where h = 2π/n in units of 1/Ω
+    periods : duration of the run, a whole number of periods
     dtype : "float32" or "float64"
 
     Returns
     -------
-    the run, which is that of every machine
+    the run
 
     >>> error_history("rk4", 20, 10).evaluations
     800
@@ -70,23 +72,33 @@ def error_history(method: str, steps_per_period: int, periods: int, dtype: str =
     n = steps_per_period
     start, h = (np.ones(1, dtype), np.zeros(1, dtype)), np.array([2 * np.pi / n], dtype)
     with np.errstate(over="ignore", invalid="ignore"):
-        found = [q - 1j * v for _number, q, v in blocks(METHODS[method], start, h, np.array([n * periods]))]
-        s = np.concatenate([[1.0], *(block[:, 0] for block in found)])
-        # The error is unwrapped, not the phase: it moves by less than half a turn a step and keeps its last digits.
-        # Whole turns are taken off as integers.
-        phase = np.unwrap(np.angle(s * np.exp(-2j * np.pi * (np.arange(s.size) % n) / n)))
-        energy = s.real**2 + s.imag**2 - 1
-    return History(method, dtype, s.real, phase, energy, int(evaluations_of(method, n * periods)))
+        states = [q - 1j * v for _number, q, v in blocks(METHODS[method], start, h, np.array([n * periods]))]
+        s = np.concatenate([[1.0], *(block[:, 0] for block in states)])
+        # Unwrap the error instead of the phase: it changes by less than half a turn per step, and it keeps its digits.
+        # The remainder modulo n removes whole turns exactly.
+        exact_phase = 2 * np.pi * (np.arange(s.size) % n) / n
+        phase_error = np.unwrap(np.angle(s * np.exp(-1j * exact_phase)))
+        energy_error = s.real**2 + s.imag**2 - 1
+    return History(method, dtype, s.real, phase_error, energy_error, int(evaluations_of(method, n * periods)))
 
 
 def blocks(
     method: Method, start: tuple[np.ndarray, np.ndarray], h: np.ndarray, steps: np.ndarray
 ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Yield blocks of steps: their numbers (rows,), and the states q, v in float64, (rows, …, runs still under way).
+    """Yield the states of several runs in blocks of consecutive steps, without the runs that have ended.
 
-    The runs start at `start`, (q, v), both of the shape (…, runs), in whose dtype they are computed. Those in column i
-    end after steps[i] steps, in ascending order. A block ends where the shortest run under way ends: its last row is
-    that run's final state.
+    A block ends at the latest where a run ends, so the last row contains the final state of that run.
+
+    Parameters
+    ----------
+    method : the integrator
+    start : (q, v), both of the shape (…, runs); their dtype is that of the computation
+    h : time steps, of the shape (…, runs)
+    steps : number of steps of the runs in each column, shape (runs,), in ascending order
+
+    Yields
+    ------
+    numbers of the steps, shape (rows,), and q and v, float64 arrays of shape (rows, …, runs that have not ended)
 
     >>> start = np.ones(2), np.zeros(2)
     >>> for number, q, v in blocks(METHODS["rk4"], start, np.full(2, 0.1), np.array([10, 20])):
@@ -94,25 +106,32 @@ def blocks(
     10 (10, 2)
     20 (10, 1)
     """
-    # Single numbers give the very bits of arrays with one element, in a fraction of the time; Python's own the fastest.
-    alone = h.size == 1
-    given = ((x.item() if x.dtype == float else x.ravel()[0]) if alone else x for x in (*start, h))
-    states = trajectory(method, lambda q: -q, *given)
+    is_single_run = h.size == 1
+    arguments = map(_as_number, (*start, h)) if is_single_run else (*start, h)
+    states = trajectory(method, lambda q: -q, *arguments)
     done = 0
-    for ended, total in enumerate(steps.tolist()):
-        while done < total:
-            rows = min(_BLOCK, total - done)
-            q, v = np.empty((2, rows, *h.shape[:-1], steps.size - ended))
-            # A run whose values grow beyond float64 is a result here, not a fault.
+    for ended_runs, last_step in enumerate(steps.tolist()):
+        while done < last_step:
+            rows = min(_BLOCK, last_step - done)
+            q, v = np.empty((2, rows, *h.shape[:-1], steps.size - ended_runs))
+            # An unstable run may overflow; this is a result.
             with np.errstate(over="ignore", invalid="ignore"):
                 for row, (q_row, v_row) in enumerate(islice(states, rows)):
-                    q[row], v[row] = (q_row, v_row) if alone else (q_row[..., ended:], v_row[..., ended:])
+                    if is_single_run:
+                        q[row], v[row] = q_row, v_row
+                    else:
+                        q[row], v[row] = q_row[..., ended_runs:], v_row[..., ended_runs:]
             yield np.arange(done + 1, done + rows + 1), q, v
             done += rows
 
 
+def _as_number(array: np.ndarray) -> float | np.floating:
+    """Convert an array with one element to a number. The results are the same bits, but are computed much faster."""
+    return array.item() if array.dtype == float else array.ravel()[0]
+
+
 def seconds_per_step(method: str, dtype: str = "float64") -> Timing:
-    """Measure a step of a single run, by itself; the acceleration is one multiplication, as it is for −Ω²φ.
+    """Measure the duration of a step of a single run. The acceleration is one multiplication, like −Ω²φ.
 
     Parameters
     ----------
@@ -128,15 +147,16 @@ def seconds_per_step(method: str, dtype: str = "float64") -> Timing:
     """
     minus_omega_squared, q, v = np.dtype(dtype).type(-1), np.ones(1, dtype), np.zeros(1, dtype)
     states = trajectory(METHODS[method], lambda q: minus_omega_squared * q, q, v, 2 * np.pi / 100)
-    # Explicit Euler overflows during a long timing; its speed stays the same.
+    # Explicit Euler overflows during the measurement, which does not change its speed.
     with np.errstate(over="ignore", invalid="ignore"):
         return measure(lambda: next(states))
 
 
 def evaluations_of(method: str, steps: ArrayLike) -> NDArray[np.int64]:
-    """Return how often so many steps evaluate the acceleration, from counting the first two steps.
+    """Return the number of evaluations of the acceleration in a number of steps.
 
-    The second step may use what the first has evaluated; for a linear acceleration every later one does the same.
+    The evaluations in the first two steps are counted. Each step after the first may reuse the last acceleration of the
+    step before, so all of them have the same number of evaluations.
 
     >>> evaluations_of("velocity_verlet", [1, 2, 100])
     array([  2,   3, 101])
@@ -147,7 +167,7 @@ def evaluations_of(method: str, steps: ArrayLike) -> NDArray[np.int64]:
 
 @cache
 def _counted(method: str) -> tuple[int, int]:
-    """Return the evaluations of the first and of the second step."""
+    """Return the number of evaluations in the first and in the second step."""
     calls = 0
 
     def acceleration(q: float) -> float:

@@ -1,6 +1,6 @@
-"""The work–precision diagram: error against cost of every integrator, and the cheapest run for a tolerance.
+"""The work–precision diagram: error and cost of each integrator, and the cheapest run within a tolerance.
 
-The error of a run is the largest one at any step (`runs`): the state error, or the phase error in turns.
+The error of a run is the maximum over its steps of the state error or of the phase error in turns (see `runs`).
 """
 
 from __future__ import annotations
@@ -15,26 +15,29 @@ from ramanujan.accuracy.runs import blocks, evaluations_of
 from ramanujan.integrators import METHODS
 
 STEPS_PER_PERIOD = tuple(range(3, 193))
-"""Every whole number of steps that is tried; below 3, a step would turn by half a circle or more."""
+"""All numbers of steps per period that are computed. With fewer than 3, a step is half a turn or more."""
+
 SHOWN_STEPS: tuple[int, ...] = tuple(int(n) for n in np.rint(np.geomspace(6, 192, 12)))
-"""Those among them that a diagram or a table shows."""
+"""Those that a diagram or a table shows."""
+
 DTYPES = ("float64", "float32")
 
 
 @dataclass(frozen=True, eq=False)
 class WorkPrecision:
-    """Error and cost of one method in one dtype over `periods` periods; each array has one element per run.
+    """Error and cost of one method in one dtype. Arrays have one element for each run.
 
     Parameters
     ----------
-    method, dtype : name in METHODS; "float32" or "float64"
-    periods : length of every run, in periods of the machine
-    steps_per_period : n, so that h = T/n; ascending
-    error : the largest error at any step of the run, see `runs`, for the worst rounding of h and Ω² that a
-        machine can have; ∞ where the run left the range
-    evaluations : evaluations of the acceleration in the run
-    ends : q and v where the runs end, in units of the amplitude and of 1/Ω, each of shape (2, runs)
-    step : measured seconds of one step; None before they are measured
+    method : name in METHODS
+    dtype : "float32" or "float64"
+    periods : duration of all runs, in periods of the machine
+    steps_per_period : n, where h = T/n; in ascending order
+    error : largest error of the run at any step, for the worst rounding of h and Ω² among all machines; ∞ if the run
+        overflowed
+    evaluations : number of evaluations of the acceleration
+    ends : final q and v, in units of the amplitude and of 1/Ω, each of shape (2, runs); see `work_precision`
+    step : measured duration of one step; None before the measurement
     """
 
     method: str
@@ -48,13 +51,13 @@ class WorkPrecision:
 
     @property
     def seconds(self) -> np.ndarray:
-        """The run's steps times the median of the seconds per step; NaN before they are measured."""
+        """Duration of each run: number of steps times the median duration of a step; NaN before the measurement."""
         return self.steps_per_period * self.periods * (self.step.median if self.step else np.nan)
 
 
 @dataclass(frozen=True)
 class Choice:
-    """One run within a tolerance: method, precision, step size, largest error and cost."""
+    """A run within a tolerance: its method, dtype, steps per period, largest error and cost."""
 
     method: str
     dtype: str
@@ -69,79 +72,104 @@ def work_precision(
     dtype: str = "float64",
     periods: int = 100,
     steps_per_period: Sequence[int] = STEPS_PER_PERIOD,
-    after: WorkPrecision | None = None,
-    of: str = "state",
-    between: Callable[[], object] = lambda: None,
+    previous: WorkPrecision | None = None,
+    error_kind: str = "state",
+    after_block: Callable[[], object] = lambda: None,
 ) -> WorkPrecision:
-    """Return error and evaluations of one method for each number of steps per period, for every machine the same.
+    """Return the error and the evaluations of one method for each number of steps per period.
 
-    All runs are one array program: they step together until the longest has ended.
+    They are the same for all machines. All runs are computed together, as arrays.
 
     Parameters
     ----------
-    method, dtype : name in METHODS; "float32" or "float64"
-    periods : length of a run [periods], whole
-    steps_per_period : n of every run, whole numbers from 3 on
-    after : the same runs over fewer periods; they are continued, and `steps_per_period` is theirs
-    of : the error that counts: "state", relative to the amplitude, or "phase", the angle to the exact motion in turns,
-        at most ½
-    between : called after every block of steps, some milliseconds of work; a server lets others work then
+    method : name in METHODS
+    dtype : "float32" or "float64"
+    periods : duration of each run, a whole number of periods
+    steps_per_period : n of each run, whole numbers of at least 3
+    previous : the same runs over fewer periods, to be continued; then `steps_per_period` is ignored
+    error_kind : "state" for the state error, or "phase" for the angle to the exact motion in turns, at most ½
+    after_block : called after each block of steps, that is every few milliseconds; a server can yield to other threads
 
     Returns
     -------
-    the runs over that many periods, without seconds
+    the runs, without measured durations
 
     >>> work_precision("velocity_verlet", periods=10, steps_per_period=[20]).evaluations
     array([201])
     """
-    if after is None:
-        steps, before = np.unique(steps_per_period), 0
-        error, start = np.zeros(steps.size), (np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype))
+    if previous is None:
+        steps, previous_periods = np.unique(steps_per_period), 0
+        error = np.zeros(steps.size)
+        start = (np.ones((2, steps.size), dtype), np.zeros((2, steps.size), dtype))
     else:
-        steps, before, error, start = after.steps_per_period, after.periods, after.error.copy(), after.ends
+        steps, previous_periods = previous.steps_per_period, previous.periods
+        error, start = previous.error.copy(), previous.ends
     h = (2 * np.pi / steps).astype(dtype)
-    # Every machine rounds its own h and Ω², so its hΩ is off by up to ¾ ε. These two steps enclose that.
+    # Each machine rounds h and Ω², so the relative error of its hΩ is up to ¾ of the machine epsilon. Each run is
+    # computed with two time steps, shape (2, runs), that enclose this range.
     h = np.stack([h - 2 * np.spacing(h), h + 2 * np.spacing(h)])
     ends = np.empty((2, *h.shape), dtype)
-    turns, first = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps]), np.cumsum(steps) - steps
-    for number, q, v in blocks(METHODS[method], start, h, steps * (periods - before)):
+    # The exact states e^{it} at the steps of one period, for all runs in one array.
+    exact_states = np.concatenate([np.exp(2j * np.pi * np.arange(n) / n) for n in steps])
+    first_state = np.cumsum(steps) - steps
+    for number, q, v in blocks(METHODS[method], start, h, steps * (periods - previous_periods)):
         running = slice(steps.size - q.shape[-1], None)
-        exact = turns[first[running] + number[:, None] % steps[running]][:, None]
+        exact = exact_states[first_state[running] + number[:, None] % steps[running]][:, None]
         with np.errstate(over="ignore", invalid="ignore"):
-            if of == "phase":
-                largest = abs(np.angle((q - 1j * v) * exact.conj())).max(axis=(0, 1)) / (2 * np.pi)
-            else:
-                largest = np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
+            largest = _largest_error(q, v, exact, error_kind)
         error[running] = np.fmax(error[running], largest)
         ends[..., running] = q[-1], v[-1]
-        between()
-    # A run that has left the range is within no tolerance; if it is continued, it must not stop the others.
-    lost = ~np.isfinite(ends).all(axis=(0, 1))
-    error[lost], ends[..., lost] = np.inf, 0
+        after_block()
+    # An overflowed run is not within any tolerance. Its end is set to 0, so that `trajectory` can continue the others.
+    has_overflowed = ~np.isfinite(ends).all(axis=(0, 1))
+    error[has_overflowed], ends[..., has_overflowed] = np.inf, 0
     return WorkPrecision(method, dtype, periods, steps, error, evaluations_of(method, steps * periods), tuple(ends))
 
 
+def _largest_error(q: np.ndarray, v: np.ndarray, exact: np.ndarray, error_kind: str) -> np.ndarray:
+    """Return the largest error of each run in a block, over all steps and both time steps.
+
+    Parameters
+    ----------
+    q, v : computed states, both of the shape (rows, 2, runs)
+    exact : exact states e^{it}, shape (rows, 1, runs)
+    error_kind : as in `work_precision`
+    """
+    if error_kind == "phase":
+        return abs(np.angle((q - 1j * v) * exact.conj())).max(axis=(0, 1)) / (2 * np.pi)
+    return np.sqrt(((q - exact.real) ** 2 + (v + exact.imag) ** 2).max(axis=(0, 1)))
+
+
 def cheapest(curves: Iterable[WorkPrecision], tolerance: float, by: str = "evaluations") -> list[Choice]:
-    """Return the cheapest run of each curve whose error is within the tolerance at every step, in order of cost.
+    """Return the cheapest run of each method whose error does not exceed the tolerance, in order of cost.
 
     Parameters
     ----------
     curves : results of `work_precision`
-    tolerance : largest allowed error
-    by : the cost that counts, "evaluations" or "seconds"
+    tolerance : largest error
+    by : the cost, "evaluations" or "seconds"
 
     Returns
     -------
-    at most one choice for each curve, the run with the fewest steps; a curve without such a run has none
+    one choice for each curve with a run within the tolerance: that with the fewest steps
 
     >>> [choice] = cheapest([work_precision("rk4", periods=10)], tolerance=1e-2)
     >>> choice.steps_per_period
     17
     """
-    found = []
+    choices = []
     for curve in curves:
-        if (within := curve.error <= tolerance).any():
-            run, n = int(np.argmax(within)), curve.steps_per_period
-            costs = int(curve.evaluations[run]), float(curve.seconds[run])
-            found.append(Choice(curve.method, curve.dtype, int(n[run]), float(curve.error[run]), *costs))
-    return sorted(found, key=lambda choice: getattr(choice, by))
+        runs_within = np.flatnonzero(curve.error <= tolerance)
+        if runs_within.size == 0:
+            continue
+        run = runs_within[0]
+        choice = Choice(
+            method=curve.method,
+            dtype=curve.dtype,
+            steps_per_period=int(curve.steps_per_period[run]),
+            error=float(curve.error[run]),
+            evaluations=int(curve.evaluations[run]),
+            seconds=float(curve.seconds[run]),
+        )
+        choices.append(choice)
+    return sorted(choices, key=lambda choice: getattr(choice, by))

@@ -67,13 +67,13 @@ def exact_ratio(setting: Setting) -> Verdict:
 @cache
 def race(method: str, steps: int) -> WorkPrecision:
     """Return the angle to the exact motion and the evaluations of one run."""
-    return work_precision(method, periods=PERIODS, steps_per_period=[steps], of="phase")
+    return work_precision(method, periods=PERIODS, steps_per_period=[steps], error_kind="phase")
 
 
 @cache
 def races() -> tuple[WorkPrecision, ...]:
     """Return the same of every method with every number of steps; some seconds."""
-    return tuple(work_precision(method, periods=PERIODS, of="phase") for method in METHODS)
+    return tuple(work_precision(method, periods=PERIODS, error_kind="phase") for method in METHODS)
 
 
 def cheapest(setting: Setting) -> Verdict:

@@ -1,10 +1,10 @@
-"""What the first page costs, beside a bare page with three sliders, in one run on one machine.
+"""Response times of the first page, compared with a bare page that has three sliders.
 
     python -m tests.benchmarks.app [--changes 30]
 
-Both are started the same way, one after the other, so that the ratios mean something on a busy machine. A change is one
-key stroke on a slider: the browser's own time stamps of the websocket give the server's part, a watcher in the page the
-time until the picture has changed.
+Both pages are measured in the same way in one run, so that their ratios are meaningful on a busy machine. A change is
+one key press on a slider. The browser's time stamps of websocket frames measure the server. A script in the page
+measures the time until the picture changes.
 """
 
 import argparse
@@ -29,9 +29,15 @@ st.text(f"picture {values}")
 
 @dataclass(frozen=True)
 class Subject:
-    """A page under measurement: its script, what shows that it has drawn, and what changes when a slider does.
+    """A measured page.
 
-    `picture` follows a slider as soon as it can, `words` when the server has answered.
+    Parameters
+    ----------
+    name : name in the report
+    script : the Streamlit script
+    drawn : selector of an element that exists once the page is complete
+    picture : JavaScript expression that changes with a slider, in the app before the server answers
+    words : JavaScript expression that changes after the answer of the server
     """
 
     name: str
@@ -43,7 +49,7 @@ class Subject:
 
 @dataclass(frozen=True)
 class Costs:
-    """Seconds and frames of one page; test_browser_controls counts its bytes, and frames behind a slider's thumb."""
+    """Durations [s] and frame rates [1/s] of one page. test_browser_controls counts bytes and delayed frames."""
 
     first_picture: float
     server: list[float]
@@ -78,9 +84,9 @@ def main() -> None:
 
 
 def measure(browser: Browser, subject: Subject, changes: int) -> Costs:
-    """Return what the page costs."""
+    """Measure the response times and the frame rates of a page."""
     with running(subject.script) as address:
-        visit(browser, address, subject)[0].context.close()  # the first visitor pays for the warm-up
+        visit(browser, address, subject)[0].context.close()  # warm up the server
         page, first_picture = visit(browser, address, subject)
         times = [change(page, subject, "ArrowRight" if i % 2 else "ArrowLeft") for i in range(changes)]
         server, picture, words = zip(*times, strict=True)
@@ -99,13 +105,13 @@ def visit(browser: Browser, address: str, subject: Subject) -> tuple[Page, float
     page.wait_for_selector(subject.drawn)
     seconds = perf_counter() - start
     for step in page.locator(".st-key-steps summary").all()[-1:]:
-        step.click()  # an open step says its numbers
+        step.click()  # only an open step contains numbers
     settle(page)
     return page, seconds
 
 
 def change(page: Page, subject: Subject, key: str) -> tuple[float, float, float]:
-    """Press a key on a slider; return the seconds of the server's answer, to the picture and to the words."""
+    """Press a key on a slider; return the seconds until the server's answer, the new picture and the new words."""
     stamps: dict[str, float] = {}
     client = page.context.new_cdp_session(page)
     client.send("Network.enable")
@@ -140,7 +146,7 @@ def change(page: Page, subject: Subject, key: str) -> tuple[float, float, float]
 
 
 def frames_per_second(page: Page, seconds: float = 4) -> float:
-    """Return how many frames of the stage differ from the one before, each second."""
+    """Return the number of frames per second in which the slab has moved."""
     return page.evaluate(
         f"""() => new Promise((done) => {{
           const slab = {STAGE}.querySelector(".body.slab");
@@ -159,7 +165,7 @@ def frames_per_second(page: Page, seconds: float = 4) -> float:
 
 
 def slowed_down(page: Page, times: int = 4) -> float:
-    """Return the stage's frames a second in a browser that computes so many times more slowly."""
+    """Return the frames per second with a processor that is slower by a factor."""
     client = page.context.new_cdp_session(page)
     client.send("Emulation.setCPUThrottlingRate", {"rate": times})
     frames = frames_per_second(page)
@@ -169,7 +175,7 @@ def slowed_down(page: Page, times: int = 4) -> float:
 
 
 def report(bare: Costs, app: Costs) -> None:
-    """Print both pages side by side, with the goal where there is one."""
+    """Print a table of both pages and the goals."""
 
     def row(what: str, left: Any, right: Any, goal: str = "") -> None:
         print(f"{what:<34}{left:>14}{right:>14}   {goal}")

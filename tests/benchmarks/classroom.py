@@ -1,4 +1,4 @@
-"""A class in the app at once: how long each student waits for an answer, and what it costs the server.
+"""Response times and server load for a class that uses the app at the same time.
 
     python -m tests.benchmarks.classroom [--sessions 100] [--page oscillator | … | spread | every] [--seconds 30]
     python -m tests.benchmarks.classroom --processes 2
@@ -6,13 +6,15 @@
     python -m tests.benchmarks.classroom --looking 1 --sessions 50 --seconds 15
     python -m tests.benchmarks.classroom --voting 60 --browsers 8
 
-Each session opens the page over a websocket as a browser does, and releases the slider m about every two seconds at a
-random value on its steps. A bare page with three sliders goes through the same in the same run, so that the ratios mean
-something on a busy machine; the load comes from this machine as well. With --processes, the app runs behind the proxy
-of the recipe. With --measuring, so many more sessions have the speed page measure meanwhile, again and again, and it is
-printed how long each measurement took. With --looking, so many more sessions open all pages one after another, of which
-the server has worked out nothing yet. With --voting, so many phones vote once each, and it is printed how long the wall
-takes to count each vote; the wall and more phones are pages in browsers.
+Each session opens the page over a websocket like a browser, and sets the slider m to a random step about every two
+seconds. A bare page with three sliders is measured in the same run, so that the ratios are meaningful on a busy
+machine. The clients run on the same machine.
+
+--processes    run the app behind the proxy, as in .deploy
+--measuring    number of additional sessions that repeat the measurement of the speed page; its durations are printed
+--looking      number of additional sessions that open all pages once, of which nothing is cached
+--voting       number of phones that vote once; the delays until the wall counts the votes are printed
+--browsers     number of these pages in real browsers: the wall and phones
 """
 
 import argparse
@@ -42,18 +44,18 @@ from tests.deployed import deployed
 
 PAGES = {page.name: page.address for page in EVERY_PAGE.values()}
 EVERY = 2.0
-"""Seconds between two changes of one session, on average."""
+"""Average time between two changes of a session [s]."""
 
 LONGEST_MEASUREMENT = 600.0
-"""Seconds after which a measurement is given up."""
+"""Timeout of a measurement [s]."""
 
 AT_ONCE = 20
-"""Sessions that are being opened at the same time."""
+"""Number of sessions that are opened at the same time."""
 
 
 @dataclass
 class Lesson:
-    """What a class saw: seconds of each answer and measurement, the server's processor time, memory, bytes."""
+    """Results: seconds of each opening, answer and measurement, errors, and load of the server."""
 
     opened: list[float] = field(default_factory=list)
     waits: list[float] = field(default_factory=list)
@@ -99,7 +101,7 @@ def main() -> None:
 
 
 def lesson(script: Path, pages: list[str], given: argparse.Namespace, others: Sequence[Callable] = ()) -> Lesson:
-    """Let a class work on these pages while others do something else, and return what it saw."""
+    """Run the sessions of a class on these pages, together with the other coroutines, and return the results."""
     if given.processes and script == ROOT / "app.py":
         with deployed(given.processes) as hall:
             return asyncio.run(
@@ -114,7 +116,7 @@ async def _lesson(
     address: str, processes: list[int], pages: list[str], given: argparse.Namespace, others: Sequence[Callable]
 ) -> Lesson:
     seen = Lesson()
-    # The first visitors pay for the warm-up, in each process.
+    # Warm up each process.
     for page in pages:
         for _ in processes:
             await _warm(address, page, given)
@@ -156,7 +158,7 @@ async def _open(visitor: Visitor, gate: asyncio.Semaphore, seen: Lesson) -> Visi
 
 
 async def _work(visitor: Visitor, end: float, number: int, seen: Lesson, given: argparse.Namespace) -> None:
-    """Move the slider now and then until the end."""
+    """Move the slider at random times until the end."""
     chance = random.Random(given.seed * 100_003 + number)
     due = perf_counter() + chance.uniform(0, EVERY)
     while due < end:
@@ -181,7 +183,7 @@ async def _look(address: str, _end: float, seen: Lesson) -> None:
 
 
 async def _measure(address: str, end: float, seen: Lesson) -> None:
-    """Have the speed page measure its longest runs until the end."""
+    """Repeat the measurement of the longest runs on the speed page until the end."""
     visitor = Visitor(address, "speed?periods=300")
     try:
         await visitor.open()
@@ -200,11 +202,11 @@ COUNTED = """() => {
   };
   new MutationObserver(look).observe(document.body, { childList: true, subtree: true, characterData: true });
 }"""
-"""Notes when the wall has first shown each number of votes."""
+"""Script in the wall's page that records when each number of votes is first shown."""
 
 
 async def _vote(address: str, given: argparse.Namespace) -> None:
-    """Let a class vote once, and print how long the wall takes to count a vote."""
+    """Vote once from each phone, and print the delays until the wall has counted the votes."""
     opened, stop, chance = shared().open_class(), STOPS[0], random.Random(given.seed)
     async with async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
@@ -237,7 +239,7 @@ async def _vote(address: str, given: argparse.Namespace) -> None:
         counted = await pages[0].evaluate("counted")
         await browser.close()
     shared().close(opened.key)
-    # A number that was passed over was counted with the next one.
+    # A number that the wall skipped was counted with the next one.
     after = [min(at for at in counted[number:] if at) - vote for number, vote in enumerate(sorted(voted), start=1)]
     p50, p95, _ = quantiles(after)
     print(f"{len(after)} votes on the wall after p50 {p50:.2f} s, p95 {p95:.2f} s, longest {max(after):.2f} s")
@@ -251,7 +253,7 @@ HEAD = (
 
 
 def report(name: str, seen: Lesson, bare: Lesson | None = None) -> None:
-    """Print one line on a lesson, and how it compares with the bare page."""
+    """Print one line for a lesson, and its processor time relative to the bare page."""
     runs = max(len(seen.waits), 1)
     p50, p95, p99 = quantiles(seen.waits)
     columns = [f"{1000 * value:>6.0f} ms" for value in (p50, p95, p99, max(seen.waits, default=float("nan")))]
@@ -282,14 +284,14 @@ def quantiles(values: list[float]) -> tuple[float, float, float]:
 
 
 def processor_time(processes: Iterable[int]) -> float:
-    """Return the seconds of processor time that these processes have used."""
+    """Return the processor time of the processes [s]."""
     ticks = os.sysconf("SC_CLK_TCK")
     fields = (Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split() for process in processes)
     return sum((int(stat[11]) + int(stat[12])) / ticks for stat in fields)
 
 
 def memory(processes: Iterable[int]) -> float:
-    """Return the bytes of memory that these processes hold."""
+    """Return the memory of the processes [bytes]."""
     pages = (int(Path(f"/proc/{process}/statm").read_text().split()[1]) for process in processes)
     return sum(pages) * os.sysconf("SC_PAGE_SIZE")
 

@@ -1,14 +1,15 @@
-"""A first visit over a classroom's Wi-Fi: bytes, and seconds to the first picture, with and without compression.
-
-Then a later visit, which finds all scripts in the browser: seconds until the machine moves, beside those until a bare
-page shows its two sliders, also with a processor of a quarter of the speed.
+"""Bytes and durations of visits over a classroom's Wi-Fi.
 
     python -m tests.benchmarks.visit [--megabits 20] [--delay 40] [--processes 0]
     python -m tests.benchmarks.visit --clients 60
 
-The browser is slowed down to so many megabits a second, and each request by so many milliseconds. "plain" is what
-Streamlit sends by itself, as to a browser that takes no compressed answer. With --clients, so many clients ask a fresh
-server for the twelve largest scripts at the same moment, and then again.
+First visit: bytes, and seconds until the first picture, with and without compression. --megabits limits the bandwidth
+[Mbit/s], and --delay adds a latency to each request [ms]. "plain" is a browser that does not accept compression.
+
+Later visit, with all scripts in the browser's cache: seconds until the machine moves, compared with a bare page that
+has two sliders, also with a processor of a quarter of the speed.
+
+With --clients, this number of clients requests the twelve largest scripts from a new server at once, and then again.
 """
 
 import argparse
@@ -54,7 +55,7 @@ def main() -> None:
         with sync_playwright() as playwright:
             browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
             for _, address, headers in visits:
-                visit(browser, address, headers, 1e9, 0)  # the first visitor pays for the warm-up
+                visit(browser, address, headers, 1e9, 0)  # warm up the server
             print(f"{'':<14}{'bytes':>12}{'requests':>10}{'first picture':>15}{'curve':>10}")
             for name, address, headers in visits:
                 size, requests, picture, curve = visit(browser, address, headers, given.megabits * 1e6 / 8, given.delay)
@@ -64,7 +65,7 @@ def main() -> None:
 
 
 def at_once(clients: int) -> None:
-    """Print how long clients wait for the twelve largest scripts that all want at once, and the server's work."""
+    """Print how long clients wait for the twelve largest scripts, and the processor time of the server."""
     folder = Path(streamlit.__file__).parent / "static"
     scripts = sorted(folder.glob("static/js/*.js"), key=lambda path: path.stat().st_size)[-12:]
     for coding in ("gzip", "br"):
@@ -79,7 +80,7 @@ def at_once(clients: int) -> None:
 
 
 def later_visits(browser: Browser, address: str) -> None:
-    """Print how long a visitor who has been here before waits for the machine, and for a bare page's sliders."""
+    """Print the seconds until the machine moves, and until a bare page is complete, with cached scripts."""
     with TemporaryDirectory() as folder:
         (script := Path(folder) / "bare.py").write_text(BARE)
         with running(script) as bare:
@@ -87,7 +88,7 @@ def later_visits(browser: Browser, address: str) -> None:
             profiles = {
                 name: browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True) for name in pages
             }
-            for slower in (1, 1, 4):  # the first round fills the browser's caches
+            for slower in (1, 1, 4):  # the first round fills the browser's cache
                 seconds = {name: [] for name in pages}
                 for _ in range(VISITS):
                     for name, (place, drawn) in pages.items():
@@ -99,7 +100,7 @@ def later_visits(browser: Browser, address: str) -> None:
 
 
 def later_visit(profile: BrowserContext, address: str, drawn: str, slower: int) -> float:
-    """Return the seconds until a page has drawn, by the browser's own clock."""
+    """Return the seconds until `drawn` is true, measured by the browser."""
     page = profile.new_page()
     profile.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": slower})
     page.add_init_script(
@@ -115,7 +116,7 @@ def later_visit(profile: BrowserContext, address: str, drawn: str, slower: int) 
 def visit(
     browser: Browser, address: str, headers: dict[str, str], throughput: float, delay: float
 ) -> tuple[int, int, float, float]:
-    """Visit the first page as a newcomer; return bytes, requests, and seconds until stage and curve are drawn."""
+    """Visit the first page with an empty cache; return bytes, requests, and seconds until stage and curve exist."""
     page = browser.new_context(
         viewport={"width": 1280, "height": 720}, extra_http_headers=headers, ignore_https_errors=True, bypass_csp=True
     ).new_page()
@@ -136,7 +137,7 @@ def visit(
     curve = perf_counter() - start
     page.wait_for_timeout(3000)
     page.context.close()
-    # A font that stands in the page itself has been counted with it.
+    # The bytes of a data URL are already part of its page.
     fetched = [sizes.get(request, 0) for request, url in loaded.items() if not url.startswith("data:")]
     return sum(fetched), len(fetched), picture, curve
 

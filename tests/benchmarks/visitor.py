@@ -1,8 +1,7 @@
-"""A visitor without a browser: speaks Streamlit's websocket protocol as its page does, the cached messages included.
+"""A client of Streamlit's websocket protocol, which behaves like a page in a browser, including the message cache.
 
-A message that is large and stays the same is sent once; the page keeps it, lists the hashes of all that it keeps with
-every question, and the server answers with a hash where it can. The page forgets a message that it has not seen for
-`max_cached_message_age` finished runs.
+The client caches large messages, and sends the hashes of all cached messages with each request. The server then sends
+the hash instead of a message. The client removes a message that has not been used for `max_cached_message_age` runs.
 """
 
 import asyncio
@@ -20,25 +19,26 @@ from streamlit.proto.Radio_pb2 import Radio
 from streamlit.proto.Slider_pb2 import Slider
 from streamlit.proto.WidgetStates_pb2 import WidgetState
 
-PATIENCE = 60.0
-"""Seconds after which an answer is given up."""
+TIMEOUT = 60.0
+"""Timeout of an answer [s]."""
 
 _LARGEST_MESSAGE = 2**24
 
 
 class VisitError(Exception):
-    """What went wrong with a visit: the connection, the protocol, or an error on the page."""
+    """An error of the connection, of the protocol, or on the page."""
 
 
 @dataclass
 class Visitor:
     """One open page.
 
-    address : of the server, such as http://127.0.0.1:8501
-    page : the page's name in the URL, with a query if there is one: "motion?figure=Energy"
-    received, sent, messages : bytes and messages so far
-    runs : how many runs the page has seen to their end
-    cache : hash of a message that the page keeps → the count of runs when it was last seen
+    address : address of the server, for example http://127.0.0.1:8501
+    page : path of the page, optionally with a query, for example "motion?figure=Energy"
+    received, sent : number of bytes
+    messages : number of received messages
+    runs : number of finished runs
+    cache : hash of a cached message → value of `runs` when it was last used
     """
 
     address: str
@@ -68,23 +68,23 @@ class Visitor:
             additional_headers={"Cookie": cookie} if cookie else {},
             compression=None,
             max_size=_LARGEST_MESSAGE,
-            open_timeout=PATIENCE,
+            open_timeout=TIMEOUT,
             ping_interval=None,
         )
-        await self._ask()
-        await self._finished()
+        await self._request_run()
+        await self._wait_for_end()
         seconds = perf_counter() - start
-        if not path:  # the first page asks for the rest once its machine moves
-            await self._ask()
-            await self._finished()
+        if not path:  # the first page requests the rest when its machine moves
+            await self._request_run()
+            await self._wait_for_end()
         return seconds
 
     async def close(self) -> None:
-        """Leave the page."""
+        """Close the connection."""
         await self.socket.close()
 
     async def move(self, key: str, chance: random.Random) -> float:
-        """Release the slider of that widget key at a random value on its steps; return the seconds to the answer."""
+        """Set the slider with this widget key to a random step; return the seconds until the answer."""
         identifier, slider = next(
             ((name, slider) for name, slider in self.sliders.items() if name.endswith(f"-{key}")), (None, None)
         )
@@ -93,41 +93,41 @@ class Visitor:
         steps = round((slider.max - slider.min) / slider.step)
         value = round(slider.min + chance.randint(0, steps) * slider.step, 10)
         self.widgets[identifier].double_array_value.data[:] = [value]
-        # A slider that is bound to the URL writes there what it is set to, unless that is its default.
+        # A bound slider writes its value into the URL, unless it is the default.
         self.query[key] = f"{value:g}"
         if value == slider.default[0]:
             del self.query[key]
         start = perf_counter()
-        await self._ask()
-        await self._finished()
+        await self._request_run()
+        await self._wait_for_end()
         return perf_counter() - start
 
-    async def press(self, key: str, patience: float) -> float:
-        """Press the button of that widget key; return the seconds until the page has done all that this asks for."""
+    async def press(self, key: str, timeout: float) -> float:
+        """Press the button with this widget key; return the seconds until the run has ended."""
         identifier = next((name for name in self.buttons if name.endswith(f"-{key}")), None)
         if identifier is None:
             raise VisitError(f"the page has no button {key}")
         start = perf_counter()
-        await self._ask(WidgetState(id=identifier, trigger_value=True))
-        await self._finished(patience)
+        await self._request_run(WidgetState(id=identifier, trigger_value=True))
+        await self._wait_for_end(timeout)
         return perf_counter() - start
 
     async def choose(self, number: int) -> float:
-        """Choose this option of the radio that came last; return the seconds to the answer."""
+        """Choose an option of the last radio on the page; return the seconds until the answer."""
         identifier, radio = list(self.radios.items())[-1]
         self.widgets[identifier] = WidgetState(id=identifier, string_value=radio.options[number])
         return await self.look()
 
     async def look(self) -> float:
-        """Run the fragment of the page that runs every few seconds; return the seconds to the answer."""
+        """Run the fragment that repeats every few seconds; return the seconds until the answer."""
         start = perf_counter()
-        await self._ask(fragment=self.fragment)
-        await self._finished()
+        await self._request_run(fragment=self.fragment)
+        await self._wait_for_end()
         return perf_counter() - start
 
-    async def _ask(self, *pressed: WidgetState, fragment: str = "") -> None:
-        question = BackMsg()
-        state = question.rerun_script
+    async def _request_run(self, *pressed: WidgetState, fragment: str = "") -> None:
+        request = BackMsg()
+        state = request.rerun_script
         state.fragment_id = fragment
         state.query_string = urlencode(self.query)
         state.page_script_hash = self.script_hash
@@ -138,23 +138,23 @@ class Visitor:
         state.context_info.timezone, state.context_info.locale = "UTC", "en-US"
         state.context_info.color_scheme = "light"
         self.new_session = False
-        data = question.SerializeToString()
+        data = request.SerializeToString()
         self.sent += len(data)
         await self.socket.send(data)
 
-    async def _finished(self, patience: float = PATIENCE) -> None:
-        """Take in messages until a run has ended that was begun after the question."""
+    async def _wait_for_end(self, timeout: float = TIMEOUT) -> None:
+        """Receive messages until a run has ended that began after the request."""
         try:
-            async with asyncio.timeout(patience):
-                while not self._take(await self.socket.recv()):
+            async with asyncio.timeout(timeout):
+                while not self._receive(await self.socket.recv()):
                     pass
         except TimeoutError:
             raise VisitError("no answer") from None
         except websockets.ConnectionClosed as closed:
             raise VisitError(f"the connection was closed: {closed}") from None
 
-    def _take(self, data: bytes) -> bool:
-        """Take in one message; return whether it ends a run."""
+    def _receive(self, data: bytes) -> bool:
+        """Process one message; return whether it ends a run."""
         self.received += len(data)
         self.messages += 1
         message = ForwardMsg.FromString(data)
@@ -166,7 +166,7 @@ class Visitor:
         elif message.metadata.cacheable:
             self.cache[message.hash] = self.runs
         if kind == "delta" and message.delta.WhichOneof("type") == "new_element":
-            self._take_element(message.delta.new_element)
+            self._receive_element(message.delta.new_element)
         elif kind == "auto_rerun":
             self.fragment = message.auto_rerun.fragment_id
         elif kind == "navigation":
@@ -187,7 +187,7 @@ class Visitor:
         self.cache = {name: seen for name, seen in self.cache.items() if self.runs - seen <= self.max_age}
         return True
 
-    def _take_element(self, element: Element) -> None:
+    def _receive_element(self, element: Element) -> None:
         kind = element.WhichOneof("type")
         if kind == "exception":
             raise VisitError(f"{element.exception.type}: {element.exception.message}")
@@ -246,16 +246,16 @@ _STATES = {
     "selectbox": _choice,
     "checkbox": _checkbox,
 }
-"""Element → how a page tells the server what the widget holds."""
+"""Type of an element → a function that writes the value of the widget into its `WidgetState`."""
 
 
 async def _cookie(address: str) -> str:
-    """Ask for the page itself, as a browser does first, and return the cookies that come with it."""
+    """Request the HTML page, as a browser does first, and return its cookies."""
     parts = urlsplit(address)
     reader, writer = await asyncio.open_connection(parts.hostname, parts.port)
     writer.write(f"GET / HTTP/1.1\r\nHost: {parts.netloc}\r\nConnection: close\r\n\r\n".encode())
     head = (await reader.readuntil(b"\r\n\r\n")).decode("latin-1")
     writer.close()
     lines = (line.partition(":") for line in head.split("\r\n"))
-    given = (value.strip() for name, _, value in lines if name.lower() == "set-cookie")
-    return "; ".join(cookie.partition(";")[0] for cookie in given)
+    cookies = (value.strip() for name, _, value in lines if name.lower() == "set-cookie")
+    return "; ".join(cookie.partition(";")[0] for cookie in cookies)

@@ -95,7 +95,7 @@ def errors(method: str, dtype: str, periods: int) -> WorkPrecision:
             rested = time.monotonic()
 
     with giving_way():
-        return work_precision(method, dtype, periods, after=before, between=rest)
+        return work_precision(method, dtype, periods, previous=before, after_block=rest)
 
 
 @st.cache_resource(show_spinner=False, max_entries=2 * len(METHODS))
