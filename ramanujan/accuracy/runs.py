@@ -96,9 +96,10 @@ def blocks(
     h : time steps, of the shape (…, runs)
     steps : number of steps of the runs in each column, shape (runs,), in ascending order
 
-    Yields
-    ------
-    numbers of the steps, shape (rows,), and q and v, float64 arrays of shape (rows, …, runs that have not ended)
+    Returns
+    -------
+    iterator over (numbers of the steps, q, v): an array of shape (rows,), and two float64 arrays of shape
+    (rows, …, runs that have not ended)
 
     >>> start = np.ones(2), np.zeros(2)
     >>> for number, q, v in blocks(METHODS["rk4"], start, np.full(2, 0.1), np.array([10, 20])):
