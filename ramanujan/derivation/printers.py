@@ -112,7 +112,12 @@ class LatexPrinter(VectorLatexPrinter):
         if len(factors) == 1 and not numbers and not is_term:
             return self._print(factors[0])
         brackets = (rf"\left({self._print(f)}\right)" if f.is_Add else self._print(f) for f in factors)
-        return r"\,".join((*numbers, *brackets))
+        text, *others = (*numbers, *brackets) or ("",)
+        for other in others:
+            # Numbers side by side, in an unevaluated product, would read as one number or as a difference.
+            factor = rf"\left({other}\right)" if other.startswith("-") else other
+            text += (r" \cdot " if other[0].isdigit() else r"\,") + factor
+        return text
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
         return _dotted(expr)
