@@ -71,7 +71,7 @@ def answered(school: classes.Classes, opened: classes.Class) -> int:
 
 
 def chosen(school: classes.Classes, seat: Seat) -> str | None:
-    return school.chosen(seat, school.question(seat.code))
+    return school.answer_of(seat, school.question(seat.code))
 
 
 def no_such_code(code: str) -> str:
@@ -172,7 +172,7 @@ def test_nobody_sees_the_distribution_before_it_is_revealed(school, opened):
             school.distribution(opened.code, "faster", asked)
     with pytest.raises(ClassError, match="not been shown"):
         school.changes(opened.code, "faster", "plain")
-    assert school.asked(opened.key) == []
+    assert school.results_for_lecturer(opened.key) == []
     # What everybody sees is the same for every answer that was given.
     before = school.question(opened.code)
     school.vote(seat, "faster", "machine")
@@ -462,7 +462,7 @@ def test_a_stop_that_is_asked_again_later_begins_a_new_vote_and_keeps_the_old_on
     assert not school.question(opened.code).vote.is_second
     school.vote(seat, "faster", "machine", Vote(2))
     school.show(opened.key, Phase.REVEALED)
-    first, second, third = school.asked(opened.key)
+    first, second, third = school.results_for_lecturer(opened.key)
     votes = [{option: n for option, n in each.items() if n} for each in (first.first, first.second, third.first)]
     assert votes == [{"plain": 1}, {"neither": 1}, {"machine": 1}]
     assert [each.stop for each in (first, second, third)] == ["faster", "energy", "faster"]

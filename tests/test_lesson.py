@@ -14,7 +14,7 @@ import pytest
 from scipy.linalg import expm
 
 from ramanujan import UNIT_MASS_RATIO, Oscillator, lesson
-from ramanujan.lesson import Setting, bodies, clocks, computing, modes
+from ramanujan.lesson import Attempt, bodies, clocks, computing, modes
 
 M, K, R = 1.0, 10.0, 0.1
 
@@ -332,38 +332,38 @@ def test_who_knows_no_physics_guesses(strategy):
 # Tasks
 
 
-def setting(ratio=1.0, m=1.0, k=K, **others) -> Setting:
-    return Setting(machine=Oscillator(m=m, m_prime=ratio * m, k=k), **others)
+def attempt(ratio=1.0, m=1.0, k=K, **others) -> Attempt:
+    return Attempt(machine=Oscillator(m=m, m_prime=ratio * m, k=k), **others)
 
 
-two = setting(k=K * (math.sqrt(1 / eigenvalues()[-1]) * math.pi) ** 2)
+two = attempt(k=K * (math.sqrt(1 / eigenvalues()[-1]) * math.pi) ** 2)
 SOLVED = {
-    "in-step": setting(1.1275),
-    "nine-eighths": setting(5 / 6),
+    "in-step": attempt(1.1275),
+    "nine-eighths": attempt(5 / 6),
     "two-seconds": two,
-    "parting": setting(0.6685),
-    "half-way": setting(20.0, m=0.5),
-    "no-slip": setting(k=100.0, compression=0.0235),
-    "top-at-rest": setting(release=0.0, glide=-0.1, spin=1.0),
-    "half-energy": setting(part=3 / 8),
-    "period": setting(seconds=10 * 2 * math.pi / math.sqrt(eigenvalues()[-1]) * 1.008),
-    "exact-ratio": setting(formula="48/(1+√1729)"),
-    "cheapest": setting(method="rk4", steps=14),
-    "two-cubes": setting(bodies=("sphere", "sphere", "shell")),
+    "parting": attempt(0.6685),
+    "half-way": attempt(20.0, m=0.5),
+    "no-slip": attempt(k=100.0, compression=0.0235),
+    "top-at-rest": attempt(release=0.0, glide=-0.1, spin=1.0),
+    "half-energy": attempt(part=3 / 8),
+    "period": attempt(seconds=10 * 2 * math.pi / math.sqrt(eigenvalues()[-1]) * 1.008),
+    "exact-ratio": attempt(formula="48/(1+√1729)"),
+    "cheapest": attempt(method="rk4", steps=14),
+    "two-cubes": attempt(bodies=("sphere", "sphere", "shell")),
 }
 MISSED = {
-    "in-step": [setting(1.13), setting(1.12)],
-    "nine-eighths": [setting(0.83), setting(0.8333333)],
+    "in-step": [attempt(1.13), attempt(1.12)],
+    "nine-eighths": [attempt(0.83), attempt(0.8333333)],
     "two-seconds": [replace(two, machine=replace(two.machine, k=two.machine.k * 1.01))],
-    "parting": [setting(UNIT_MASS_RATIO), setting(0.6)],
-    "half-way": [setting(10.0)],
-    "no-slip": [setting(k=100.0, compression=0.022), setting(k=100.0, compression=0.025)],
-    "top-at-rest": [setting(release=0.01, glide=-0.1, spin=1.0), setting(release=0.0, glide=-0.1, spin=-1.0)],
-    "half-energy": [setting(part=0.25), setting(part=0.11), setting(part=-1.0), setting(part=math.inf)],
-    "period": [setting(seconds=19.0), setting(seconds=-1.0), setting(k=200.0, seconds=4.3)],
-    "exact-ratio": [setting(formula="1.127"), setting(formula="(√1729+1)/36"), setting(formula="import os")],
-    "cheapest": [setting(method="rk4", steps=13), setting(method="yoshida6", steps=10), setting(steps=192)],
-    "two-cubes": [setting(bodies=("cylinder", "hoop", "cylinder")), setting(bodies=("hoop", "hoop", "hoop"))],
+    "parting": [attempt(UNIT_MASS_RATIO), attempt(0.6)],
+    "half-way": [attempt(10.0)],
+    "no-slip": [attempt(k=100.0, compression=0.022), attempt(k=100.0, compression=0.025)],
+    "top-at-rest": [attempt(release=0.01, glide=-0.1, spin=1.0), attempt(release=0.0, glide=-0.1, spin=-1.0)],
+    "half-energy": [attempt(part=0.25), attempt(part=0.11), attempt(part=-1.0), attempt(part=math.inf)],
+    "period": [attempt(seconds=19.0), attempt(seconds=-1.0), attempt(k=200.0, seconds=4.3)],
+    "exact-ratio": [attempt(formula="1.127"), attempt(formula="(√1729+1)/36"), attempt(formula="import os")],
+    "cheapest": [attempt(method="rk4", steps=13), attempt(method="yoshida6", steps=10), attempt(steps=192)],
+    "two-cubes": [attempt(bodies=("cylinder", "hoop", "cylinder")), attempt(bodies=("hoop", "hoop", "hoop"))],
 }
 """Nearly done; as a page opens, no task is (test_scene_lesson.py)."""
 
@@ -380,13 +380,13 @@ def test_every_task_can_be_done_and_missed(name):
 
 
 def test_a_share_that_nothing_can_show_is_none():
-    sentence = lesson.task("half-energy").judge(setting(part=1 / 4)).sentence
+    sentence = lesson.task("half-energy").judge(attempt(part=1 / 4)).sentence
     assert sentence.startswith("At that moment the spring holds none of the energy.")
 
 
 def test_a_verdict_says_how_far_away_the_goal_is():
     def sentence(name, **values):
-        return lesson.task(name).judge(setting(**values)).sentence
+        return lesson.task(name).judge(attempt(**values)).sentence
 
     off = normalized(m_prime=1.2) - 1
     assert off < 0
@@ -429,7 +429,7 @@ def test_the_bodies_of_the_task_move_as_far_as_its_verdict_says():
     start, end = motion(0), motion(turn / 2)
     block = abs(end[0] - start[0])
     slab = abs(2 * R * (end[1] - start[1]) - (end[0] - start[0]))
-    sentence = lesson.task("half-way").judge(setting()).sentence
+    sentence = lesson.task("half-way").judge(attempt()).sentence
     assert f"covers {100 * slab / 0.08:.2f}\u202f% of x₀, the block {100 * block / 0.08:.2f}\u202f%" in sentence
 
 

@@ -163,7 +163,7 @@ def test_a_round_with_a_second_vote_and_what_the_lecturer_takes_home(lecturer, s
         assert f"{STOP.options[WRONG]}\\\n{STOP.reply(WRONG)}" in words(page)
         assert len(page.get("progress")) == 2 * len(STOP.options)
 
-    rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(address(lecturer)["lecturer"])))))
+    rows = list(csv.DictReader(io.StringIO(as_csv(school.results_for_lecturer(address(lecturer)["lecturer"])))))
     votes = {RIGHT: ("1", "2", "yes"), WRONG: ("2", "1", "no")}
     assert {row["option"]: (row["first_vote"], row["second_vote"], row["right"]) for row in rows} == {
         option: votes.get(option, ("0", "0", "no")) for option in STOP.options
@@ -470,7 +470,7 @@ def test_a_class_at_a_stop_of_another_version_goes_on_with_the_lesson(lecturer, 
         assert "this version of the app" not in words(page)
     school.finish(key)
     assert "No right answer was shown" in words(student.run())
-    rows = list(csv.DictReader(io.StringIO(as_csv(school.asked(key)))))
+    rows = list(csv.DictReader(io.StringIO(as_csv(school.results_for_lecturer(key)))))
     assert [(row["option"], row["first_vote"], row["right"]) for row in rows] == [("yes", "0", ""), ("no", "1", "")]
 
 

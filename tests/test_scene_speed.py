@@ -193,7 +193,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
         app.number_input(key="steps").set_value(steps).run()
         app.button(key="run").click().run()
         assert len(app.get("plotly_chart")) == drawn + 1
-        verdict = lesson.task("cheapest").judge(lesson.Setting(method="rk4", steps=steps))
+        verdict = lesson.task("cheapest").judge(lesson.Attempt(method="rk4", steps=steps))
         assert verdict.done == done
         [said] = [text.value for text in app.markdown if plain(verdict.sentence) in text.value]
         assert ("Done." in said, "Not yet." in said) == (done, not done)

@@ -22,12 +22,12 @@ FILES = """
 import json
 from ramanujan import Oscillator, lesson
 from ramanujan.lesson.class_record import as_spreadsheet
-from ramanujan.lesson.class_states import Asked
+from ramanujan.lesson.class_states import ClassResult
 from ramanujan.pages.motion import cache, files
 motion = cache.record.__wrapped__(Oscillator(2.5, 1.0, 10.0), 0.08, 0.04, -1.3)
 stop = lesson.STOPS[0]
 votes = {option: number for number, option in enumerate(stop.options)}
-asked = [Asked(stop.id, 1764000000.0, 7, votes, None), Asked(stop.id, 1764000900.0, 7, votes, votes)]
+asked = [ClassResult(stop.id, 1764000000.0, 7, votes, None), ClassResult(stop.id, 1764000900.0, 7, votes, votes)]
 print(json.dumps([files.sheet(motion, 0.2, [("m [kg]", 2.5)]), as_spreadsheet(asked)]))
 """
 LOCALES = {"de": 1031, "en": 1033, "hu": 1038}

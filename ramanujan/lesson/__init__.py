@@ -1,10 +1,10 @@
 """The lesson: one path through the machine in 45 minutes, and tasks that the physics itself judges. No Streamlit here.
 
-    stop        what a stop is: a machine, a question, options, an answer that is worked out, an explanation
+    stop        the parts of a stop: machine, question, options, computed answer, explanation
     clocks, bodies, modes, ratio, computing   the stops, in the order of the lesson
-    task        what a task is: what a student has set, and the verdict on it
-    machine_tasks, answer_tasks   the tasks: those done with the machine alone, those with an answer of their own
-    classes     the class's votes, with their codes (class_codes), states (class_states) and file (class_record)
+    task        the parts of a task: a student's attempt and the verdict on it
+    machine_tasks, answer_tasks   the tasks that need only the machine, and those with a typed or chosen answer
+    classes     the votes of a class, with its codes (class_codes), states (class_states) and file (class_record)
 
 >>> from ramanujan import lesson
 >>> lesson.stop("stiffness").answer()
@@ -13,14 +13,14 @@
 
 from ramanujan.lesson import answer_tasks, bodies, clocks, computing, machine_tasks, modes, ratio
 from ramanujan.lesson.stop import Run, Stop
-from ramanujan.lesson.task import Setting, Task, Verdict
+from ramanujan.lesson.task import Attempt, Task, TaskVerdict
 from ramanujan.translation import _
 
 CHAPTERS = (clocks.STOPS, bodies.STOPS, modes.STOPS, ratio.STOPS, computing.STOPS)
-"""The stops by subject; a worksheet takes one of a chapter at most, because they would answer each other."""
+"""The stops by subject. Stops of one chapter answer each other, so a worksheet has at most one of each."""
 
 STOPS: tuple[Stop, ...] = tuple(stop for chapter in CHAPTERS for stop in chapter)
-"""The stops in their order: two clocks, who is faster, what can move, where the energy is, the ratio, computers."""
+"""All stops, in the order of the lesson."""
 
 TASKS: tuple[Task, ...] = (*machine_tasks.TASKS, *answer_tasks.TASKS)
 """The tasks, the easier ones first."""
@@ -32,8 +32,7 @@ SOURCES = (
     "R. White, R. Gunstone, Probing Understanding (Falmer, 1992).",
     "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration (Springer, 2006).",
 )
-"""Students who only watch a demonstration understand it no better than those who never saw it [1]; voting twice, with a
-discussion between the votes, is from [2]; predict, observe, explain from [3]."""
+"""The references of the lecturer's notes, in the order of their numbers."""
 
 INTRODUCTION = _(
     "Let everyone commit to an answer before the machine runs. Students who only watch a demonstration understand it "
@@ -41,7 +40,7 @@ INTRODUCTION = _(
     "[2]. The order predict, observe, explain is from [3]. What students are expected to answer is a guess, except "
     "where a source is named."
 )
-"""The beginning of the lecturer's notes; each stop says what it is for."""
+"""The beginning of the lecturer's notes, before the notes on each stop."""
 
 
 def stop(name: str) -> Stop:
@@ -50,7 +49,7 @@ def stop(name: str) -> Stop:
 
 
 def has_stop(name: str) -> bool:
-    """Return whether there is a stop with this id; another version of the app may have others."""
+    """Return whether this version of the app has a stop with this id."""
     return any(stop.id == name for stop in STOPS)
 
 

@@ -1,4 +1,4 @@
-"""Tasks with an answer of their own: a time, a measurement, a formula, a method, a choice of bodies."""
+"""Tasks with an answer to type or to choose: a time, a measurement, a formula, a method, three bodies."""
 
 from functools import cache
 from itertools import count
@@ -9,26 +9,26 @@ from ramanujan.answers import judge as judge_formula
 from ramanujan.energy import energies
 from ramanujan.integrators import METHODS
 from ramanujan.lesson.stop import FREQUENCY, after
-from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
+from ramanujan.lesson.task import Attempt, Task, TaskVerdict, missed, near
 from ramanujan.number_theory import BodyChoice, machines, sums_of_two_cubes
 from ramanujan.numerals import filled, number
 from ramanujan.translation import _
 
 WITHIN, PERIODS = 0.01, 30
-"""The integrators' race: the largest angle to the exact motion [turns], and the length of the run."""
+"""The race of the integrators: the largest allowed phase error [turns], and the length of the run."""
 HALF = 0.005
 NOTHING = 1e-6
-"""A smaller share of the energy can be neither measured nor drawn: it is called none."""
+"""A share of the energy below this limit is too small to measure or draw, so the sentence calls it none."""
 STOPWATCH = 0.01
 TOO_FAST = 0.7
-"""Seconds: a shorter period is shown in slow motion, so that a stopwatch beside the stage measures nothing."""
+"""The stage shows a shorter period in slow motion, so a stopwatch cannot measure it [s]."""
 
 
-def half_energy(setting: Setting) -> Verdict:
+def half_energy(attempt: Attempt) -> TaskVerdict:
     """Judge the spring's share of the energy after a part of a period."""
-    if setting.part is None or not 0 <= setting.part <= 1:
-        return Verdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."), is_judged=False)
-    stored = energies(setting.machine, *after(setting.part, setting.machine, setting.compression))
+    if attempt.part is None or not 0 <= attempt.part <= 1:
+        return TaskVerdict(False, _("Type a number between 0 and 1, such as 0.3 or 1/3."), is_judged=False)
+    stored = energies(attempt.machine, *after(attempt.part, attempt.machine, attempt.compression))
     share = float(stored["spring"]) / sum(map(float, stored.values()))
     sentences = (
         _("At that moment the spring holds {share:3 %} of the energy."),
@@ -39,15 +39,15 @@ def half_energy(setting: Setting) -> Verdict:
     return near(share - 0.5, HALF, sentences, "%", share=share if share > NOTHING else _("none"))
 
 
-def measured_period(setting: Setting) -> Verdict:
-    """Judge a period that was measured with a stopwatch."""
-    period = setting.machine.period
+def measured_period(attempt: Attempt) -> TaskVerdict:
+    """Judge a measurement of the period with a stopwatch."""
+    period = attempt.machine.period
     if period < TOO_FAST:
         return missed(_("This machine is so fast that it is shown in slow motion. Make the spring softer."))
-    if setting.seconds is None or setting.seconds <= 0:
+    if attempt.seconds is None or attempt.seconds <= 0:
         start = _("Start the stopwatch at a turning point, and stop it after as many periods as you like.")
-        return Verdict(False, start, is_judged=False)
-    measured = setting.seconds / setting.periods
+        return TaskVerdict(False, start, is_judged=False)
+    measured = attempt.seconds / attempt.periods
     sentences = (
         _("You measured {measured:4 s} for one period. Your error is {off}."),
         _("You measured {measured:4 s} for one period. That is {off} too long."),
@@ -56,29 +56,29 @@ def measured_period(setting: Setting) -> Verdict:
     return near(measured / period - 1, STOPWATCH, sentences, "%", measured=measured)
 
 
-def exact_ratio(setting: Setting) -> Verdict:
-    """Judge a formula for the mass ratio, by the judge of the page Derivation."""
-    if not setting.formula.strip():
-        return Verdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."), is_judged=False)
-    verdict = judge_formula("unit_mass_ratio", setting.formula)
-    return Verdict(verdict.kind in ("right", "unsimplified"), verdict.message)
+def exact_ratio(attempt: Attempt) -> TaskVerdict:
+    """Judge a formula for the mass ratio with `answers.judge`."""
+    if not attempt.formula.strip():
+        return TaskVerdict(False, _("Type a formula, such as (sqrt(5) − 1)/2."), is_judged=False)
+    verdict = judge_formula("unit_mass_ratio", attempt.formula)
+    return TaskVerdict(verdict.kind in ("right", "unsimplified"), verdict.message)
 
 
 @cache
 def race(method: str, steps: int) -> WorkPrecision:
-    """Return the angle to the exact motion and the evaluations of one run."""
+    """Return the phase error and the number of evaluations of one run."""
     return work_precision(method, periods=PERIODS, steps_per_period=[steps], error_kind="phase")
 
 
 @cache
 def races() -> tuple[WorkPrecision, ...]:
-    """Return the same of every method with every number of steps; some seconds."""
+    """Return the phase errors and evaluations of every method at every number of steps; takes some seconds."""
     return tuple(work_precision(method, periods=PERIODS, error_kind="phase") for method in METHODS)
 
 
-def cheapest(setting: Setting) -> Verdict:
-    """Judge a method and its steps: first the error, then the cost."""
-    chosen = race(setting.method, setting.steps)
+def cheapest(attempt: Attempt) -> TaskVerdict:
+    """Judge a method and its number of steps: the error first, then the cost."""
+    chosen = race(attempt.method, attempt.steps)
     error, cost = chosen.error.item(), chosen.evaluations.item()
     if error > WITHIN:
         return missed(
@@ -97,14 +97,14 @@ def cheapest(setting: Setting) -> Verdict:
     return near(cost - fewest, 0, sentences, error=error, cost=cost, times=cost / fewest)
 
 
-def two_cubes(setting: Setting) -> Verdict:
-    """Judge the number of a machine with other bodies: a sum of two positive cubes, but not the paper's."""
-    choice = BodyChoice(*setting.bodies)
+def two_cubes(attempt: Attempt) -> TaskVerdict:
+    """Judge a choice of bodies: its discriminant must be a sum of two cubes, and not the paper's 1729."""
+    choice = BodyChoice(*attempt.bodies)
     value = choice.discriminant
     if value == BodyChoice().discriminant:
         return missed(_("This is the paper’s machine with its {number}. Can you find another one?"), number=value)
     if choice.cubes:
-        return Verdict(
+        return TaskVerdict(
             True,
             filled(_("The number of this machine is {n} = {pair[0]}³ + {pair[1]}³."), n=value, pair=choice.cubes[0]),
         )

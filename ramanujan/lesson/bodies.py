@@ -1,4 +1,4 @@
-"""Stops 6 to 9: which body moves where, and where the energy is."""
+"""Stops 6 to 9: the directions of motion, and the distribution of the energy."""
 
 from ramanujan.energy import energies
 from ramanujan.lesson.stop import COMPRESSION, EQUAL, FREQUENCY, Onward, Stop, after, by_sign
@@ -10,13 +10,21 @@ _BODIES = ("slab", "block", "hoop", "top")
 
 
 def _velocities() -> dict[str, float]:
-    """Return the velocities of slab (relative to the block) and block (to the ground) while the slab moves right."""
+    """Return velocities and a momentum at three quarters of a period, when the slab moves to the right.
+
+    Returns
+    -------
+    slab : velocity relative to the block, positive to the right [cm/s]
+    block : velocity relative to the ground, positive to the left [cm/s]
+    momentum : momentum of slab and lower rollers if the block were at rest [kg m/s]
+    """
     rates = after(3 / 4)[1]
+    slab = float(relative_velocities(EQUAL, rates)["slab"])
     return {
-        "slab": _CM * float(relative_velocities(EQUAL, rates)["slab"]),
+        "slab": _CM * slab,
         "block": -_CM * float(ground_velocities(EQUAL, rates)["block"]),
-        # What slab and lower rollers would carry if the block were at rest; the rollers are half as fast.
-        "momentum": (EQUAL.m + EQUAL.m_prime) * float(relative_velocities(EQUAL, rates)["slab"]),
+        # The two lower rollers are half as fast as the slab.
+        "momentum": (EQUAL.m + EQUAL.m_prime) * slab,
     }
 
 
@@ -27,29 +35,37 @@ def _block() -> str:
 
 
 def _paths() -> dict[str, float]:
-    """Return how far a lower roller's centre travels in half a period, relative to the block and to the ground [cm]."""
-    ends = after(0.0)[0], after(0.5)[0]
-    block, ground = (
-        _CM * abs(float(places(EQUAL, ends[0])["hoop"] - places(EQUAL, ends[1])["hoop"]))
-        for places in (relative_positions, ground_positions)
-    )
-    return {"over_block": block, "over_ground": ground, "block": block - ground, "half": block / 2}
+    """Return the distances that a lower roller's centre and the block cover in half a period [cm]."""
+    start, end = after(0.0)[0], after(0.5)[0]
+    over_block = _CM * abs(float(relative_positions(EQUAL, start)["hoop"] - relative_positions(EQUAL, end)["hoop"]))
+    over_ground = _CM * abs(float(ground_positions(EQUAL, start)["hoop"] - ground_positions(EQUAL, end)["hoop"]))
+    return {
+        "over_block": over_block,
+        "over_ground": over_ground,
+        "block": over_block - over_ground,
+        "half": over_block / 2,
+    }
 
 
 def _rollers() -> str:
     paths = _paths()
     share = paths["over_ground"] / paths["over_block"]
-    return "more" if share > 1.1 else "all" if share > 0.9 else "half" if share > 0.25 else "tenth"
+    if share > 1.1:
+        return "more"
+    if share > 0.9:
+        return "all"
+    return "half" if share > 0.25 else "tenth"
 
 
 def _stored(part: float) -> dict[str, float]:
-    """Return the share of the energy in each body, and in the spring, after this part of a period."""
+    """Return the shares of the energy in the bodies and in the spring after this part of a period."""
     terms = {name: float(value) for name, value in energies(EQUAL, *after(part)).items()}
     total = sum(terms.values())
-    return {
-        body: sum(value for name, value in terms.items() if name.partition("_")[0] == body) / total
-        for body in (*_BODIES, "spring")
-    }
+    shares = {}
+    for body in (*_BODIES, "spring"):
+        of_body = [value for name, value in terms.items() if name.partition("_")[0] == body]
+        shares[body] = sum(of_body) / total
+    return shares
 
 
 def _turning() -> str:

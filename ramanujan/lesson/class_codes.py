@@ -1,26 +1,26 @@
-"""What opens a class: a short code for everybody, a long key for the lecturer, a random voter for each student."""
+"""The identifiers of a class: a short public code, the lecturer's long key, and a random name for each student."""
 
 import hashlib
 import ipaddress
 import secrets
 
 ALPHABET = "BCDFHJKLMNPRSTWXZ"
-"""Letters of a code: none looks like a digit or like another letter, and without vowels they spell no word."""
+"""The letters of codes: none looks like a digit or another letter, and without vowels they spell no word."""
 LETTERS = 6
-"""The letters of a code; 17⁶ is 24 million. A stranger who guesses a code gets one vote, and the desk sees it."""
+"""The length of a code, for 24 million codes. A stranger who guesses one gets one vote, which the desk counts."""
 
 SECRET_BYTES, VOTER_BYTES = 24, 9
-"""The length of a lecturer’s key, which fits into an address, and of a student’s random name."""
+"""The lengths of a lecturer's secret, which is short enough for a URL, and of a student's random name."""
 _LONGEST = 60
 
 
 def new_code() -> str:
-    """Return a code that nobody can foresee."""
+    """Return an unpredictable code."""
     return "".join(secrets.choice(ALPHABET) for _ in range(LETTERS))
 
 
 def read_code(text: str, letters: int = LETTERS) -> str | None:
-    """Return the code that was typed, in whatever case and with whatever between its letters, or None.
+    """Return the code in a typed text, None if there is no code; case, spaces and punctuation do not matter.
 
     >>> read_code(" bcd-fhj ")
     'BCDFHJ'
@@ -30,17 +30,21 @@ def read_code(text: str, letters: int = LETTERS) -> str | None:
 
 
 def foreign_to_codes(text: str) -> str:
-    """Return the first letter or digit that occurs in no code, of a text that is as long as one; otherwise nothing.
+    """Return the first letter or digit of a typed code that no code contains, or an empty string.
+
+    A text of another length than a code also returns an empty string.
 
     >>> foreign_to_codes("bcd-fae"), foreign_to_codes("bcd")
     ('A', '')
     """
     code = _bare(text)
-    return next((letter for letter in code if letter not in ALPHABET), "") if len(code) == LETTERS else ""
+    if len(code) != LETTERS:
+        return ""
+    return next((letter for letter in code if letter not in ALPHABET), "")
 
 
 def spaced(code: str) -> str:
-    """Return a code as it is read aloud, in two groups.
+    """Return a code in two groups, which are easy to read aloud.
 
     >>> spaced("BCDFHJ")
     'BCD FHJ'
@@ -49,43 +53,45 @@ def spaced(code: str) -> str:
 
 
 def key_of(code: str, secret: str) -> str:
-    """Return the lecturer's key to the class of this code."""
+    """Return the lecturer's key to the class with this code."""
     return f"{code}-{secret}"
 
 
 def parts_of(key: str) -> tuple[str, str]:
-    """Return the code and the secret of a key; the secret of a mere code is empty."""
+    """Return the code and the secret of a key; of a code without a secret, the second string is empty."""
     code, _hyphen, secret = key.partition("-")
     return code, secret
 
 
 def hash_of(secret: str) -> str:
-    """Return what is kept of a secret: who reads the database cannot make the key from it."""
+    """Return the hash of a secret. The database stores only this hash, so a leaked copy contains no key."""
     return hashlib.sha256(secret.encode()).hexdigest()
 
 
 def voter_of(browser: str, code: str) -> str:
-    """Return the random name of a browser in one class: no class can be told from it what another one got."""
-    return _in_class(code, browser) if browser else ""
+    """Return the name of a browser in one class, a hash, so that the names in two classes cannot be linked."""
+    return _hash_in_class(code, browser) if browser else ""
 
 
 def network_of(address: str, code: str) -> str:
-    """Return what a class knows of a visitor’s IP address while it counts who joins from one network.
+    """Return the hash of a visitor's network, with which a class counts the seats of one network.
 
-    A provider gives a household a whole range of version 6 addresses, so those that agree in 64 bits count as one.
+    A provider assigns a household a whole range of IPv6 addresses, so only the first 64 bits count.
     """
     try:
-        at = ipaddress.ip_address(address)
+        parsed = ipaddress.ip_address(address)
     except ValueError:
-        return _in_class(code, address)
-    # A server that listens to both versions sees a version 4 address inside one of version 6.
-    at = getattr(at, "ipv4_mapped", None) or at
-    return _in_class(code, f"{at.version}:{int(at) >> (64 if at.version == 6 else 0)}")
+        return _hash_in_class(code, address)
+    # A dual-stack server receives an IPv4 address as an IPv4-mapped IPv6 address.
+    parsed = getattr(parsed, "ipv4_mapped", None) or parsed
+    host_bits = 64 if parsed.version == 6 else 0
+    return _hash_in_class(code, f"{parsed.version}:{int(parsed) >> host_bits}")
 
 
-def _in_class(code: str, text: str) -> str:
+def _hash_in_class(code: str, text: str) -> str:
     return hashlib.sha256(f"{read_code(code)}:{text}".encode()).hexdigest()[:16]
 
 
 def _bare(text: str) -> str:
+    """Return the letters and digits of a text, in capitals."""
     return "".join(filter(str.isalnum, text[:_LONGEST].upper()))

@@ -1,4 +1,4 @@
-"""What is known of a class: by the lecturer, by a student, by everybody once it is revealed."""
+"""The states of a class, its question, its votes and its seats, as immutable values."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,26 +6,27 @@ from enum import IntEnum
 from typing import NamedTuple
 
 END = "end"
-"""The place after the last stop, at which the class looks back at its votes."""
+"""The stop id of the end of the lesson, where the class looks back at its votes."""
 
 
 class Phase(IntEnum):
-    """How far a question has come; each phase shows what the one before has shown, and more."""
+    """The phases of a question; each one shows everything that the phases before it show."""
 
     ASKED = 0
+    """Students answer."""
     REVEALED = 1
-    """Everybody sees how the class has voted; no answer is taken any more."""
+    """Everybody sees the distribution of the votes, and no more answers count."""
     RUNNING = 2
     """The machine runs."""
     SOLVED = 3
-    """The right answer is named and explained."""
+    """Everybody sees the right answer and its explanation."""
 
 
 class Vote(NamedTuple):
     """One of the votes on a stop.
 
-    asking : how often the class had been asked about this stop, from 1
-    number : 1 for the vote before students talk to their neighbours, 2 for the one after
+    asking : counts how many times the lecturer has asked this question, from 1
+    number : 1 for the vote before students talk to their neighbours, 2 for the vote after
     """
 
     asking: int = 1
@@ -33,13 +34,13 @@ class Vote(NamedTuple):
 
     @property
     def is_second(self) -> bool:
-        """Whether the class votes for the second time, after talking."""
+        """Whether this is the vote after the discussion."""
         return self.number == 2
 
 
 @dataclass(frozen=True)
 class Class:
-    """A class as the lecturer gets it: its code for everybody, its key for nobody else."""
+    """A new class, for the lecturer: the code for everybody, and the secret key."""
 
     code: str
     key: str
@@ -54,15 +55,15 @@ class Seat:
 
 
 @dataclass(frozen=True)
-class Question:
-    """What a class is asked now, as everybody may know it.
+class ClassQuestion:
+    """The current question of a class, without secrets.
 
     stop : id of the stop, None before the first, `END` after the last
-    vote : which vote on it
-    phase : what is shown of it; the lecturer may go back to an earlier phase
-    reached : how far the question has come
-    answered : how many of those present have answered
-    present : how many students were heard of lately
+    vote : the current vote
+    phase : the phase on the screens; the lecturer may return to an earlier one
+    reached : the latest phase that the question has reached
+    answered : number of present students with an answer
+    present : number of students whose browser has sent a request lately
     is_known : whether this version of the app has the stop; if not, `stop` is None
     """
 
@@ -77,12 +78,12 @@ class Question:
 
 @dataclass(frozen=True)
 class Seats:
-    """Who sits in a class, for the lecturer.
+    """The seats of a class, for the lecturer.
 
-    taken : how many seats are taken
-    present : how many of their students were heard of lately
-    lately : how many were taken within the last minute
-    is_open : whether somebody else may join
+    taken : number of seats
+    present : number of students whose browser has sent a request lately
+    lately : number of students who joined within the last minute
+    is_open : whether more students may join
     """
 
     taken: int
@@ -92,12 +93,12 @@ class Seats:
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A question that was asked, for the lecturer's file.
+class ClassResult:
+    """The result of one question, for the lecturer's file.
 
-    stop : its id
-    at : when it was asked [s since 1970]
-    present : how many were present when its result was shown
+    stop : id of the stop
+    at : time of the question [s since 1970]
+    present : number of students present when the result was shown
     first, second : option → number of votes; `second` is None without a second vote
     """
 

@@ -1,10 +1,10 @@
 """The database of the classes, which several processes of the app read and write at the same time.
 
-    SqliteStore     a file that the processes of one machine share; it needs no installation
-    PostgresStore   a PostgreSQL server that the processes of several machines share (`pip install psycopg`)
+    SqliteStore     a file, shared by the processes of one machine; needs no installation
+    PostgresStore   a PostgreSQL server, shared by the processes of several machines (`pip install psycopg`)
 
-`classes` defines the rules of a class; this module only runs statements. A transaction is written as a whole or not at
-all, also if its process is killed. The database contains no name of a person.
+`classes` defines the rules of a class; this module only runs statements. A transaction is atomic, even if its process
+is killed. The database contains no personal names.
 """
 
 import logging
@@ -23,7 +23,7 @@ from ramanujan.translation import _
 _LOG = logging.getLogger(__name__)
 
 PATIENCE = 10.0
-"""Seconds after which a call gives up waiting for a busy database, or for one that is restarted."""
+"""The timeout of a call to a busy or restarting database [s]."""
 POSTGRES = ("postgresql://", "postgres://")
 
 # Both databases accept these statements. `asking` and `number` are the fields of a `class_states.Vote`.
@@ -52,15 +52,15 @@ ALTER TABLE class ADD COLUMN network TEXT;
 ALTER TABLE class ADD COLUMN was_joined INTEGER NOT NULL DEFAULT 1;
 """
 _UPGRADES = (_FIRST_SCHEMA, _OPENING)
-"""Statements that lead from each schema to the next. A database stores the number of the schema that it has reached."""
+"""The statements of each schema upgrade. A database stores the number of its schema."""
 
 
 class ClassError(Exception):
-    """An action that a class refuses; the message is one sentence for the person who tried it."""
+    """A refused action; the message is one sentence for the user."""
 
 
 class CrowdError(ClassError):
-    """An action that a class refuses only for a moment."""
+    """An action that is refused because of too many requests, and may succeed in a moment."""
 
 
 class SeatError(ClassError):
@@ -69,33 +69,32 @@ class SeatError(ClassError):
 
 def place() -> str:
     """Return the file or address of the database: RAMANUJAN_CLASSES, or a file in the user's data folder."""
-    if named := os.environ.get("RAMANUJAN_CLASSES"):
-        return named
-    return str(_data_folder() / "ramanujan" / "classes.sqlite")
+    default = _data_folder() / "ramanujan" / "classes.sqlite"
+    return os.environ.get("RAMANUJAN_CLASSES") or str(default)
 
 
 def _data_folder() -> Path:
-    """Return the folder in which this system's programs keep the data of a user."""
+    """Return the operating system's folder for the data of a user's programs."""
     if sys.platform == "win32":
         variable, folder = "LOCALAPPDATA", "~/AppData/Local"
     elif sys.platform == "darwin":
         variable, folder = "", "~/Library/Application Support"
     else:
         variable, folder = "XDG_DATA_HOME", "~/.local/share"
-    named = os.environ.get(variable, "")
-    return Path(named if os.path.isabs(named) else os.path.expanduser(folder))
+    configured = os.environ.get(variable, "")
+    return Path(configured if os.path.isabs(configured) else os.path.expanduser(folder))
 
 
 def store_at(where: str | Path) -> "Store":
-    """Return the store at a file's path or a PostgreSQL server's address."""
+    """Return the store for a file path or the address of a PostgreSQL server."""
     return PostgresStore(str(where)) if str(where).startswith(POSTGRES) else SqliteStore(Path(where))
 
 
 class Store:
-    """A database. A database error becomes a `ClassError` with one sentence; its reason is in the log."""
+    """A database. A database error raises a `ClassError` with one sentence and writes its reason to the log."""
 
     begin: ClassVar[tuple[str, ...]]
-    """Statements that begin a transaction in which no other process writes."""
+    """Statements that begin a transaction and exclude other writers."""
     errors: tuple[type[Exception], ...]
 
     def read(self, query: str, values: Sequence[Any] = ()) -> list[tuple]:
@@ -105,23 +104,23 @@ class Store:
 
     @contextmanager
     def writing(self) -> Iterator[Callable[..., Any]]:
-        """Begin a transaction and yield the function that executes its statements.
+        """Run a transaction; yield `execute`.
 
-        No other process writes meanwhile, so a row that the block has read is still up to date when it writes.
+        No other process writes during the transaction, so a row stays up to date between a read and a write.
         """
         with self._errors_as_sentences(), self.connection() as connection, self._transaction(connection):
             yield lambda query, values=(): self.execute(connection, query, values)
 
     def exists(self) -> bool:
-        """Return whether there may be anything to read, without creating a database."""
+        """Return whether the database may contain data, without creating it."""
         return True
 
     def connection(self) -> Any:
-        """Return a context manager that yields a connection to a database of the newest schema."""
+        """Return a context manager that yields a connection to the database, upgraded to the newest schema."""
         raise NotImplementedError
 
     def is_busy(self, error: Exception) -> bool:
-        """Return whether the same call may succeed in a moment."""
+        """Return whether a call failed only because the database is busy, and may succeed in a moment."""
         raise NotImplementedError
 
     def execute(self, connection: Any, query: str, values: Sequence[Any]) -> Any:
@@ -161,14 +160,14 @@ class Store:
 
 
 def _upgrade(connection: Any, schema: int) -> None:
-    """Bring a database from an earlier schema to the newest one, within a transaction."""
+    """Upgrade a database from an earlier schema to the newest one, within a transaction."""
     for statements in _UPGRADES[schema:]:
         for statement in statements.split(";")[:-1]:
             connection.execute(statement)
 
 
 class SqliteStore(Store):
-    """One SQLite file. Each call opens it anew, so a file that was deleted or damaged is noticed at once."""
+    """An SQLite file. Each call opens a new connection, so a deleted or damaged file raises an error at once."""
 
     begin = ("BEGIN IMMEDIATE",)
     errors = (sqlite3.Error,)
@@ -178,16 +177,16 @@ class SqliteStore(Store):
 
     @contextmanager
     def connection(self) -> Iterator[sqlite3.Connection]:
-        """Open the file for one call; a new one can be read by its owner only."""
+        """Open the file for one call; create it with permissions for its owner only."""
         if not self.path.exists():
             self.path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
             self.path.touch(mode=0o600)
         connection = sqlite3.connect(self.path, timeout=PATIENCE, isolation_level=None)
         try:
-            # Processes that create the file at the same time may refuse each other this mode, which is only faster.
+            # The mode is optional. Setting it may fail if another process creates the file at the same time.
             with suppress(sqlite3.OperationalError):
                 connection.execute("PRAGMA journal_mode = WAL")
-            # A vote survives a killed process. A power failure may lose the last votes.
+            # With this setting a vote survives a killed process, but a power failure may lose the last votes.
             connection.execute("PRAGMA synchronous = NORMAL")
             connection.execute("PRAGMA foreign_keys = ON")
             connection.execute("PRAGMA secure_delete = ON")
@@ -200,7 +199,7 @@ class SqliteStore(Store):
             connection.close()
 
     def exists(self) -> bool:
-        """Return whether there is a file."""
+        """Return whether the file exists."""
         return self.path.exists()
 
     def is_busy(self, error: Exception) -> bool:
@@ -212,7 +211,7 @@ class SqliteStore(Store):
 
 
 class PostgresStore(Store):
-    """A database on a PostgreSQL server. The threads of a process share one connection and take turns."""
+    """A database on a PostgreSQL server. The threads of a process share one connection under a lock."""
 
     # The lock excludes all other processes until the transaction ends.
     begin = ("BEGIN", "SELECT pg_advisory_xact_lock(1729)")
@@ -229,7 +228,7 @@ class PostgresStore(Store):
 
     @contextmanager
     def connection(self) -> Iterator[Any]:
-        """Yield the connection; if the server is restarted, wait until it answers."""
+        """Yield the connection; during a restart of the server, retry until the timeout."""
         end = time.monotonic() + PATIENCE
         with self._lock:
             while True:
@@ -245,7 +244,7 @@ class PostgresStore(Store):
             yield self._open
 
     def is_busy(self, error: Exception) -> bool:
-        """Return whether the server is away, or another transaction has locked a row."""
+        """Return whether the server is unreachable, or another transaction has locked a row."""
         return isinstance(error, self._psycopg.OperationalError)
 
     def execute(self, connection: Any, query: str, values: Sequence[Any]) -> Any:
@@ -253,7 +252,7 @@ class PostgresStore(Store):
         return connection.execute(query.replace("?", "%s"), values)
 
     def _connect(self) -> Any:
-        """Return a new connection, with the newest schema in its database."""
+        """Return a new connection, after an upgrade of the database to the newest schema."""
         connection = self._psycopg.connect(self._address, autocommit=True, connect_timeout=3)
         with self._transaction(connection):
             connection.execute("CREATE TABLE IF NOT EXISTS schema_number (number INTEGER NOT NULL)")

@@ -1,16 +1,16 @@
-"""The class predicts: a lecturer asks, students answer, and nobody sees how the class voted before it is revealed.
+"""Voting in class: a lecturer asks, students answer, and the distribution stays hidden until the lecturer shows it.
 
     classes = shared()
-    opened = classes.open_class()                   # a code for everybody, a key for the lecturer alone
-    seat = classes.join(opened.code)                # a student: no name, a random voter
+    opened = classes.open_class()                   # a public code, and a secret key for the lecturer
+    seat = classes.join(opened.code)                # a student, with a random name
     classes.ask(opened.key, "faster", ["machine", "plain"])
     classes.vote(seat, "faster", "plain")
     classes.show(opened.key, Phase.REVEALED)
     classes.distribution(opened.code, "faster")     # {"machine": 0, "plain": 1}
-    classes.ask_again(opened.key)                   # the second vote, after talking to a neighbour
+    classes.ask_again(opened.key)                   # the second vote, after the discussion
 
-What a class cannot do raises `ClassError` with one sentence. All of it is in one database (`class_store`) that several
-processes share, and is gone when the class expires. Peer instruction: E. Mazur, *Peer Instruction* (1997).
+A refused action raises `ClassError` with one sentence. Several processes share one database (`class_store`). An expired
+class is deleted with all its votes. The method is from E. Mazur, *Peer Instruction* (1997).
 """
 
 import re
@@ -23,26 +23,26 @@ from pathlib import Path
 from typing import Any
 
 from ramanujan.lesson import class_codes
-from ramanujan.lesson.class_states import END, Asked, Class, Phase, Question, Seat, Seats, Vote
+from ramanujan.lesson.class_states import END, Class, ClassQuestion, ClassResult, Phase, Seat, Seats, Vote
 from ramanujan.lesson.class_store import ClassError, CrowdError, SeatError, place, store_at
 from ramanujan.translation import _
 
 STUDENTS = 500
-"""Most students in one class."""
+"""The largest number of students in one class."""
 NETWORK_SEATS = 60
-"""Most seats that one network gets in a class within a `MINUTE`, as many as a lecture hall behind one router needs.
+"""The largest number of seats that one network takes in a class within a `MINUTE`: a lecture hall behind one router.
 
-It opens as many classes at most.
+The number of classes that one network opens within a `MINUTE` has the same limit.
 """
 CLASSES = 200
-"""Most classes at one time."""
+"""The largest number of classes at one time."""
 DAY = 24 * 3600.0
 LIFETIMES = (DAY, 7 * DAY, 30 * DAY)
-"""Seconds after which a class is gone, the usual first."""
+"""The lifetimes of a class, the default first [s]."""
 PRESENT = 20.0
-"""Seconds for which somebody who was heard of counts as present."""
+"""A student counts as present for this long after a request [s]."""
 HEARD_EVERY = 5.0
-"""Seconds after which being heard of is written down again: a phone asks twice as often."""
+"""The shortest interval between two updates of a student's last request [s]; phones send twice as many requests."""
 MINUTE = 60.0
 
 _ID = re.compile(r"[a-z0-9_-]{1,40}", re.ASCII)
@@ -82,20 +82,24 @@ class Classes:
     # ---- the lecturer
 
     def open_class(self, lifetime: float = DAY, address: str = "") -> Class:
-        """Open a class under a new code and return it with its key.
+        """Open a class with a new code and a new key.
 
-        If all places are taken, the class that was opened first among those that nobody has ever joined makes way.
+        If there are `CLASSES` already, the oldest class that nobody has joined is deleted.
 
         Parameters
         ----------
-        lifetime : seconds until the class is deleted
-        address : IP address of the lecturer; one network opens only so many classes at a time
+        lifetime : time until the class is deleted [s]
+        address : IP address of the lecturer, for the limit of classes per network
+
+        Raises
+        ------
+        ClassError : a limit is reached.
         """
         secret = secrets.token_urlsafe(class_codes.SECRET_BYTES)
         now, network = self._clock(), class_codes.network_of(address, "")
         with self._store.writing() as execute:
             self._forget(execute)
-            # Earlier openings have been forgotten.
+            # `_forget` has removed the networks of classes opened more than a minute ago.
             if _count(execute, "class WHERE network = ?", network) >= NETWORK_SEATS:
                 sentence = _("{most} classes were opened from your network within a minute. Try again in a minute.")
                 raise CrowdError(sentence.format(most=NETWORK_SEATS))
@@ -111,27 +115,27 @@ class Classes:
         return Class(code, class_codes.key_of(code, secret))
 
     def close(self, key: str) -> None:
-        """End a class; nothing of it remains."""
+        """Delete a class and all its rows."""
         code = self.code_of(key)
         with self._store.writing() as execute:
             execute("DELETE FROM class WHERE code = ?", (code,))
 
     def code_of(self, key: str) -> str:
-        """Return the code of the class that a lecturer's key belongs to."""
+        """Return the code of the class that belongs to a lecturer's key."""
         code, secret = class_codes.parts_of(key)
         rows = self._store.read("SELECT key_hash FROM class WHERE code = ? AND expires > ?", (code, self._clock()))
-        # The time that the comparison takes says nothing about either.
+        # A comparison in constant time reveals nothing about the hash.
         if not rows or not secrets.compare_digest(rows[0][0], class_codes.hash_of(secret)):
             raise ClassError(_("This lecturer’s address belongs to no class. The class may have ended."))
         return code
 
     def ask(self, key: str, stop: str, options: Sequence[str], anew: bool = False) -> None:
-        """Take the class to a question; one that was asked before is as it was left, or asked once more.
+        """Take the class to a question.
 
-        The votes of an earlier asking are kept.
+        An earlier question is resumed, or asked again if `anew`. Its earlier votes remain in the database.
         """
         code = self.code_of(key)
-        if not all(_ID.fullmatch(each) for each in (stop, *options)):
+        if not all(_ID.fullmatch(id) for id in (stop, *options)):
             raise ValueError(_("The ids of {stop} must have small letters, digits, - and _ only.").format(stop=stop))
         with self._store.writing() as execute:
             query = "SELECT asking, number FROM question WHERE code = ? AND stop = ? ORDER BY asking DESC, number DESC"
@@ -140,12 +144,12 @@ class Classes:
             self._begin(execute, code, stop, vote, " ".join(options))
 
     def show(self, key: str, phase: Phase) -> None:
-        """Show the present question in a phase, also in an earlier one; once REVEALED, it takes no more answers."""
+        """Show the current question in a phase, which may be earlier; after REVEALED it takes no more answers."""
         code = self.code_of(key)
         with self._store.writing() as execute:
             stop, vote, *_rest = _present(execute, code)
             present = execute(f"{_PRESENTLY.replace('class.code', '?')}", (code, self._lately)).fetchone()[0]
-            # With a second vote, the first is shown too.
+            # Without a condition on `number`, a second vote is shown together with the first.
             execute(
                 "UPDATE question SET present = CASE WHEN reached = 0 THEN ? ELSE present END, phase = ?, "
                 "reached = CASE WHEN reached > ? THEN reached ELSE ? END WHERE code = ? AND stop = ? AND asking = ?",
@@ -153,11 +157,11 @@ class Classes:
             )
 
     def finish(self, key: str) -> None:
-        """Take the class to the end, where it looks back at its votes."""
+        """Take the class to the end of the lesson, `END`."""
         self._set(key, stop=END)
 
     def ask_again(self, key: str) -> None:
-        """Begin the second vote on the present question; the first takes no answers any more."""
+        """Begin the second vote on the current question and close the first."""
         code = self.code_of(key)
         with self._store.writing() as execute:
             stop, vote, options, reached = _present(execute, code)
@@ -168,38 +172,40 @@ class Classes:
             self._begin(execute, code, stop, vote._replace(number=2), options)
 
     def set_machine(self, key: str, machine: str) -> None:
-        """Let the wall show this machine: what the lecturer's sliders hold, as the query of an address."""
+        """Store the values of the lecturer's sliders, as a URL query, for the wall."""
         self._set(key, machine=machine)
 
-    def set_seen(self, key: str, seen: str) -> None:
-        """Let every screen show what is seen of the machine at the lecturer's desk, and since when."""
-        self._set(key, seen=seen, seen_at=self._clock())
+    def set_view(self, key: str, view: str) -> None:
+        """Store the desk's view of the machine and the current time, for all screens."""
+        self._set(key, seen=view, seen_at=self._clock())
 
-    def asked(self, key: str) -> list[Asked]:
-        """Return what the lecturer takes home of a class: `results`."""
+    def results_for_lecturer(self, key: str) -> list[ClassResult]:
+        """Return the `results` of the class that belongs to a key."""
         return self.results(self.code_of(key))
 
-    def results(self, code: str, least: Phase = Phase.REVEALED) -> list[Asked]:
-        """Return every question that the class was asked and that has come so far, in the order of asking."""
+    def results(self, code: str, least: Phase = Phase.REVEALED) -> list[ClassResult]:
+        """Return the results of all questions that have reached a phase, in the order of asking."""
         rows = self._store.read(
             "SELECT stop, asking, number, options, asked, present FROM question WHERE code = ? AND reached >= ? "
             "ORDER BY asked, asking, number",
             (code, int(least)),
         )
-        shown = {(stop, Vote(asking, number)): rest for stop, asking, number, *rest in rows}
-        found = []
-        for (stop, vote), (options, at, present) in shown.items():
+        present_at = {(stop, Vote(asking, number)): present for stop, asking, number, *_rest, present in rows}
+        results = []
+        for stop, asking, number, options, at, present in rows:
+            vote = Vote(asking, number)
             if vote.is_second:
                 continue
-            again = vote._replace(number=2)
             first, second = self._votes(code, stop, vote, options), None
-            if (stop, again) in shown:
-                second, present = self._votes(code, stop, again, options), shown[stop, again][-1]
-            found.append(Asked(stop, at, present, first, second))
-        return found
+            second_vote = vote._replace(number=2)
+            if (stop, second_vote) in present_at:
+                second = self._votes(code, stop, second_vote, options)
+                present = present_at[stop, second_vote]
+            results.append(ClassResult(stop, at, present, first, second))
+        return results
 
     def seats(self, key: str) -> Seats:
-        """Return how many seats are taken, how many of them lately, and whether there are more."""
+        """Return the numbers of seats, and whether more students may join."""
         code = self.code_of(key)
         query = (
             f"SELECT (SELECT COUNT(*) FROM voter WHERE voter.code = class.code), ({_PRESENTLY}), (SELECT COUNT(*) "
@@ -209,11 +215,11 @@ class Classes:
         return Seats(taken, present, lately, bool(is_open))
 
     def let_join(self, key: str, is_open: bool) -> None:
-        """Open or close the door: whoever has a seat keeps it, and others get one only while it is open."""
+        """Open or close the class to new students; a student with a seat stays."""
         self._set(key, is_open=int(is_open))
 
     def remove_absent(self, key: str) -> None:
-        """Remove everybody who was not heard of lately, and their answers to a question whose result is not shown."""
+        """Remove all absent students, and their answers to the current question while its result is hidden."""
         code = self.code_of(key)
         absent = "voter IN (SELECT voter FROM voter WHERE code = ? AND heard <= ?)"
         with self._store.writing() as execute:
@@ -227,30 +233,34 @@ class Classes:
     # ---- a student
 
     def join(self, code: str, voter: str = "", address: str = "") -> Seat:
-        """Return a seat in a class, the old one if this voter has been there before.
+        """Return a seat in a class, the old one if the voter has one.
 
-        A code is looked up before anything else, by one read, and wrong ones leave nothing behind: however many
-        anybody has typed, a right one gets in.
+        A wrong code costs one read and writes nothing, so a right code works after any number of wrong ones.
 
         Parameters
         ----------
-        code : as it was typed, or stands in a link
-        voter : random name of the browser in this class; a new one where there is none
-        address : IP address of the visitor; those of one network get only so many seats at a time
+        code : as typed, or from a link
+        voter : random name of the browser in this class; empty for a new one
+        address : IP address of the visitor, for the limit of seats per network
+
+        Raises
+        ------
+        ClassError : the code is wrong, or the class is closed or full.
         """
-        if (read := class_codes.read_code(code)) is None:
+        class_code = class_codes.read_code(code)
+        if class_code is None:
             raise ClassError(_no_code(code))
         seat = None
-        if self._store.read("SELECT 1 FROM class WHERE code = ?", (read,)):
+        if self._store.read("SELECT 1 FROM class WHERE code = ?", (class_code,)):
             with self._store.writing() as execute:
                 self._forget(execute)
-                seat = self._seat(execute, read, voter, class_codes.network_of(address, read))
+                seat = self._seat(execute, class_code, voter, class_codes.network_of(address, class_code))
         if seat is None:
             raise ClassError(_no_such_class())
         return seat
 
-    def chosen(self, seat: Seat, question: Question) -> str | None:
-        """Return the student's own answer to a question, and know from now on that the student is present."""
+    def answer_of(self, seat: Seat, question: ClassQuestion) -> str | None:
+        """Return the student's answer to a question, and mark the student as present."""
         now = self._clock()
         rows = self._store.read(
             "SELECT option, heard FROM voter LEFT JOIN vote ON vote.code = voter.code AND vote.voter = voter.voter "
@@ -266,13 +276,18 @@ class Classes:
         return option
 
     def vote(self, seat: Seat, stop: str, option: str, vote: Vote | None = None) -> None:
-        """Take a student's answer to the present question, in place of an earlier one.
+        """Store a student's answer to the current question; it replaces an earlier answer.
 
         Parameters
         ----------
         seat : of the student
         stop, option : ids
-        vote : the one in which the student was asked, where an answer may come late
+        vote : the vote on the student's screen; by default the current one
+
+        Raises
+        ------
+        ClassError : the answer is too late or unknown, or the class has ended.
+        SeatError : the student has lost the seat.
         """
         code, voter = seat.code, seat.voter
         with self._store.writing() as execute:
@@ -280,45 +295,50 @@ class Classes:
                 raise ClassError(_no_such_class())
             if not _count(execute, "voter WHERE code = ? AND voter = ?", code, voter):
                 raise SeatError(_no_seat())
-            # After a lost connection a browser says once more what counts already.
-            said = f"vote WHERE {_THIS_VOTE} AND voter = ? AND option = ?"
-            if vote and _count(execute, said, code, stop, *vote, voter, option):
+            # After a lost connection a browser repeats an answer that counts already.
+            same_answer = f"vote WHERE {_THIS_VOTE} AND voter = ? AND option = ?"
+            if vote and _count(execute, same_answer, code, stop, *vote, voter, option):
                 return
-            present, now, options, reached = _present(execute, code)
-            if present != stop:
+            current_stop, current_vote, options, reached = _present(execute, code)
+            if current_stop != stop:
                 raise ClassError(_("Your answer came too late: the class has gone on to another question."))
             if reached > Phase.ASKED:
                 raise ClassError(_("Your answer came too late: the result has already been shown."))
-            if now != (vote or now):
+            if vote and vote != current_vote:
                 raise ClassError(_("Your answer came too late: another vote has begun. Please answer again."))
             if option not in options.split():
                 raise ClassError(_("This question has no such answer."))
             execute(
                 "INSERT INTO vote VALUES (?, ?, ?, ?, ?, ?) "
                 "ON CONFLICT (code, stop, asking, number, voter) DO UPDATE SET option = excluded.option",
-                (code, stop, *now, voter, option),
+                (code, stop, *current_vote, voter, option),
             )
             execute("UPDATE voter SET heard = ? WHERE code = ? AND voter = ?", (self._clock(), code, voter))
 
     # ---- everybody
 
-    def question(self, code: str) -> Question:
-        """Return what a class is asked now: one read by keys, since every phone asks every few seconds."""
+    def question(self, code: str) -> ClassQuestion:
+        """Return the current question of a class.
+
+        Every phone calls this every few seconds, so it is one read by keys.
+        """
         rows = self._store.read(_QUESTION, (self._lately, self._lately, code, self._clock()))
         if not rows:
             raise ClassError(_("The class has ended."))
         stop, asking, number, phase, reached, answered, present = rows[0]
-        return Question(stop, Vote(asking, number), Phase(phase), Phase(reached), answered, present)
+        return ClassQuestion(stop, Vote(asking, number), Phase(phase), Phase(reached), answered, present)
 
-    def last(self, code: str, stop: str) -> Question | None:
-        """Return how a stop was left that the class was asked before; numbers of people belong to the present one."""
+    def last_state(self, code: str, stop: str) -> ClassQuestion | None:
+        """Return the last state of an earlier question, without its numbers of students; None if it was never asked."""
         query = (
             "SELECT asking, number, phase, reached FROM question WHERE code = ? AND stop = ? "
             "ORDER BY asking DESC, number DESC"
         )
-        for asking, number, phase, reached in self._store.read(query, (code, stop))[:1]:
-            return Question(stop, Vote(asking, number), Phase(phase), Phase(reached), 0, 0)
-        return None
+        rows = self._store.read(query, (code, stop))
+        if not rows:
+            return None
+        asking, number, phase, reached = rows[0]
+        return ClassQuestion(stop, Vote(asking, number), Phase(phase), Phase(reached), answered=0, present=0)
 
     def expires(self, code: str) -> float:
         """Return the time at which the class and all its answers are deleted [s since 1970]."""
@@ -328,47 +348,48 @@ class Classes:
         return rows[0][0]
 
     def machine(self, code: str) -> str | None:
-        """Return what the wall shows of the lecturer's sliders."""
+        """Return the values of the lecturer's sliders, as a URL query."""
         rows = self._store.read("SELECT machine FROM class WHERE code = ?", (code,))
         return rows[0][0] if rows else None
 
-    def seen(self, code: str) -> tuple[str | None, float]:
-        """Return what the desk has told last of what is seen there, and how long ago [s]."""
+    def view(self, code: str) -> tuple[str | None, float]:
+        """Return the desk's last view and its age [s]."""
         rows = self._store.read("SELECT seen, seen_at FROM class WHERE code = ?", (code,))
-        seen, at = rows[0] if rows else (None, None)
-        return seen, self._clock() - (at or 0.0)
+        view, stored_at = rows[0] if rows else (None, None)
+        return view, self._clock() - (stored_at or 0.0)
 
     def distribution(self, code: str, stop: str, vote: Vote | None = None) -> dict[str, int]:
-        """Return option → number of votes, in the order of the options; by default of the last vote that was shown."""
+        """Return option → number of votes, in the order of the options; by default of the last vote on the screens."""
         query = (
             "SELECT options, asking, number FROM question WHERE code = ? AND stop = ? AND reached > 0 "
             "ORDER BY asking DESC, number DESC"
         )
-        for options, *of in self._store.read(query, (code, stop)):
-            if vote in (None, Vote(*of)):
-                return self._votes(code, stop, Vote(*of), options)
+        for options, asking, number in self._store.read(query, (code, stop)):
+            shown = Vote(asking, number)
+            if vote in (None, shown):
+                return self._votes(code, stop, shown, options)
         raise ClassError(_("The result of this question has not been shown yet."))
 
     def changes(self, code: str, stop: str, right: str, asking: int = 1) -> Counter[tuple[bool, bool]]:
-        """Return how many of those who voted twice were right in the first vote and in the second.
+        """Count the students who voted twice by whether each of their votes was right.
 
         Parameters
         ----------
         code, stop : the class and the question
         right : id of the right option
-        asking : of the two votes
+        asking : the asking of both votes
 
         Returns
         -------
-        whether they were right before, and after → their number
+        (right in the first vote, right in the second vote) → number of students
         """
-        # Raises where the result has not been shown.
+        # This call raises an error if the result has not been shown.
         self.distribution(code, stop, Vote(asking, 2))
         rows = self._store.read(_CHANGES, (right, right, code, stop, asking))
         return Counter({(bool(before), bool(after)): number for before, after, number in rows})
 
     def delete_expired(self) -> None:
-        """Delete what has expired; do nothing if no class was ever opened."""
+        """Delete the expired classes; without a database, do nothing."""
         if self._store.exists():
             with self._store.writing() as execute:
                 self._forget(execute)
@@ -391,7 +412,7 @@ class Classes:
         return {option: votes.get(option, 0) for option in options.split()}
 
     def _forget(self, execute: _Execute) -> None:
-        """Delete the classes that have expired, with all their rows, and the networks of earlier visitors."""
+        """Delete the expired classes, and the networks of visitors who joined more than a minute ago."""
         execute("DELETE FROM class WHERE expires <= ?", (self._clock(),))
         earlier = self._clock() - MINUTE
         execute("UPDATE class SET network = NULL WHERE network IS NOT NULL AND opened <= ?", (earlier,))
@@ -406,18 +427,19 @@ class Classes:
         execute("UPDATE class SET stop = ?, asking = ?, number = ? WHERE code = ?", (stop, *vote, code))
 
     def _seat(self, execute: _Execute, code: str, voter: str, network: str) -> Seat | None:
-        """Return the seat of whoever comes with this code; None where the class has just ended."""
-        again = "UPDATE voter SET heard = ? WHERE code = ? AND voter = ?"
-        if execute(again, (self._clock(), code, voter)).rowcount:
+        """Return the old or a new seat of a visitor, None if the class has just ended."""
+        mark_present = "UPDATE voter SET heard = ? WHERE code = ? AND voter = ?"
+        if execute(mark_present, (self._clock(), code, voter)).rowcount:
             return Seat(code, voter)
-        found = execute("SELECT is_open FROM class WHERE code = ?", (code,)).fetchone()
-        if not found:
+        row = execute("SELECT is_open FROM class WHERE code = ?", (code,)).fetchone()
+        if not row:
             return None
-        if not found[0]:
+        (is_open,) = row
+        if not is_open:
             raise ClassError(_("The lecturer has closed this class to newcomers. Ask for it to be opened."))
         if _count(execute, "voter WHERE code = ?", code) >= STUDENTS:
             raise ClassError(_("This class is full: it has {most} students.").format(most=STUDENTS))
-        # Older ones have been forgotten.
+        # `_forget` has removed the networks of students who joined more than a minute ago.
         if _count(execute, "voter WHERE code = ? AND network = ?", code, network) >= NETWORK_SEATS:
             sentence = _(
                 "{most} students of your network have joined within a minute. This page joins by itself in a moment."
@@ -440,26 +462,30 @@ def shared() -> Classes:
     return _of(place())
 
 
-def _count(execute: _Execute, what: str, *values: object) -> int:
-    return execute(f"SELECT COUNT(*) FROM {what}", values).fetchone()[0]
+def _count(execute: _Execute, condition: str, *values: object) -> int:
+    """Return the number of rows; the condition is "table WHERE …"."""
+    return execute(f"SELECT COUNT(*) FROM {condition}", values).fetchone()[0]
 
 
 def _present(execute: _Execute, code: str) -> tuple[str, Vote, str, Phase]:
-    """Return the present stop, the vote on it, its options, and how far it has come."""
+    """Return the current stop, its vote, its options, and the phase it has reached."""
     query = (
         "SELECT stop, asking, number, options, reached FROM class JOIN question USING (code, stop, asking, number) "
         "WHERE code = ?"
     )
-    for stop, asking, number, options, reached in execute(query, (code,)).fetchall():
-        return stop, Vote(asking, number), options, Phase(reached)
-    raise ClassError(_("The class is asked no question at the moment."))
+    row = execute(query, (code,)).fetchone()
+    if row is None:
+        raise ClassError(_("The class is asked no question at the moment."))
+    stop, asking, number, options, reached = row
+    return stop, Vote(asking, number), options, Phase(reached)
 
 
 def _no_code(text: str) -> str:
-    """Return what is wrong with a text that is no code."""
-    if wrong := class_codes.foreign_to_codes(text):
+    """Return a sentence about the error in a text that is not a code."""
+    letter = class_codes.foreign_to_codes(text)
+    if letter:
         sentence = _("No class code contains {letter}. Look at the projector and type the code again.")
-        return sentence.format(letter=wrong)
+        return sentence.format(letter=letter)
     return _("A class code has six letters. Look at the projector and type them again.")
 
 

@@ -21,12 +21,12 @@ _TOTAL = 3 * EQUAL.m + 2 * EQUAL.m_prime
 
 
 def lead(machine: Oscillator) -> float:
-    """Return by how many turns the machine's hand is ahead after the compared periods of the plain mass."""
+    """Return the machine's lead over the plain mass after `_PERIODS` periods of the plain mass [turns]."""
     return _PERIODS * (math.sqrt(machine.normalized_frequency_squared) - 1)
 
 
 def spin_share(machine: Oscillator) -> float:
-    """Return the share of the kinetic energy that is rotation of the lower rollers; it is the same at all times."""
+    """Return the share of the lower rollers' rotation in the kinetic energy, which is constant in time."""
     stored = energies(machine, *after(1 / 4, machine))
     kinetic = sum(float(value) for name, value in stored.items() if name != "spring")
     return float(stored["hoop_rotation"] + stored["cylinder_rotation"]) / kinetic

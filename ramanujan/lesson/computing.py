@@ -1,4 +1,4 @@
-"""Stops 16 and 17: what a computer makes of it, ten steps a period or a thousand, and ε = 10²⁰⁰."""
+"""Stops 16 and 17: the errors of two integrators, and the formula for Ω² at ε = 10²⁰⁰ in double precision."""
 
 import math
 import re
@@ -17,17 +17,17 @@ from ramanujan.translation import _
 COMPRESSION = 0.04
 PERIODS = 20
 STEPS = {"explicit_euler": 1000, "velocity_verlet": 10}
-"""The two methods that are compared, and their steps per period."""
+"""The two methods to compare, and their steps per period."""
 HUGE = 1e200
 """ε, with m = k = 1."""
 _RATIO = power_of_ten(round(math.log10(HUGE)))
-# The formulas of the picture square masses, too. It is the same with the root of the mass: nothing moves.
+# The stage squares masses, too, which would overflow. With this smaller mass the picture is the same: nothing moves.
 _DRAWN = Oscillator(m=1.0, m_prime=math.sqrt(HUGE), k=1.0)
 _LABEL = _("Nobody lives to see it move: m = 1 kg, m′ = {ratio} kg.").format(ratio=_RATIO)
 _LARGEST = float(np.finfo(float).max)
 
 _SHOWN = 50
-"""Samples per period that the stage needs of a run with many steps."""
+"""Samples per period for the stage, of a run with more steps."""
 
 
 @cache
@@ -37,12 +37,12 @@ def computed(method: str) -> History:
 
 
 def energy_factor(method: str) -> float:
-    """Return the energy after the run divided by that at the release; it is 1 for the exact motion."""
+    """Return the energy after the run as a multiple of the initial energy; the exact value is 1."""
     return 1 + float(computed(method).energy_error[-1])
 
 
 def samples(method: str) -> dict[str, object]:
-    """Return the computed motion as the stage draws it."""
+    """Return the samples of the computed motion for the stage."""
     every = max(STEPS[method] // _SHOWN, 1)
     return {"per_period": STEPS[method] // every, "q": computed(method).q[::every].round(5).tolist()}
 
@@ -64,8 +64,8 @@ def _errors() -> dict[str, object]:
     }
 
 
-def returned() -> float:
-    """Return what the paper's form of Ω² gives at ε = `HUGE` in double precision."""
+def returned_value() -> float:
+    """Evaluate the paper's form of Ω² at ε = `HUGE` in double precision."""
     with np.errstate(all="ignore"):
         return float(FORMS["paper"].evaluate(np.float64(1.0), np.float64(HUGE), np.float64(1.0)))
 
@@ -75,7 +75,7 @@ def _truth() -> float:
 
 
 def _huge() -> str:
-    value = returned()
+    value = returned_value()
     if math.isnan(value) or math.isinf(value):
         return "message"
     if value == 0:
@@ -84,8 +84,8 @@ def _huge() -> str:
 
 
 def printed() -> str:
-    """Return the number that the program prints, as JavaScript writes it: a zero keeps its sign."""
-    return f"{returned():g}"
+    """Return the output of the program; like JavaScript, Python prints the sign of a zero."""
+    return f"{returned_value():g}"
 
 
 def program() -> str:

@@ -1,4 +1,4 @@
-"""Tasks that are done with the machine alone: its masses, its spring, how it is released."""
+"""Tasks that need only the sliders of the machine: its masses, its spring, its release."""
 
 import math
 from fractions import Fraction
@@ -8,7 +8,7 @@ import numpy as np
 from ramanujan.contact import first_to_slip, largest_compression
 from ramanujan.frequency import UNIT_MASS_RATIO, mass_ratio_for
 from ramanujan.lesson.stop import FREQUENCY, after
-from ramanujan.lesson.task import Setting, Task, Verdict, missed, near
+from ramanujan.lesson.task import Attempt, Task, TaskVerdict, missed, near
 from ramanujan.motion import ground_positions, ground_velocities, motion, with_initial_velocities
 from ramanujan.numerals import filled, number
 from ramanujan.oscillator import drawn_spacing
@@ -24,7 +24,7 @@ _PARTED = {"fast": (1 + 1 / PARTING) ** 2, "slow": (1 - 1 / PARTING) ** 2}
 PERIOD, PERIOD_TOLERANCE = 2.0, 1e-3
 FRICTION, CLOSE = 0.15, 1e-3
 MOVING, RESTING = 0.01, 1e-6
-"""A block at 1 cm/s counts as moving; what stays within a micrometre in the judged time counts as resting."""
+"""A block counts as moving from 1 cm/s; a body counts as resting if it moves by at most a micrometre."""
 _CM = 100.0
 _JUDGED_PERIODS = 20
 _CONTACTS = {
@@ -33,9 +33,9 @@ _CONTACTS = {
 }
 
 
-def in_step(setting: Setting) -> Verdict:
+def in_step(attempt: Attempt) -> TaskVerdict:
     """Judge |Ω²m/k − 1|."""
-    value = setting.machine.normalized_frequency_squared
+    value = attempt.machine.normalized_frequency_squared
     sentences = (
         _("Ω²m/k = {value:6}. The machine is in step to a thousandth."),
         _("Ω²m/k = {value:5}. The machine is too fast by {off}; the goal is {goal:1}."),
@@ -44,12 +44,12 @@ def in_step(setting: Setting) -> Verdict:
     return near(value - 1, IN_STEP, sentences, value=value, goal=IN_STEP)
 
 
-def nine_eighths(setting: Setting) -> Verdict:
-    """Judge |Ω²m/k − 9/8|, so closely that only a fraction typed exactly will do."""
-    value = setting.machine.normalized_frequency_squared
+def nine_eighths(attempt: Attempt) -> TaskVerdict:
+    """Judge |Ω²m/k − 9/8| with a tolerance that only a fraction meets, typed into the box of m′."""
+    value = attempt.machine.normalized_frequency_squared
     off = abs(value - NINE_EIGHTHS)
     if off <= EXACTLY:
-        return Verdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
+        return TaskVerdict(True, _("Ω²m/k is 9/8. The mass ratio is a fraction here, without any root."))
     if off > IN_STEP:
         return missed(_("Ω²m/k = {value:7}. That is {off:2} away from 9/8."), value=value, off=off)
     return missed(
@@ -59,10 +59,10 @@ def nine_eighths(setting: Setting) -> Verdict:
     )
 
 
-def half_way(setting: Setting) -> Verdict:
-    """Judge how far the slab moves relative to the ground until the spring is relaxed, as a share of x₀."""
-    machine = setting.machine
-    states = after(np.array([0, 1 / 4]), machine, setting.compression)[0]
+def half_way(attempt: Attempt) -> TaskVerdict:
+    """Judge the slab's share of the compression when the spring is relaxed, relative to the ground."""
+    machine = attempt.machine
+    states = after(np.array([0, 1 / 4]), machine, attempt.compression)[0]
     travel = {body: abs(float(x[1] - x[0])) for body, x in ground_positions(machine, states).items()}
     share = travel["slab"] / (travel["slab"] + travel["block"])
     sentences = (
@@ -72,9 +72,9 @@ def half_way(setting: Setting) -> Verdict:
     return near(2 * share - 1, HALF_WAY, sentences, "%", slab=share, block=1 - share)
 
 
-def parting(setting: Setting) -> Verdict:
-    """Judge after how many periods of the plain mass the hands are one full turn apart."""
-    gained = abs(math.sqrt(setting.machine.normalized_frequency_squared) - 1)
+def parting(attempt: Attempt) -> TaskVerdict:
+    """Judge the number of periods of the plain mass until the hands are one full turn apart."""
+    gained = abs(math.sqrt(attempt.machine.normalized_frequency_squared) - 1)
     periods = 1 / gained if gained else math.inf
     if periods > 1e6:
         return missed(_("The hands stay together: the machine is in step. The goal is one full turn in ten periods."))
@@ -86,9 +86,9 @@ def parting(setting: Setting) -> Verdict:
     return near(periods - PARTING, PARTING * PARTING_TOLERANCE, sentences, periods=periods)
 
 
-def two_seconds(setting: Setting) -> Verdict:
+def two_seconds(attempt: Attempt) -> TaskVerdict:
     """Judge the period."""
-    period = setting.machine.period
+    period = attempt.machine.period
     sentences = (
         _("The period is {period:5 s}."),
         _("The period is {period:4 s}, too long by {off}."),
@@ -97,12 +97,12 @@ def two_seconds(setting: Setting) -> Verdict:
     return near(period - PERIOD, PERIOD * PERIOD_TOLERANCE, sentences, "s", period=period)
 
 
-def no_slip(setting: Setting) -> Verdict:
-    """Judge whether x₀ is just below the largest one without slip, for the friction of the task."""
-    machine, spacing = setting.machine, drawn_spacing(setting.machine.radius)
-    room = largest_compression(machine, FRICTION, spacing=spacing) - setting.compression
+def no_slip(attempt: Attempt) -> TaskVerdict:
+    """Judge whether x₀ is just below the largest compression without slip, for μ = `FRICTION`."""
+    machine, spacing = attempt.machine, drawn_spacing(attempt.machine.radius)
+    room = largest_compression(machine, FRICTION, spacing=spacing) - attempt.compression
     if room < 0:
-        return missed(_CONTACTS[first_to_slip(machine, setting.compression, spacing)], off=-_CM * room)
+        return missed(_CONTACTS[first_to_slip(machine, attempt.compression, spacing)], off=-_CM * room)
     sentences = (
         _("Every contact rolls, and with {off} more the first one would slip."),
         _("Every contact rolls, but x₀ could be larger by {off}."),
@@ -110,10 +110,10 @@ def no_slip(setting: Setting) -> Verdict:
     return near(room, CLOSE, sentences, "cm")
 
 
-def top_at_rest(setting: Setting) -> Verdict:
-    """Judge how far the top cylinder moves relative to the ground while the block moves."""
-    machine = setting.machine
-    initial = with_initial_velocities(machine, setting.release, setting.glide, setting.spin)
+def top_at_rest(attempt: Attempt) -> TaskVerdict:
+    """Judge the largest displacement of the top cylinder relative to the ground while the block moves."""
+    machine = attempt.machine
+    initial = with_initial_velocities(machine, attempt.release, attempt.glide, attempt.spin)
     times = np.linspace(0.0, _JUDGED_PERIODS * machine.period, 64 * _JUDGED_PERIODS + 1)
     states, rates = motion(machine, initial, times)
     path = ground_positions(machine, states)["top"]

@@ -1,4 +1,4 @@
-"""Stops 10 and 11: what can move without oscillating, and which contact slips first."""
+"""Stops 10 and 11: the zero modes, and the contact that slips first."""
 
 from dataclasses import replace
 
@@ -30,7 +30,16 @@ def zero_modes(machine: Oscillator) -> int:
 
 
 def _friction() -> dict[str, object]:
-    """Return μ at each contact, which two need most, the slab's weight on the hoop, ε below which the top slips."""
+    """Return the numbers of the stop on friction.
+
+    Returns
+    -------
+    hoop_slab … : the coefficient of friction that each contact needs
+    first, second : the contacts that need the most friction, in words
+    most, next : their coefficients
+    load : the hoop's share of the slab's weight
+    light : the mass ratio below which the top cylinder slips first
+    """
     needed = required_friction(EQUAL, COMPRESSION, spacing=_SPACING)
     first, second = sorted(needed, key=needed.__getitem__, reverse=True)[:2]
     loads = normal_forces(EQUAL, [0.0, released(EQUAL, COMPRESSION).phi, 0.0], spacing=_SPACING)
@@ -40,12 +49,17 @@ def _friction() -> dict[str, object]:
         "most": needed[first],
         "next": needed[second],
         "load": float(loads["hoop_slab"] / (loads["hoop_slab"] + loads["cylinder_slab"])),
-        "light": next(
-            machine.mass_ratio
-            for machine in (replace(EQUAL, m_prime=ratio * EQUAL.m) for ratio in np.arange(0.01, 5.0, 0.01))
-            if first_to_slip(machine, COMPRESSION, _SPACING) != "top_block"
-        ),
+        "light": _lightest_without_top_slip(),
     }
+
+
+def _lightest_without_top_slip() -> float:
+    """Return the smallest mass ratio, in steps of 0.01, at which the top cylinder is not the first to slip."""
+    for ratio in np.arange(0.01, 5.0, 0.01):
+        machine = replace(EQUAL, m_prime=ratio * EQUAL.m)
+        if first_to_slip(machine, COMPRESSION, _SPACING) != "top_block":
+            return machine.mass_ratio
+    raise ValueError("the top cylinder slips first at every mass ratio")
 
 
 STOPS = (

@@ -1,9 +1,10 @@
-"""The machine as a still picture: its release, to scale, drawn from the core's geometry, as SVG or as TikZ."""
+"""A still picture of the machine at its release, to scale, from the geometry of the core, as SVG or TikZ."""
 
 import math
 import re
 from collections.abc import Mapping
 from itertools import pairwise
+from typing import NamedTuple
 from xml.sax.saxutils import escape
 
 from ramanujan.motion import ground_positions, motion, released
@@ -12,16 +13,40 @@ from ramanujan.translation import _
 
 _CM = 100.0
 _DECK, _THICK, _STEP, _GAP = 8.0, 4.5, 3.0, 2.5
-"""Heights of the block's lower step and of the slab, the upper step over the slab, the gaps [cm]; as on the stage."""
+"""Height of the block's lower step, thickness of the slab, height of the upper step above the slab, and gap at the
+walls, as on the stage [cm]."""
 _LETTER = 5.0
-"""Size of a letter [cm of the picture]."""
+"""Height of a letter, in the scale of the machine [cm]."""
 _IN_TEX = str.maketrans({"′": "'", "φ": r"\varphi", "Φ": r"\Phi", "₀": "_0"})
 _TIKZ_WIDTH = 340.0
-"""Width of the picture as TikZ [pt]; a slide of beamer, 16:9, has 398 for its content."""
+"""Width of the TikZ picture [pt]; the content of a 16:9 beamer slide is 398 pt wide."""
+
+
+class _Outline(NamedTuple):
+    """A path in SVG's notation; `body` is empty for a path without a fill."""
+
+    path: str
+    body: str = ""
+
+
+class _Letter(NamedTuple):
+    """A symbol and the place of its centre."""
+
+    text: str
+    x: float
+    y: float
+
+
+class _Drawing(NamedTuple):
+    """A drawing [cm]; x is positive to the right and y downwards. `view` is left, top, width and height."""
+
+    view: tuple[float, float, float, float]
+    outlines: list[_Outline]
+    letters: list[_Letter]
 
 
 def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, str]) -> str:
-    """Return the machine at its release as SVG, with its symbols.
+    """Return the machine with its symbols as SVG.
 
     Parameters
     ----------
@@ -29,19 +54,19 @@ def machine_svg(machine: Oscillator, compression: float, colors: Mapping[str, st
     compression : x₀ [m]
     colors : body → its colour, as rgb(…, …, …)
     """
-    view, outlines, letters = _drawn(machine, compression)
+    drawing = _draw(machine, compression)
     title = escape(_("The machine at its release"))
     parts = [
-        f'<path d="{d}" fill="{colors.get(body, "none")}" fill-rule="evenodd" stroke="#000" stroke-width=".4" '
+        f'<path d="{path}" fill="{colors.get(body, "none")}" fill-rule="evenodd" stroke="#000" stroke-width=".4" '
         f'data-body="{body}"/>'
-        for d, body in outlines
+        for path, body in drawing.outlines
     ]
     parts += [
         f'<text x="{x:g}" y="{y:g}" font-size="{_LETTER:g}" font-style="italic" font-family="serif" '
         f'text-anchor="middle" dominant-baseline="central">{text}</text>'
-        for text, x, y in letters
+        for text, x, y in drawing.letters
     ]
-    box = " ".join(f"{each:g}" for each in view)
+    box = " ".join(f"{side:g}" for side in drawing.view)
     head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" role="img"><title>{title}</title>'
     return "".join((head, *parts, "</svg>"))
 
@@ -55,79 +80,74 @@ def machine_tikz(machine: Oscillator, compression: float, colors: Mapping[str, s
     compression : x₀ [m]
     colors : body → its colour, as rgb(…, …, …)
     """
-    view, outlines, letters = _drawn(machine, compression)
-    scale = _TIKZ_WIDTH / view[2]
+    drawing = _draw(machine, compression)
+    _left, _top, width, _height = drawing.view
+    scale = _TIKZ_WIDTH / width
     lines = [f"\\begin{{tikzpicture}}[xscale={scale:.4f}, yscale=-{scale:.4f}, line join=round]"]
-    for d, body in outlines:
-        channels = (round(float(each)) for each in re.findall(r"[\d.]+", colors[body])) if body else ()
-        fill = body and ", fill={{rgb,255:red,{};green,{};blue,{}}}".format(*channels)
-        lines.append(f"  \\path[draw, line width=0.5pt, even odd rule{fill}] svg {{{d}}};")
-    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text.translate(_IN_TEX)}$}};" for text, x, y in letters]
+    for path, body in drawing.outlines:
+        fill = ""
+        if body:
+            channels = (round(float(channel)) for channel in re.findall(r"[\d.]+", colors[body]))
+            fill = ", fill={{rgb,255:red,{};green,{};blue,{}}}".format(*channels)
+        lines.append(f"  \\path[draw, line width=0.5pt, even odd rule{fill}] svg {{{path}}};")
+    lines += [f"  \\node at ({x:g}pt,{y:g}pt) {{${text.translate(_IN_TEX)}$}};" for text, x, y in drawing.letters]
     return "\n".join([*lines, "\\end{tikzpicture}\n"])
 
 
-def _drawn(
-    machine: Oscillator, compression: float
-) -> tuple[tuple[float, float, float, float], list[tuple[str, str]], list[tuple[str, float, float]]]:
-    """Return the view, the outlines, each with its body or "", and the letters, each with its place.
-
-    x counts to the right and y downwards [cm].
-    """
+def _draw(machine: Oscillator, compression: float) -> _Drawing:
+    """Draw the machine at its release; the left end of the relaxed block is at x = 0, the floor at y = 0."""
     start = motion(machine, released(machine, compression), 0.0)[0]
-    at = {name: float(x) * _CM for name, x in ground_positions(machine, start).items()}
+    shift = {name: float(x) * _CM for name, x in ground_positions(machine, start).items()}
     R, x0 = machine.radius * _CM, compression * _CM
+    # Centres and edges with the spring relaxed; the shifts lead to the release.
     hoop = x0 / 2 + R + _GAP
-    lower = hoop + drawn_spacing(machine.radius) * _CM
-    slab, deck = (hoop - x0 / 2 - 4, lower + x0 / 2 + 4), _DECK + 2 * R
-    riser = slab[1] + x0 + 12
-    upper = deck + _THICK + _STEP
+    cylinder = hoop + drawn_spacing(machine.radius) * _CM
+    slab_left, slab_right = hoop - x0 / 2 - 4, cylinder + x0 / 2 + 4
+    riser = slab_right + x0 + 12
     top = riser + R + _GAP
     right = top + R + _GAP
+    deck = _DECK + 2 * R
+    upper = deck + _THICK + _STEP
     ceiling = upper + 2 * R + 3
-    spring = (slab[1] + at["slab"], riser + at["block"], deck + _THICK / 2)
-    block = f"M{at['block']:g} 0V{-_DECK:g}H{riser:g}V{-upper:g}H{right:g}V0z"
-    lying = f"M{slab[0] + at['slab']:g} {-deck:g}h{slab[1] - slab[0]:g}v{-_THICK:g}H{slab[0] + at['slab']:g}z"
-    rollers = {
-        "hoop": (hoop + at["hoop"], -_DECK - R),
-        "cylinder": (lower + at["cylinder"], -_DECK - R),
-        "top": (top + at["top"], -upper - R),
+    block_left, slab_start = shift["block"], slab_left + shift["slab"]
+    spring_start, spring_end, spring_height = slab_right + shift["slab"], riser + shift["block"], deck + _THICK / 2
+    centres = {
+        "hoop": (hoop + shift["hoop"], -_DECK - R),
+        "cylinder": (cylinder + shift["cylinder"], -_DECK - R),
+        "top": (top + shift["top"], -upper - R),
     }
-    rims = {body: _circle(*centre, R) for body, centre in rollers.items()}
-    rims["hoop"] += _circle(*rollers["hoop"], 0.78 * R)
-    left, measured, (x, y) = at["block"], -deck - _THICK - 2.6, rollers["top"]
-    marks = [
-        f"M{left:g} {-_DECK:g}v-7M{left:g} {-_DECK - 4.5:g}h-6l2 -1.2m-2 1.2l2 1.2",
-        f"M{slab[1]:g} {-deck - _THICK / 2:g}V{measured - 1:g}M{slab[1]:g} {measured:g}H{slab[1] + x0:g}",
-        f"M{x:g} {y:g}l{-0.6 * R:g} {-0.8 * R:g}",
-        *(_sense(*centre, 1.12 * R) for centre in rollers.values()),
+    rims = {body: _circle(*centre, R) for body, centre in centres.items()}
+    rims["hoop"] += _circle(*centres["hoop"], 0.78 * R)
+    x, y = centres["top"]
+    x0_height = -deck - _THICK - 2.6
+    outlines = [
+        _Outline(f"M-6 0H{right + 6:g}"),
+        _Outline(f"M{block_left:g} 0V{-_DECK:g}H{riser:g}V{-upper:g}H{right:g}V0z", "block"),
+        *(_Outline(rim, body) for body, rim in rims.items()),
+        _Outline(f"M{slab_start:g} {-deck:g}h{slab_right - slab_left:g}v{-_THICK:g}H{slab_start:g}z", "slab"),
+        _Outline(_coil(spring_start, spring_end, spring_height)),
+        _Outline(f"M{block_left:g} {-_DECK:g}v-7M{block_left:g} {-_DECK - 4.5:g}h-6l2 -1.2m-2 1.2l2 1.2"),
+        _Outline(f"M{slab_right:g} {-spring_height:g}V{x0_height - 1:g}M{slab_right:g} {x0_height:g}H{slab_right + x0:g}"),
+        _Outline(f"M{x:g} {y:g}l{-0.6 * R:g} {-0.8 * R:g}"),
+        *(_Outline(_sense(*centre, 1.12 * R)) for centre in centres.values()),
     ]
-    angles = [("Φ" if body == "top" else "φ", x + 1.12 * R + 3, y - 0.4 * R) for body, (x, y) in rollers.items()]
-    return (
-        (-8, -ceiling, right + 16, ceiling + 3),
-        [
-            (f"M-6 0H{right + 6:g}", ""),
-            (block, "block"),
-            *((rim, body) for body, rim in rims.items()),
-            (lying, "slab"),
-            (_coil(*spring), ""),
-            *((mark, "") for mark in marks),
-        ],
-        [
-            ("m", (riser + right) / 2, -upper / 2),
-            *((letter, *rollers[body]) for body, letter in (("hoop", "m′"), ("cylinder", "m′"))),
-            ("m", x, y + 0.4 * R),
-            ("R", x - 0.55 * R, y - 0.25 * R),
-            ("X", left - 4, -_DECK - 8.5),
-            ("x₀", slab[1] - 4, measured),
-            *angles,
-            ("m", sum(slab) / 2 + at["slab"], -deck - _THICK / 2),
-            ("k", (spring[0] + spring[1]) / 2, -spring[2] - 4.5),
-        ],
-    )
+    letters = [
+        _Letter("m", (riser + right) / 2, -upper / 2),
+        _Letter("m′", *centres["hoop"]),
+        _Letter("m′", *centres["cylinder"]),
+        _Letter("m", x, y + 0.4 * R),
+        _Letter("R", x - 0.55 * R, y - 0.25 * R),
+        _Letter("X", block_left - 4, -_DECK - 8.5),
+        _Letter("x₀", slab_right - 4, x0_height),
+        *(_Letter("Φ" if body == "top" else "φ", x + 1.12 * R + 3, y - 0.4 * R) for body, (x, y) in centres.items()),
+        _Letter("m", (slab_left + slab_right) / 2 + shift["slab"], -deck - _THICK / 2),
+        _Letter("k", (spring_start + spring_end) / 2, -spring_height - 4.5),
+    ]
+    return _Drawing((-8, -ceiling, right + 16, ceiling + 3), outlines, letters)
 
 
 def _circle(x: float, y: float, r: float) -> str:
-    # Four curves of Bézier, 0.03 % beside the circle: TikZ draws an arc of SVG with too few digits.
+    # Four Bézier curves deviate from a circle by 0.03 %. TikZ draws an SVG arc with too few digits.
     ends, k = ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 0)), 0.5522847 * r
     quarters = (
         f"c{k * a:g} {k * b:g} {r * (a + c) - k * c:g} {r * (b + d) - k * d:g} {r * (a + c):g} {r * (b + d):g}"
@@ -137,7 +157,7 @@ def _circle(x: float, y: float, r: float) -> str:
 
 
 def _sense(x: float, y: float, r: float) -> str:
-    """Return an arrow around a circle in the positive sense, clockwise, from 44° to 74° from the top."""
+    """Return an arrow around a circle in the positive, clockwise sense, from 44° to 74° after the top."""
     (sin, cos), (end_sin, end_cos) = ((math.sin(a), math.cos(a)) for a in map(math.radians, (44, 74)))
     k = 4 / 3 * math.tan(math.radians(30) / 4) * r
     start, end = (x + r * sin, y - r * cos), (x + r * end_sin, y - r * end_cos)

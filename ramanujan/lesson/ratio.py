@@ -1,4 +1,4 @@
-"""Stops 12 to 15: the mass ratio at which the machine is in step, by hand, exactly, why it holds 1729, other bodies."""
+"""Stops 12 to 15: the mass ratio in step, by hand and exactly, the reason for 1729, and other bodies."""
 
 import math
 from fractions import Fraction
@@ -23,18 +23,18 @@ BRACKETS = {
     "double": (Fraction(5, 4), Fraction(2)),
     "five": (Fraction(2), Fraction(5)),
 }
-"""Option → the two mass ratios between which the machine may be in step."""
+"""Option → two mass ratios; one of the options encloses the mass ratio in step."""
 
 CANDIDATES = {"eighths": Fraction(9, 8), "decimal": Fraction(1127, 1000)}
 """Option → a fraction close to the mass ratio in step."""
 RANGE = Fraction(112, 100), Fraction(113, 100)
-"""Two mass ratios, the machine being in step at one ratio between them."""
+"""Two mass ratios that enclose the mass ratio in step."""
 
 OTHER = BodyChoice(top="sphere")
-"""The machine of the last of these stops."""
+"""The bodies of the stop “Another body, another number?”."""
 
 A, B, C = map(int, unit_frequency_condition().quadratic.all_coeffs())
-"""The coefficients of the condition aε² + bε + c = 0."""
+"""The coefficients of the quadratic equation aε² + bε + c = 0 for the mass ratio in step."""
 
 
 def written(a: int, b: int, c: int) -> str:
@@ -57,17 +57,17 @@ _QUADRATIC_OF_OTHER = written(*OTHER.quadratic)
 _NUMBER = int(unit_frequency_condition().discriminant)
 _ROOT = unbroken(f"(√{_NUMBER} − {B})/{2 * A}")
 _NAMED = {"quadratic": _QUADRATIC, "a": A, "b": B, "c": -C}
-"""The condition and its coefficients, as sentences name them."""
+"""The quadratic equation and its coefficients, by their slots in the sentences."""
 _EQUATIONS = (
     rf"\frac{{\Omega^2m}}{{k}}={latex(unit_frequency_condition().normalized_frequency_squared)}=1",
     f"{latex(unit_frequency_condition().quadratic.as_expr())}=0",
 )
-"""The condition that the machine is in step, and its quadratic equation, as LaTeX."""
+"""The condition Ω²m/k = 1 and its quadratic equation, as LaTeX."""
 _SUMS = number_theory.sums_of_two_cubes(_NUMBER)
 
 
 def _displayed(*equations: str) -> str:
-    """Return equations as Markdown, one below the other, aligned at the left to be as narrow as the widest."""
+    """Return equations as Markdown, left-aligned below each other, so that they need the width of the longest only."""
     return r"$$\begin{{aligned}}&{}\end{{aligned}}$$".format(r"\\[2pt]&".join(equations))
 
 
@@ -93,14 +93,11 @@ def _between(name: str) -> dict[str, object]:
 
 
 def _outside(name: str) -> str:
-    """Return what to say to whoever chose a bracket that the ratio in step is not in."""
-    at = _between(name)
-    return filled(
-        _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too fast at both. Which way must ε go?")
-        if at["slow"] >= 1
-        else _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too slow at both. Which way must ε go?"),
-        **at,
-    )
+    """Return the reply to a bracket that does not enclose the mass ratio in step."""
+    numbers = _between(name)
+    too_fast = _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too fast at both. Which way must ε go?")
+    too_slow = _("Ω²m/k is {fast:4} at ε = {low} and {slow:4} at ε = {high}: too slow at both. Which way must ε go?")
+    return filled(too_fast if numbers["slow"] >= 1 else too_slow, **numbers)
 
 
 def _by_hand() -> str:
@@ -108,12 +105,12 @@ def _by_hand() -> str:
 
 
 def remainder(ratio: Fraction) -> Fraction:
-    """Return aε² + bε + c, which is 0 at the mass ratio in step."""
+    """Return aε² + bε + c, which is zero at the mass ratio in step."""
     return A * ratio**2 + B * ratio + C
 
 
 def parting(ratio: Fraction) -> float:
-    """Return after how many periods of the plain mass the hands are one full turn apart."""
+    """Return the number of periods of the plain mass until the hands are one full turn apart."""
     return 1 / abs(float(normalized(ratio)) ** 0.5 - 1)
 
 
@@ -141,9 +138,12 @@ def _exactly() -> str:
 
 
 def _spelled() -> str:
-    """Return which of the two sums of cubes has b² and −4ac as its terms."""
-    spelled = [pair for pair in _SUMS if sorted(x**3 for x in pair) == sorted((B * B, -4 * A * C))]
-    return {0: "neither", 2: "both"}.get(len(spelled), "first" if spelled == _SUMS[:1] else "second")
+    """Return the option for the sum of cubes whose terms are b² and −4ac."""
+    terms = sorted((B * B, -4 * A * C))
+    matches = [pair for pair in _SUMS if sorted(x**3 for x in pair) == terms]
+    if len(matches) == 1:
+        return "first" if matches == _SUMS[:1] else "second"
+    return "both" if matches else "neither"
 
 
 def _other_body() -> str:

@@ -1,11 +1,11 @@
-"""What a stop of the lesson is: a machine, a question with options, an answer that is worked out, and why it holds.
+"""A stop of the lesson: a machine, a question with options, its computed answer, and an explanation.
 
-    predict   the question, while what `hides` names is neither in the picture nor anywhere else on the page
-    observe   the `runs`: the machine, or several side by side, in motion
-    explain   `explanation()`, and for a wrong option its `reply()`, with the numbers put in
+    predict   the question; the page hides everything that `hides` names
+    observe   the `runs`: one machine, or several side by side, in motion
+    explain   `explanation()`, and for a wrong option its `reply()`, with their numbers
 
-A stop types no result: `answer` and `numbers` are functions that ask the core, SymPy or `number_theory`.
-Options give no reasons, so that nobody can tell the right one by its looks.
+A stop contains no typed results: `answer` and `numbers` are functions that call the core, SymPy or `number_theory`.
+Options contain no reasons, so the wording does not reveal the right one.
 """
 
 from collections.abc import Callable, Mapping
@@ -22,28 +22,28 @@ from ramanujan.oscillator import Oscillator
 from ramanujan.translation import _
 
 FREQUENCY = ("clocks", "numbers")
-"""Parts of the stage that tell how fast the machine is."""
+"""The parts of the stage that reveal the frequency."""
 EVERYTHING = ("numbers", "motion")
-"""What is hidden where the motion itself is the answer: the machine stands still, and both clock hands with it."""
+"""The hidden parts if the motion is the answer: machine and clock hands are at rest."""
 
 EQUAL = Oscillator(m=1.0, m_prime=1.0, k=10.0)
 COMPRESSION = 0.08
-"""The machine of most stops, and where it is released [m]."""
+"""The machine of most stops, and its compression at release [m]."""
 
 
 @dataclass(frozen=True)
 class Run:
-    """A machine that is shown.
+    """A machine on the stage.
 
     Parameters
     ----------
     machine : the machine
     compression : x₀ at release [m]
-    label : what stands under its picture, where it follows no slider, as several side by side
+    label : the caption of a machine that does not follow the sliders, such as one of several side by side
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
-    samples : returns a computed motion to show instead of the exact one: per_period and q
-    slipping : the contact that slips is marked
-    initial : the state at release; without it, at rest with the spring compressed by x₀
+    samples : returns a computed motion that replaces the exact one: per_period and q
+    slipping : whether the stage marks the slipping contact
+    initial : the state at release; by default at rest with the spring compressed by x₀
     """
 
     machine: Oscillator = EQUAL
@@ -58,9 +58,9 @@ class Run:
 class Onward(NamedTuple):
     """A link to another page.
 
-    label : what the link says
-    page : its folder in `pages`
-    query : what its address says besides the machine
+    label : the text of the link
+    page : the folder of the page in `pages`
+    query : the parameters of the URL, besides the machine
     """
 
     label: str
@@ -72,33 +72,33 @@ class Onward(NamedTuple):
 class Stop:
     """One stop of the lesson.
 
-    All sentences are templates for `numerals.filled`. They may name `equal`, the machine with equal masses, `machine`
-    and `shown`, those of this stop, and its `runs`.
+    All sentences are templates for `numerals.filled`. Their slots may use `equal` (the machine with equal masses),
+    `machine` and `shown` (the machines of this stop before and after the prediction), and `runs`.
 
     Parameters
     ----------
-    id : short and ASCII, as it stands in an address
-    heading, question : what is asked, plain text
-    options : the answers to choose from: a short ASCII id, which stands in addresses → a sentence for people
+    id : short ASCII text for URLs
+    heading, question : plain text
+    options : id of each option, short ASCII text for URLs → its sentence
     answer : returns the id of the right option
-    replies : id of each wrong option → what it would mean for this machine, then a question that leads on
-    why : why the right option is right
-    given : numbers of the question; all sentences may name them
+    replies : id of each wrong option → its consequence for this machine, then the next question
+    why : the explanation of the right option
+    given : numbers of the question, for all sentences
     numbers : returns numbers of the answer, for `why` and `replies`
-    hints : questions that lead on, to be shown one by one
-    purpose, expect : for the lecturer: what the stop is for, and what students often answer and why
-    minutes : how long the stop takes in a class
-    short : the stop also belongs to the short lesson
-    runs : the machines; the first is shown before the prediction
-    hides : what a prediction must not see, names of `stage.PARTS`
-    layers : what the stage shows besides after the prediction
-    dials : the stage shows its clocks, and after the prediction its gauge
-    periods : of the plain mass, to which a button takes both clocks after the answer
-    exhibit : Markdown that is shown above the machine, such as a program
-    outcome : the exhibit after the prediction, with what is observed, such as the output of the program
-    sliders : what to do with the sliders after the prediction
-    then : the machine after the prediction, where it is another one
-    onward : where it is seen in full
+    hints : questions that lead to the answer, shown one by one
+    purpose, expect : notes for the lecturer: the purpose of the stop, and frequent answers with their reasons
+    minutes : duration in class
+    short : whether the stop also belongs to the short lesson
+    runs : the machines; only the first is visible before the prediction
+    hides : parts of the stage that would reveal the answer, names of `stage.PARTS`
+    layers : optional layers of the stage after the prediction
+    dials : whether the stage shows its clocks, and after the prediction its gauge
+    periods : number of periods of the plain mass; a button takes both clocks there after the answer
+    exhibit : Markdown above the machine, such as a program
+    outcome : the exhibit after the prediction, with the observation, such as the output of the program
+    sliders : instructions for the sliders after the prediction
+    then : the machine after the prediction, if it changes
+    onward : link to a page about the same subject
     """
 
     id: str
@@ -128,7 +128,7 @@ class Stop:
 
     @property
     def machine(self) -> Oscillator:
-        """The machine of the question, as far as sliders hold it; one with a label follows none."""
+        """The machine of the question, for the sliders; a machine with a label does not follow them."""
         return EQUAL if self.runs[0].label else self.runs[0].machine
 
     @property
@@ -138,12 +138,12 @@ class Stop:
 
     @property
     def compression(self) -> float:
-        """Where it is released, x₀ [m]."""
+        """The compression at release, x₀ [m]."""
         return self.runs[0].compression
 
     @property
     def observation(self) -> str:
-        """The label of the button that shows what was predicted: only a machine at rest is started."""
+        """The label of the button after the prediction; it starts a machine at rest, or shows the result."""
         return _("Run the machine") if "motion" in self.hides and not self.exhibit else _("Check it")
 
     def __post_init__(self) -> None:
@@ -158,16 +158,16 @@ class Stop:
         return self.answer()
 
     @cached_property
-    def _found(self) -> Mapping[str, object]:
+    def _numbers(self) -> Mapping[str, object]:
         return self.numbers()
 
     def explanation(self) -> str:
-        """Return why the right option is right, with the numbers of this machine; no line breaks at = or +."""
-        return self._filled(self.why, **self._found).replace(" = ", "\u00a0=\u00a0").replace(" + ", "\u00a0+\u00a0")
+        """Return the explanation with the numbers of this machine, without line breaks at = and +."""
+        return self._filled(self.why, **self._numbers).replace(" = ", "\u00a0=\u00a0").replace(" + ", "\u00a0+\u00a0")
 
     def reply(self, option: str) -> str:
-        """Return what to say to whoever chose this wrong option, with the numbers of this machine."""
-        return self._filled(self.replies[option], **self._found)
+        """Return the reply to a wrong option, with the numbers of this machine."""
+        return self._filled(self.replies[option], **self._numbers)
 
     def _filled(self, template: str, **numbers: object) -> str:
         machines = {"equal": EQUAL, "machine": self.machine, "shown": self.shown, "runs": self.runs}
@@ -177,7 +177,7 @@ class Stop:
 def after(
     part: float | NDArray, machine: Oscillator = EQUAL, compression: float = COMPRESSION
 ) -> tuple[NDArray, NDArray]:
-    """Return the state (q, q̇) of a machine this part of a period, or these, after its release."""
+    """Return the state (q, q̇) of a machine after a part of a period, or after several parts, counted from release."""
     return motion(machine, released(machine, compression), part * machine.period)
 
 

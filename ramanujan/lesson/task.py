@@ -1,4 +1,4 @@
-"""What a task is: something to bring about with the machine, and a judge that works out how close one has come."""
+"""A task: a goal to reach with the machine, and a judge that computes the distance of an attempt from the goal."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -9,19 +9,19 @@ from ramanujan.oscillator import Oscillator
 
 
 @dataclass(frozen=True)
-class Setting:
-    """What a student has set; each task looks at what it needs.
+class Attempt:
+    """A student's attempt; each task reads the fields that it needs.
 
     Parameters
     ----------
     machine, compression : from the sidebar; x₀ [m]
     release : x₀ of a task that allows a relaxed spring [m]
     glide, spin : initial velocity of the machine to the right [m/s], and of the top cylinder, clockwise [rad/s]
-    method, steps : an integrator, name in METHODS, and its steps per period
+    method, steps : name of an integrator in METHODS, and its steps per period
     bodies : left roller, right roller and top body, names in `number_theory.BODIES`
-    formula : a formula as it was typed; empty if there is none yet
-    part : a part of a period; None if nothing, or nothing that is a number, was typed
-    seconds, periods : what a stopwatch showed, None if nothing was measured, and for how many periods
+    formula : a typed formula, empty before the first
+    part : a typed part of a period, None without a readable number
+    seconds, periods : the time on the stopwatch, None before a measurement, and the number of measured periods
     """
 
     machine: Oscillator = field(default_factory=lambda: Oscillator(k=10.0))
@@ -39,10 +39,12 @@ class Setting:
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """Whether the task is done, and a sentence or two that say how far from the goal the student is.
+class TaskVerdict:
+    """The verdict on an attempt.
 
-    As long as nothing has been typed or measured, nothing is judged, and the sentence says what to do.
+    done : whether the goal is reached
+    sentence : the distance from the goal in words; without an attempt, instructions
+    is_judged : whether there was an attempt, such as a typed number or a measurement
     """
 
     done: bool
@@ -50,27 +52,33 @@ class Verdict:
     is_judged: bool = True
 
 
-def missed(sentence: str, **values: object) -> Verdict:
-    """Return that a task is not done, with a template for `numerals.filled`."""
-    return Verdict(False, filled(sentence, **values))
+def missed(sentence: str, **values: object) -> TaskVerdict:
+    """Return the verdict on an attempt that misses the goal; the sentence is a template for `numerals.filled`."""
+    return TaskVerdict(False, filled(sentence, **values))
 
 
-def near(off: float, tolerance: float, sentences: tuple[str, ...], unit: str = "", **values: object) -> Verdict:
-    """Return the verdict on a value that misses its goal by so much.
+def near(off: float, tolerance: float, sentences: tuple[str, ...], unit: str = "", **values: object) -> TaskVerdict:
+    """Return the verdict on a value near its goal.
 
     Parameters
     ----------
-    off, tolerance : by how much the value is too large, and how much is allowed
-    sentences : if it is near enough, too large, too small; templates for `numerals.filled`
-    unit : of `off`, the distance from the goal, as the sentences have it: s, cm or %
+    off, tolerance : the value minus its goal, and the largest allowed difference
+    sentences : for a value within the tolerance, above and (if possible) below; templates for `numerals.filled`
+    unit : the unit of `off` in the sentences: s, cm or %
     values : other numbers of the sentences
     """
     done = abs(off) <= tolerance
-    sentence = sentences[0 if done else 1 if off > 0 else 2]
+    near_enough, too_large, *too_small = sentences
+    if done:
+        sentence = near_enough
+    elif off > 0:
+        sentence = too_large
+    else:
+        (sentence,) = too_small
     scale = {"cm": 100, "%": 100}.get(unit, 1)
-    # Near the goal with the digits that show on which side of it the value is.
+    # The distance has enough digits to differ from the tolerance.
     distance = with_unit(told_from(scale * abs(off), scale * tolerance), unit)
-    return Verdict(done, filled(sentence, off=distance, **values))
+    return TaskVerdict(done, filled(sentence, off=distance, **values))
 
 
 @dataclass(frozen=True)
@@ -79,20 +87,20 @@ class Task:
 
     Parameters
     ----------
-    id : short and ASCII, as it stands in an address
-    heading, text : what is to be done, plain text
-    hints : from a nudge to nearly the way, to be shown one by one
-    judge : returns the verdict on a setting, by physics
-    fields : what of a `Setting` has to be set beside the machine in the sidebar
-    hides : parts of the stage that would do the task for the student, names of `stage.PARTS`
-    stage : whether the machine is to be seen
+    id : short ASCII text for URLs
+    heading, text : the goal, plain text
+    hints : shown one by one, each more explicit than the one before
+    judge : computes the verdict on an attempt
+    fields : fields of an `Attempt` that the task needs besides the sidebar
+    hides : parts of the stage that would solve the task, names of `stage.PARTS`
+    stage : whether the task shows the stage
     """
 
     id: str
     heading: str
     text: str
     hints: tuple[str, ...]
-    judge: Callable[[Setting], Verdict]
+    judge: Callable[[Attempt], TaskVerdict]
     fields: tuple[str, ...] = ()
     hides: tuple[str, ...] = ()
     stage: bool = True

@@ -1,7 +1,7 @@
 """A worksheet for one machine: stops of the lesson, a guided derivation, calculations with this machine, and the key.
 
-The seed chooses: the same machine and seed give the same questions, so that a key fits those that were handed out.
-All answers are worked out, the calculations exactly, by SymPy.
+The same machine and seed select the same questions, so a key printed later fits the worksheet. SymPy computes all
+answers, those of the calculations exactly.
 """
 
 import math
@@ -27,28 +27,28 @@ from ramanujan.translation import _
 _TARGETS = tuple(Fraction(p, q) for p, q in ((1, 2), (2, 3), (3, 4), (4, 5), (9, 8), (5, 4), (4, 3), (3, 2)))
 _STOPS = 4
 _NAMED = ("block",)
-"""Stops whose answer the derivation names: on which side X is positive."""
+"""Stops whose answer the derivation on the worksheet reveals, with the sign of X."""
 _STEPS = ("velocities", "inertia", "energies", "lagrangian", "motion", "elimination", "insertion", "frequency")
-"""The steps of the route of Euler and Lagrange in which there is something to find."""
+"""The steps of the route of Euler and Lagrange that become questions."""
 _WHERE = {"energies": _("Give $U$ as a function of the compression $x$ first, then of $\\varphi$.")}
-"""Step → in which coordinates its formulas are wanted, where that is not plain."""
+"""Step → a sentence about the coordinates of its formulas, for ambiguous steps."""
 _LONG = 150
-"""A formula with so many letters of LaTeX may be too wide for paper."""
+"""A formula from this number of LaTeX characters may be too wide for paper."""
 _LINE = 90
 """The number of LaTeX characters that fill one handwritten line."""
 
 
 @dataclass(frozen=True)
-class Question:
+class WorksheetQuestion:
     """One question, as Markdown.
 
     Parameters
     ----------
     text, answer : the question, and its answer in the key
-    blanks : formulas to complete; the answer contains the whole formulas
+    blanks : formulas to complete; the answer contains the complete formulas
     options : the options of a multiple choice, with letters
-    working : the lines of a calculation that lead to the answer
-    space : the number of lines to write on, the same in every language and for every machine
+    working : the lines of the calculation
+    space : the number of lines for writing, the same in every language and for every machine
     """
 
     text: str
@@ -64,95 +64,98 @@ class Question:
         return self.space // 2
 
 
-def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[Question, ...]:
+def questions(machine: Oscillator, seed: str, level: int = 1) -> tuple[WorksheetQuestion, ...]:
     """Return the questions of a worksheet.
 
     Parameters
     ----------
     machine : the machine of the calculations
-    seed : any text; it chooses the stops, the order of their options, and the frequency that is asked for
-    level : of the derivation: 1, a blank in each step; 2, every equation is to be completed; 3, a blank page
+    seed : any text; it selects the stops, the order of their options, and the target frequency
+    level : of the derivation: 1, one equation to complete in each step; 2, all equations; 3, without equations
 
     >>> sheet = questions(Oscillator(), "1")
     >>> sheet == questions(Oscillator(), "1")
     True
     """
-    draw = random.Random(seed)
-    # Stops of one chapter would answer each other.
-    kept = [[stop for stop in chapter if stop.id not in _NAMED] for chapter in CHAPTERS]
-    chosen = [draw.choice(kept[i]) for i in sorted(draw.sample(range(len(kept)), _STOPS))]
-    asked = [_predicted(stop, draw) for stop in chosen]
-    return (*asked, *derivation(level), *_calculations(machine, draw.choice(_TARGETS)))
+    source = random.Random(seed)
+    chapters = [[stop for stop in chapter if stop.id not in _NAMED] for chapter in CHAPTERS]
+    # Stops of one chapter answer each other, so each selected chapter contributes one.
+    selected = sorted(source.sample(range(len(chapters)), _STOPS))
+    stops = [source.choice(chapters[i]) for i in selected]
+    predictions = [_prediction(stop, source) for stop in stops]
+    return (*predictions, *derivation(level), *_calculations(machine, source.choice(_TARGETS)))
 
 
-def derivation(level: int) -> tuple[Question, ...]:
+def derivation(level: int) -> tuple[WorksheetQuestion, ...]:
     """Return the steps to Ω² by Lagrange’s equations as questions, with blanks for this level."""
-    return tuple(_guided(step, level) for step in ROUTES["euler_lagrange"].steps if step.key in _STEPS)
+    return tuple(_guided_step(step, level) for step in ROUTES["euler_lagrange"].steps if step.key in _STEPS)
 
 
-def _guided(step: Step, level: int) -> Question:
-    """Return a step as a question: what is to be found is left blank."""
-    whole = [latex(equation) for equation in step.equations]
+def _guided_step(step: Step, level: int) -> WorksheetQuestion:
+    """Return a step of the derivation as a question, with blanks for the equations to complete."""
+    equations = [latex(equation) for equation in step.equations]
     blanks = ["\\ldots=0" if equation.rhs == 0 else f"{latex(equation.lhs)}=\\ldots" for equation in step.equations]
-    wide = [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
-    given, asked = {1: (whole[:-1], blanks[-1:]), 2: ([], wide), 3: ([], [])}[level]
-    said = ("" if level == 3 else step.reason, _WHERE.get(step.key, ""))
-    return Question(
-        " ".join(filter(None, (f"**{step.heading}.**", *said))),
-        in_a_row(whole),
-        blanks="\n\n".join(filter(None, (in_a_row(given), in_a_row(asked)))),
-        space=_lines(whole[-1:] if level == 1 else whole),
+    if level == 1:
+        given, to_complete = equations[:-1], blanks[-1:]
+    elif level == 2:
+        given, to_complete = [], [blank.replace("\\ldots", "\\ldots\\hspace{4cm}") for blank in blanks]
+    else:
+        given, to_complete = [], []
+    sentences = [f"**{step.heading}.**", "" if level == 3 else step.reason, _WHERE.get(step.key, "")]
+    return WorksheetQuestion(
+        " ".join(filter(None, sentences)),
+        in_a_row(equations),
+        blanks="\n\n".join(filter(None, (in_a_row(given), in_a_row(to_complete)))),
+        space=_lines(equations[-1:] if level == 1 else equations),
     )
 
 
 def _lines(formulas: Sequence[str]) -> int:
-    """Return the number of handwritten lines for these formulas, and one line to think."""
+    """Return the number of handwritten lines for these formulas, plus one for notes."""
     return 1 + math.ceil(sum(map(len, formulas)) / _LINE)
 
 
 def in_a_row(formulas: Sequence[str]) -> str:
-    """Return formulas as Markdown, as many in a line as fit; in braces a formula is not broken, unless it is long."""
-    whole = (f"{{{formula}}}" if len(formula) < _LONG else formula for formula in formulas)
-    return "\u2003 ".join(f"$$\\displaystyle {formula}$$" for formula in whole)
+    """Return formulas as Markdown, as many in a line as fit. Braces prevent a line break inside a short formula."""
+    unbroken = (f"{{{formula}}}" if len(formula) < _LONG else formula for formula in formulas)
+    return "\u2003 ".join(f"$$\\displaystyle {formula}$$" for formula in unbroken)
 
 
-def _predicted(stop: Stop, draw: random.Random) -> Question:
-    """Return a stop as a question with options in a drawn order."""
-    shown = draw.sample(list(stop.options), len(stop.options))
+def _prediction(stop: Stop, source: random.Random) -> WorksheetQuestion:
+    """Return a stop as a question with its options in random order."""
+    shown = source.sample(list(stop.options), len(stop.options))
     letters = dict(zip(shown, string.ascii_uppercase, strict=False))
-    return Question(
+    return WorksheetQuestion(
         stop.question,
         f"**{letters[stop.right]}.** {stop.options[stop.right]}\\\n{stop.explanation()}",
         options=tuple(f"{letters[option]}. {stop.options[option]}" for option in shown),
     )
 
 
-def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]:
+def _calculations(machine: Oscillator, target: Fraction) -> tuple[WorksheetQuestion, ...]:
     """Return the questions about this machine, with exact answers.
 
-    The number of lines is fixed for each question: with longer numbers or words it earns no more points.
+    The number of lines is fixed for each question, so that its points do not depend on the length of the numbers.
     """
     values = Numbers.of(machine).exact
     ratio = sp.radsimp(values[m_prime] / values[m])
     formula = unit_frequency_condition().normalized_frequency_squared
-    above, below = (sp.expand(part.subs(epsilon, ratio)) for part in sp.fraction(formula))
-    normalized = sp.radsimp(above / below)
+    numerator, denominator = (sp.expand(part.subs(epsilon, ratio)) for part in sp.fraction(formula))
+    normalized = sp.radsimp(numerator / denominator)
     typed = {symbol: as_typed(value) for symbol, value in values.items()}
     squared = sp.radsimp(normalized * values[k] / values[m])
-    felt = sp.radsimp(values[k] / squared)
-    a, b, c = BodyChoice(target=target).quadratic
-    root = (sp.sqrt(b * b - 4 * a * c) - b) / (2 * a)
+    effective_mass = sp.radsimp(values[k] / squared)
     return (
-        Question(
+        WorksheetQuestion(
             _("Calculate the mass ratio $\\varepsilon=m'/m$ and the normalized frequency squared $\\Omega^2m/k$."),
             f"$\\varepsilon={latex(ratio)}$, $\\Omega^2m/k={with_decimal(normalized)}$",
             working=(
                 f"\\varepsilon=\\frac{{m'}}{{m}}=\\frac{{{typed[m_prime]}}}{{{typed[m]}}}={latex(ratio)}",
-                f"\\frac{{\\Omega^2m}}{{k}}={latex(formula)}=\\frac{{{latex(above)}}}{{{latex(below)}}}",
+                f"\\frac{{\\Omega^2m}}{{k}}={latex(formula)}=\\frac{{{latex(numerator)}}}{{{latex(denominator)}}}",
             ),
             space=5,
         ),
-        Question(
+        WorksheetQuestion(
             _("Calculate $\\Omega^2$ and the period."),
             _("$\\Omega^2={squared}\\,\\mathrm{{s^{{-2}}}}$, so the period is {period}.").format(
                 squared=latex(squared), period=quantity(machine.period, "s", 4)
@@ -164,10 +167,10 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             ),
             space=4,
         ),
-        Question(
+        WorksheetQuestion(
             _("Which mass does the spring feel? Compare it with the mass of all five bodies together."),
             _("$M_x=k/\\Omega^2={felt}\\,\\mathrm{{kg}}$; all five bodies together have a mass of {total}.").format(
-                felt=latex(felt), total=quantity(3 * machine.m + 2 * machine.m_prime, "kg", 4)
+                felt=latex(effective_mass), total=quantity(3 * machine.m + 2 * machine.m_prime, "kg", 4)
             ),
             working=(
                 f"M_x=\\frac{{k}}{{\\Omega^2}}=\\frac{{{typed[k]}}}{{{latex(squared)}}}\\;\\mathrm{{kg}}",
@@ -175,30 +178,40 @@ def _calculations(machine: Oscillator, target: Fraction) -> tuple[Question, ...]
             ),
             space=4,
         ),
-        Question(
+        WorksheetQuestion(
             _("Is the machine faster or slower than the plain mass? After how many periods are they one turn apart?"),
             _parting(normalized),
             working=(f"\\frac{{\\Omega}}{{\\sqrt{{k/m}}}}=\\sqrt{{{latex(normalized)}}}",),
             space=4,
         ),
-        Question(
-            _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
-            _("${quadratic}=0$, so $\\varepsilon={root}$.").format(
-                quadratic=latex(a * epsilon**2 + b * epsilon + c), root=with_decimal(root)
-            ),
-            working=(
-                f"{latex(formula)}={latex(sp.Rational(target))}",
-                f"b^2-4ac=({latex(b)})^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(b * b - 4 * a * c)}",
-            ),
-            space=4,
+        _target_question(target),
+    )
+
+
+def _target_question(target: Fraction) -> WorksheetQuestion:
+    """Return the question about the mass ratio at which Ω²m/k has a target value."""
+    formula = unit_frequency_condition().normalized_frequency_squared
+    a, b, c = BodyChoice(target=target).quadratic
+    discriminant = b * b - 4 * a * c
+    root = (sp.sqrt(discriminant) - b) / (2 * a)
+    return WorksheetQuestion(
+        _("For which mass ratio is $\\Omega^2m/k={target}$? Give it exactly.").format(target=target),
+        _("${quadratic}=0$, so $\\varepsilon={root}$.").format(
+            quadratic=latex(a * epsilon**2 + b * epsilon + c), root=with_decimal(root)
         ),
+        working=(
+            f"{latex(formula)}={latex(sp.Rational(target))}",
+            f"b^2-4ac=({latex(b)})^2-4\\cdot{latex(a)}\\cdot({latex(c)})={latex(discriminant)}",
+        ),
+        space=4,
     )
 
 
 def _parting(normalized: sp.Expr) -> str:
+    """Return the answer to the question which of the two is faster, and when they are one full turn apart."""
     if normalized == 1:
         return _("Neither: the two are in step for ever.")
-    # Exactly at first: close to ε* the float of Ω√(m/k) is 1.
+    # Subtract before rounding: close to the mass ratio in step, the float of Ω√(m/k) is exactly 1.
     gained = float(sp.N(sp.sqrt(normalized) - 1, 20))
     sentence = (
         _("Faster: $\\Omega>\\sqrt{{k/m}}$. They are one full turn apart after {periods} periods of the plain mass.")

@@ -20,7 +20,7 @@ import streamlit as st
 from ramanujan import Oscillator, lesson
 from ramanujan.browser import components
 from ramanujan.lesson.class_codes import parts_of, read_code, voter_of
-from ramanujan.lesson.class_states import END, Question
+from ramanujan.lesson.class_states import END, ClassQuestion
 from ramanujan.lesson.classes import DAY, ClassError, CrowdError, Phase, Seat, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.shell import address, messages, sidebar
@@ -94,13 +94,13 @@ def phase_of(stop: Stop) -> Phase | None:
     if (key := key_held()) is None:
         return None
     try:
-        last = shared().last(shared().code_of(key), stop.id)
+        last = shared().last_state(shared().code_of(key), stop.id)
     except ClassError:
         last = None
     return last.phase if last else Phase.ASKED
 
 
-def question(code: str) -> Question:
+def question(code: str) -> ClassQuestion:
     """Return what a class is asked now; a stop that this version of the app does not have counts as no question.
 
     The class may have begun under another version of the app, before an upgrade or on another machine.
@@ -211,13 +211,13 @@ def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
     with suppress(ClassError):
         if key and shared().question(parts_of(key)[0]).stop == stop.id:
             text = json.dumps(told := {"stop": stop.id, **seen})
-            shared().set_seen(key, text)
+            shared().set_view(key, text)
             st.session_state[_FOLLOWED] = text, {**told, "ago": 0.0, "own": True}
 
 
 def follow(code: str) -> None:
     """Let the stage of this screen, also of another desk, show what is seen at the desk; then it runs by itself."""
-    text, ago = shared().seen(code)
+    text, ago = shared().view(code)
     if text is None:
         return
     known, seen = st.session_state.get(_FOLLOWED, (None, None))

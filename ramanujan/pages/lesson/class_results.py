@@ -7,7 +7,7 @@ import segno
 import streamlit as st
 
 from ramanujan import lesson
-from ramanujan.lesson.classes import ClassError, Phase, Question, Seats, Vote, shared
+from ramanujan.lesson.classes import ClassError, ClassQuestion, Phase, Seats, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.numerals import quantity
 from ramanujan.shell import address, local_time, widgets
@@ -146,7 +146,7 @@ def storage(expires: float) -> str:
     return f"{mark} {votes}"
 
 
-def answered(now: Question) -> str:
+def answered(now: ClassQuestion) -> str:
     """Return how many of those present have answered, as a sentence."""
     said = ngettext(
         "{answered} of {present} here has answered.", "{answered} of {present} here have answered.", now.present

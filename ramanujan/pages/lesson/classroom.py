@@ -19,7 +19,7 @@ from ramanujan import lesson
 from ramanujan.lesson.class_codes import parts_of, spaced
 from ramanujan.lesson.class_record import as_csv, as_spreadsheet
 from ramanujan.lesson.class_states import END
-from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, Phase, Question, Seat, SeatError, Vote, shared
+from ramanujan.lesson.classes import DAY, LIFETIMES, ClassError, ClassQuestion, Phase, Seat, SeatError, Vote, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, progress
 from ramanujan.shell import address, class_session, local_time, widgets
@@ -174,7 +174,7 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
         _warn()
         try:
             shared().code_of(key)
-            now, last = class_session.question(code), shared().last(code, place)
+            now, last = class_session.question(code), shared().last_state(code, place)
         except ClassError as error:
             st.warning(str(error))
             st.button(_("Leave this class"), key="class_leave", on_click=leave)
@@ -197,7 +197,7 @@ def _desk(stop: Stop | None, phase: Phase) -> None:
             _foot(key, code)
 
 
-def _follow(now: Question, place: str) -> None:
+def _follow(now: ClassQuestion, place: str) -> None:
     """Go where another desk of this class has taken it."""
     if now.stop != st.session_state[_SEEN]:
         st.session_state[_SEEN] = now.stop
@@ -207,7 +207,7 @@ def _follow(now: Question, place: str) -> None:
         st.rerun()
 
 
-def _attendance(place: str, now: Question) -> str:
+def _attendance(place: str, now: ClassQuestion) -> str:
     """Return who is there and how many have answered, as a sentence."""
     if not now.is_known:
         return class_results.unknown_stop()
@@ -220,7 +220,7 @@ def _attendance(place: str, now: Question) -> str:
     return class_results.answered(now)
 
 
-def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) -> None:
+def _moves(key: str, stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> None:
     """Draw a button for each thing that the lecturer may do now; a clicker presses the first two, back and onward."""
 
     def button(label: str, name: str, act: Callable, *more: object, keyed: str = "", disabled: bool = False) -> None:
@@ -245,7 +245,7 @@ def _moves(key: str, stop: Stop | None, now: Question, last: Question | None) ->
         button(_("Ask again"), "again", shared().ask_again)
 
 
-def _onward(stop: Stop | None, now: Question, last: Question | None) -> tuple:
+def _onward(stop: Stop | None, now: ClassQuestion, last: ClassQuestion | None) -> tuple:
     """Return label and name of the button that goes on, and what it does: a function of the key, and its arguments."""
     if stop is None:
         return _("Show what the class has learned"), "finish", _finish
@@ -269,7 +269,7 @@ def _go_back(key: str, place: str) -> None:
     now, previous = shared().question(code), progress.previous(place)
     if now.stop == place and now.phase > Phase.ASKED:
         shared().show(key, Phase(now.phase - 1))
-    elif previous and now.stop == place and shared().last(code, previous.id):
+    elif previous and now.stop == place and shared().last_state(code, previous.id):
         _present(key, previous)
     elif previous:
         st.session_state[progress.STOP.name] = previous.id
@@ -308,7 +308,7 @@ def _foot(key: str, code: str) -> None:
 
 def _votes(key: str, name: str) -> None:
     """Offer the votes of the class as a file for a spreadsheet, and as one for programs."""
-    asked, file = shared().asked(key), f"class-{parts_of(key)[0]}"
+    asked, file = shared().results_for_lecturer(key), f"class-{parts_of(key)[0]}"
     files = (
         (_("Download for a spreadsheet"), as_spreadsheet(asked), f"{file}-spreadsheet.csv", f"{name}_spreadsheet"),
         (_("Download as CSV"), as_csv(asked), f"{file}.csv", name),
@@ -383,7 +383,7 @@ def _phone() -> None:
         st.rerun()
     try:
         question = class_session.question(seat.code)
-        chosen = shared().chosen(seat, question)
+        chosen = shared().answer_of(seat, question)
     except SeatError:
         # The lecturer has removed the empty seats while this phone slept.
         attempt(class_session.take_seat, seat.code)
@@ -411,12 +411,12 @@ def _offer_own_tab(code: str) -> None:
         st.link_button(_("Open the class in a tab of its own"), address.link({"class": code}).geturl())
 
 
-def _seen(question: Question | None) -> tuple[str, bool] | None:
+def _seen(question: ClassQuestion | None) -> tuple[str, bool] | None:
     """Return the stop whose machine a class sees, and whether it runs; None where the class sees none."""
     return (question.stop, question.phase >= Phase.RUNNING) if question and question.stop not in (None, END) else None
 
 
-def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
+def _asked(seat: Seat, question: ClassQuestion, chosen: str | None) -> None:
     if question.stop is None:
         st.title(_("Class {code}").format(code=spaced(seat.code)), anchor=False)
         st.info(_("You have joined the class. The first question will appear here."))
@@ -436,7 +436,7 @@ def _asked(seat: Seat, question: Question, chosen: str | None) -> None:
         _open_vote(stop, question, chosen)
 
 
-def _closed_vote(seat: Seat, stop: Stop, question: Question, chosen: str | None) -> None:
+def _closed_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
     """Draw a question whose result has been shown: the result if it is shown now, the own vote, why voting is over."""
     _warn()
     is_solved = question.phase == Phase.SOLVED
@@ -451,12 +451,12 @@ def _closed_vote(seat: Seat, stop: Stop, question: Question, chosen: str | None)
     st.markdown(_own_vote(seat, stop, question, chosen))
 
 
-def _own_vote(seat: Seat, stop: Stop, question: Question, chosen: str | None) -> str:
+def _own_vote(seat: Seat, stop: Stop, question: ClassQuestion, chosen: str | None) -> str:
     """Return whether the student's vote was counted, and why no vote is accepted any more, as sentences."""
     if chosen:
         return _("Your answer was counted. The result has been shown, so it can no longer be changed.")
     if question.vote.is_second:
-        first = shared().chosen(seat, replace(question, vote=question.vote._replace(number=1)))
+        first = shared().answer_of(seat, replace(question, vote=question.vote._replace(number=1)))
         if first:
             return _(
                 "**Your answer in the first vote:** {label}\\\nYou have no answer in the second vote. "
@@ -465,7 +465,7 @@ def _own_vote(seat: Seat, stop: Stop, question: Question, chosen: str | None) ->
     return _("You have no answer to this question. The result has been shown, so nobody can vote on it now.")
 
 
-def _open_vote(stop: Stop, question: Question, chosen: str | None) -> None:
+def _open_vote(stop: Stop, question: ClassQuestion, chosen: str | None) -> None:
     """Draw the options of an open question, with a confirmation at the one that the student chose."""
     if question.vote.is_second:
         st.markdown(_("**Second vote.** Talk to your neighbours, then answer again."))

@@ -9,7 +9,7 @@ import streamlit as st
 from ramanujan import lesson
 from ramanujan.lesson.class_codes import spaced
 from ramanujan.lesson.class_states import END
-from ramanujan.lesson.classes import ClassError, Phase, Question, shared
+from ramanujan.lesson.classes import ClassError, ClassQuestion, Phase, shared
 from ramanujan.lesson.stop import Stop
 from ramanujan.pages.lesson import class_results, stops
 from ramanujan.shell import address, class_session, display_mode
@@ -59,7 +59,7 @@ def _draw(code: str) -> None:
             _show(code, lesson.stop(question.stop), question)
 
 
-def _show(code: str, stop: Stop, question: Question) -> None:
+def _show(code: str, stop: Stop, question: ClassQuestion) -> None:
     """Draw a question and its votes across the wall, and the machine below them in the height that is left."""
     is_solved = question.phase == Phase.SOLVED
     is_running = question.phase >= Phase.RUNNING

@@ -12,7 +12,7 @@ from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
 from ramanujan.browser import stage
 from ramanujan.figures import speed as figures
 from ramanujan.integrators import METHODS
-from ramanujan.lesson import Setting
+from ramanujan.lesson import Attempt
 from ramanujan.lesson.answer_tasks import PERIODS, WITHIN
 from ramanujan.pages.speed import cache, downsampling, verdicts
 from ramanujan.shell import address, display_mode, drawings, sidebar, stages, theme, widgets
@@ -56,7 +56,7 @@ def draw() -> None:
             cache.races()
             tried, steps = _last()
             with st.container(key="race_result"):
-                tasks.verdict(TASK, Setting(method=tried, steps=steps))
+                tasks.verdict(TASK, Attempt(method=tried, steps=steps))
 
 
 def introduce() -> None:

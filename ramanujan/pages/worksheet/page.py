@@ -8,7 +8,7 @@ import streamlit as st
 from ramanujan import Oscillator
 from ramanujan.lesson.class_codes import ALPHABET, spaced
 from ramanujan.lesson.picture import machine_svg
-from ramanujan.lesson.worksheet import Question, in_a_row, questions
+from ramanujan.lesson.worksheet import WorksheetQuestion, in_a_row, questions
 from ramanujan.numerals import filled
 from ramanujan.shell import address, drawings, messages, sidebar, theme, widgets, worksheet_keys
 from ramanujan.shell.display_mode import is_projector, picture_and_words, slide
@@ -50,7 +50,9 @@ def show() -> None:
                     draw(number, question, paper == "key")
 
 
-def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[list[tuple[int, Question]]]:
+def together(
+    asked: Iterable[tuple[int, WorksheetQuestion]], with_key: bool
+) -> Iterator[list[tuple[int, WorksheetQuestion]]]:
     """Yield the numbered questions that fit on one slide."""
     drawn: list[tuple[int, Question]] = []
     used = 0.0
@@ -65,7 +67,7 @@ def together(asked: Iterable[tuple[int, Question]], with_key: bool) -> Iterator[
     yield drawn
 
 
-def written(question: Question, with_key: bool) -> tuple[str, ...]:
+def written(question: WorksheetQuestion, with_key: bool) -> tuple[str, ...]:
     """Return a question as pieces of Markdown."""
     options = "\n".join(f"- {option}" for option in question.options)
     if not with_key:
@@ -150,7 +152,7 @@ def head(machine: Oscillator, paper: str, seed: str, calculations: list[int], po
         st.markdown("\n\n".join(said))
 
 
-def draw(number: int, question: Question, with_key: bool) -> None:
+def draw(number: int, question: WorksheetQuestion, with_key: bool) -> None:
     """Draw a question with room to write, or with its answer; only its lines may go on overleaf."""
     with st.container(key=f"question_{number}"):
         worth = ngettext("({n} point)", "({n} points)", question.points).format(n=question.points)

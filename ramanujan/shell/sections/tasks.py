@@ -9,7 +9,7 @@ from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD
 from ramanujan.browser import components, stage
 from ramanujan.browser.stage.words import BODIES as BODY_WORDS
 from ramanujan.integrators import METHODS
-from ramanujan.lesson import Setting, Task, Verdict
+from ramanujan.lesson import Attempt, Task, TaskVerdict
 from ramanujan.motion import with_initial_velocities
 from ramanujan.number_theory import BODIES
 from ramanujan.numerals import ambiguous_number
@@ -30,7 +30,7 @@ URL_PARAMETERS = (RELEASE, GLIDE, SPIN, METHOD, STEPS, PERIODS, *PLACES)
 _EXAMPLE = _("For example {entry}")
 
 
-def draw(task: Task) -> Verdict:
+def draw(task: Task) -> TaskVerdict:
     """Draw a task, and return how far it is done."""
     with slide("task", task.heading):
         words = picture = st.container(key="beside" if task.stage else None)
@@ -43,23 +43,23 @@ def draw(task: Task) -> Verdict:
             st.markdown(task.text)
         with words:
             typed = {field: FIELDS[field]() for field in task.fields}
-            setting = Setting(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
+            attempt = Attempt(machine=sidebar.oscillator(), compression=sidebar.compression(), **typed)
             if not task.fields:
                 st.markdown(_(":small[Set the machine with its sliders.]"))
         if task.stage:
             with picture:
-                machine(task, setting)
+                machine(task, attempt)
         # On a projector there is room for it below a machine without clocks.
         with picture if is_projector() and task.fields else words:
             with st.container(key="task_verdict"):
-                judged = verdict(task, setting)
+                judged = verdict(task, attempt)
             widgets.hints(f"task_{task.id}", [widgets.plain(hint) for hint in task.hints])
     return judged
 
 
-def verdict(task: Task, setting: Setting) -> Verdict:
+def verdict(task: Task, attempt: Attempt) -> TaskVerdict:
     """Say whether the task is done, and how far away the goal is."""
-    judged = task.judge(setting)
+    judged = task.judge(attempt)
     if not judged.is_judged:
         st.markdown(f":small[{widgets.plain(judged.sentence)}]")
         return judged
@@ -69,18 +69,18 @@ def verdict(task: Task, setting: Setting) -> Verdict:
     return judged
 
 
-def machine(task: Task, setting: Setting) -> None:
+def machine(task: Task, attempt: Attempt) -> None:
     """Draw the machine as it was set."""
     shown = {"key": f"stage_task_{task.id}", "narrow": True, "hide": task.hides, "compact": "formula" in task.fields}
     shown["layers"] = ("coordinates",) if shown["compact"] else ()
     with st.container(key="observed_part"):
         if "release" not in task.fields:
-            stages.mount(stage.payload(setting.machine, setting.compression), **shown)
+            stages.mount(stage.payload(attempt.machine, attempt.compression), **shown)
             return
         # How this machine starts is set beside it, and not with the slab.
-        initial = with_initial_velocities(setting.machine, setting.release, setting.glide, setting.spin)
+        initial = with_initial_velocities(attempt.machine, attempt.release, attempt.glide, attempt.spin)
         stages.mount(
-            stage.payload(setting.machine, setting.release, initial=initial),
+            stage.payload(attempt.machine, attempt.release, initial=initial),
             limits=(RELEASE.limits[1],) * 2,
             watch={key: each for key, each in WATCH.items() if key != "compression"},
             **shown,
@@ -113,4 +113,4 @@ FIELDS = {
     "steps": lambda: widgets.count(STEPS, _("Steps per period")),
     "bodies": _bodies,
 }
-"""What draws a part of a `Setting` and returns it."""
+"""What draws a part of a `Attempt` and returns it."""
