@@ -127,7 +127,9 @@ def _draw(machine: Oscillator, compression: float) -> _Drawing:
         _Outline(f"M{slab_start:g} {-deck:g}h{slab_right - slab_left:g}v{-_THICK:g}H{slab_start:g}z", "slab"),
         _Outline(_coil(spring_start, spring_end, spring_height)),
         _Outline(f"M{block_left:g} {-_DECK:g}v-7M{block_left:g} {-_DECK - 4.5:g}h-6l2 -1.2m-2 1.2l2 1.2"),
-        _Outline(f"M{slab_right:g} {-spring_height:g}V{x0_height - 1:g}M{slab_right:g} {x0_height:g}H{slab_right + x0:g}"),
+        _Outline(
+            f"M{slab_right:g} {-spring_height:g}V{x0_height - 1:g}M{slab_right:g} {x0_height:g}H{slab_right + x0:g}"
+        ),
         _Outline(f"M{x:g} {y:g}l{-0.6 * R:g} {-0.8 * R:g}"),
         *(_Outline(_sense(*centre, 1.12 * R)) for centre in centres.values()),
     ]
