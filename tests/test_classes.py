@@ -392,7 +392,7 @@ def test_only_the_key_opens_the_lecturers_desk(school, opened):
     ]
     for key in wrong:
         reveal = partial(school.show, phase=Phase.REVEALED)
-        for act in (reveal, school.ask_again, school.close, school.seats, school.asked):
+        for act in (reveal, school.ask_again, school.close, school.seats, school.results_for_lecturer):
             with pytest.raises(ClassError, match="belongs to no class"):
                 act(key)
         with pytest.raises(ClassError, match="belongs to no class"):
