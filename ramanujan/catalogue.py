@@ -1,7 +1,8 @@
-"""Read a catalogue of translations, and find the translations that cannot be used.
+"""Read a catalogue of translations and reject unusable translations.
 
-A translator may lose a slot, a formula or a Markdown mark. Such a message is shown in English, and
-`python -m tests.catalogue` lists it. A fuzzy translation, whose English text was edited later, is shown.
+A translation without a slot, a formula or a Markdown mark of the English text is unusable. The app shows the English
+text instead, and `python -m tests.catalogue` lists the message. A fuzzy translation, whose English text was edited
+later, is usable.
 """
 
 import gettext
@@ -16,16 +17,16 @@ import polib
 LOCALE = Path(__file__).parent / "locale"
 """The folder of the catalogues, with a folder for each language."""
 COMPLETE = ("de", "hu")
-"""Languages in which the tests require every message."""
+"""The languages whose catalogues must be complete."""
 NOT_WORDS = re.compile(
     r"(\$\$.*?\$\$|\$.*?\$|\{[^{}]*\}|`[^`]*`|</?[a-z][^>]*>|&\w+;|\]\([^)]*\)|:[a-z-]+\[|:material/\w+:)", re.DOTALL
 )
-"""Formulas, slots, code, HTML, addresses of links, colours, icons: the same in every language."""
+"""Formulas, slots, code, HTML, URLs of links, colours and icons, which are the same in every language."""
 _MARKDOWN = re.compile(r"\*+|\n|^#+ |^- ", re.MULTILINE)
 
 
 class Fault(NamedTuple):
-    """A translation that cannot be used: the line in the catalogue, the English text, the reason."""
+    """An unusable translation: the line in the catalogue, the English text, the reason."""
 
     line: int
     english: str
@@ -37,8 +38,8 @@ class Translations(gettext.GNUTranslations):
 
     Attributes
     ----------
-    faults : the translations that were left out
-    percentage : of the messages that are translated
+    faults : the unusable translations
+    percentage : percentage of translated messages
     """
 
     def __init__(self, catalogue: polib.POFile) -> None:
@@ -63,7 +64,7 @@ def translations(language: str) -> Translations:
 
 
 def difference(english: str, translation: str) -> str:
-    """Return what a translation lost or added, apart from words, as one sentence; empty if it fits.
+    """Return a sentence about the slots, formulas and marks in which a translation differs; empty if none do.
 
     >>> difference("Exactly {exactly} of $x$", "Pile {exactement} pour $x$")
     'It lacks {exactly} and has {exactement} instead.'
@@ -79,7 +80,7 @@ def difference(english: str, translation: str) -> str:
 
 
 def _marks(text: str) -> Counter[str]:
-    """Return the parts of a text that are not words, in any order; decimal marks and words in formulas may differ."""
+    """Count the parts of a text that must not be translated; decimal marks and words in formulas do not count."""
     formulas = re.sub(r"\\text\{+[^{}]*\}+", "", text.replace("{,}", "."))
     # The word for a number depends on its place in the sentence.
     formulas = re.sub(r":(Word|alone|Alone)\}", ":word}", formulas)
@@ -91,7 +92,7 @@ def _listed(marks: Counter[str]) -> str:
 
 
 def _remove_faults(catalogue: polib.POFile) -> list[Fault]:
-    """Remove the translations that cannot be used, accept the fuzzy ones, and return the faults."""
+    """Remove the unusable translations, accept the fuzzy ones, and return the faults."""
     faults = []
     for entry in catalogue:
         reason = _reason(entry)
@@ -104,13 +105,14 @@ def _remove_faults(catalogue: polib.POFile) -> list[Fault]:
 
 
 def _reason(entry: polib.POEntry) -> str:
-    """Return why a translation cannot be used, or nothing."""
+    """Return the reason why a translation is unusable, empty for a usable one."""
     strings = [entry.msgstr, *entry.msgstr_plural.values()]
     if entry.msgid_plural and any(strings) and not all(entry.msgstr_plural.values()):
         return "One of its plural forms is empty."
     for string in filter(None, strings):
-        # A plural form may leave out the number, as the English singular does.
-        differences = [difference(english, string) for english in (entry.msgid, entry.msgid_plural or entry.msgid)]
+        # Like the English singular, a plural form may omit the number.
+        english_forms = (entry.msgid, entry.msgid_plural or entry.msgid)
+        differences = [difference(english, string) for english in english_forms]
         if all(differences):
             return differences[0]
         if string != string.strip():

@@ -1,9 +1,9 @@
-"""Tables as files that a spreadsheet opens by a double click, in the language of the server.
+"""Tables as files for a spreadsheet, in the language of the server.
 
-A spreadsheet in a language with a decimal comma expects semicolons between the cells. The byte-order mark makes it read
-the letters as UTF-8. For other programs there are plain CSV files: `record.table` and `lesson.class_record.as_csv`.
+A spreadsheet in a language with a decimal comma expects semicolons between the cells. The byte-order mark declares the
+encoding UTF-8. Other programs read the plain CSV files of `record.table` and `lesson.class_record.as_csv`.
 
-    a text            as it is
+    a text            unchanged
     a number          15 significant digits, without a power of ten, with the decimal mark of the language
     True, False       yes, no
 """
@@ -18,7 +18,7 @@ from ramanujan.translation import _
 
 BYTE_ORDER_MARK = "\ufeff"
 SEPARATOR = "," if DECIMAL == "." else ";"
-# A spreadsheet keeps no more digits of a number.
+# The precision of a number in a spreadsheet.
 _DIGITS = 15
 
 Cell = str | float | int | bool
@@ -29,7 +29,7 @@ def spreadsheet(rows: Iterable[Iterable[Cell]]) -> str:
 
     Parameters
     ----------
-    rows : the cells from the left to the right; rows may have different lengths
+    rows : the cells from left to right; rows may have different lengths
 
     >>> spreadsheet([["time [s]", "right"], [0.25, True], [-1e-7, False]])
     '\\ufefftime [s],right\\r\\n0.25,yes\\r\\n-0.0000001,no\\r\\n'
@@ -37,15 +37,17 @@ def spreadsheet(rows: Iterable[Iterable[Cell]]) -> str:
     text = io.StringIO()
     text.write(BYTE_ORDER_MARK)
     writer = csv.writer(text, delimiter=SEPARATOR, lineterminator="\r\n")
-    writer.writerows([_written(cell) for cell in row] for row in rows)
+    writer.writerows([_format_cell(cell) for cell in row] for row in rows)
     return text.getvalue()
 
 
-def _written(cell: Cell) -> str:
+def _format_cell(cell: Cell) -> str:
     if isinstance(cell, bool):
         return _("yes") if cell else _("no")
     if isinstance(cell, float):
         number = f"{cell:.{_DIGITS}g}"
-        # Some spreadsheets read a power of ten as text.
-        return (f"{Decimal(number):f}" if "e" in number else number).replace(".", DECIMAL)
+        if "e" in number:
+            # Some spreadsheets read a power of ten as text.
+            number = f"{Decimal(number):f}"
+        return number.replace(".", DECIMAL)
     return str(cell)

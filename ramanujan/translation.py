@@ -1,4 +1,4 @@
-"""The language of the app: standard gettext calls around whole sentences.
+"""The language of the app, with the standard functions of gettext.
 
     from ramanujan.translation import _, ngettext, pgettext
 
@@ -6,10 +6,10 @@
     ngettext("{n} period", "{n} periods", n).format(n=n)
     pgettext("of the lesson", "Stop")
 
-A server speaks one language, that of the environment variable RAMANUJAN_LANGUAGE. Its words are in a catalogue of GNU
-gettext below `locale/`, which `python -m tests.catalogue` keeps up to date; a message without a translation is shown in
-English. The pseudo-language shows which words never reach gettext: it has the same sentences with accents, 40 % longer,
-between ⟪ and ⟫. A box that is too narrow for it is too narrow for German.
+A server has one language, the value of the environment variable RAMANUJAN_LANGUAGE. Its translations are in a GNU
+gettext catalogue below `locale/`, which `python -m tests.catalogue` updates. A message without a translation appears in
+English. The pseudo-language adds accents and 40 % to the length of every message, and encloses it in ⟪ and ⟫. So it
+shows words that do not pass through gettext, and boxes that are too narrow for German.
 """
 
 import gettext
@@ -26,7 +26,7 @@ _PSEUDO_SETTINGS = {"decimal mark": ",", "LaTeX package babel": "english"}
 
 
 class PseudoLanguage(gettext.NullTranslations):
-    """Every sentence accented and stretched, what is not words left as it is."""
+    """Every message with accents and padding; formulas, slots and marks are unchanged."""
 
     def gettext(self, message: str) -> str:
         if not message.strip():
@@ -45,7 +45,7 @@ class PseudoLanguage(gettext.NullTranslations):
 
 
 def known() -> list[str]:
-    """Return the names of the languages that the app speaks."""
+    """Return the ids of all languages of the app."""
     return sorted(["en", "pseudo", *catalogue.languages()])
 
 
@@ -70,7 +70,7 @@ def language(name: str) -> gettext.NullTranslations:
 
 
 class Offered(NamedTuple):
-    """A language that the page offers: its name, its own name, its server's place, and whether it is spoken here."""
+    """A language in the page's menu: its id, its name in its own words, its URL path, and whether it is active."""
 
     lang: str
     name: str
@@ -80,17 +80,19 @@ class Offered(NamedTuple):
 
 @cache
 def offered() -> list[Offered]:
-    """Return the languages that RAMANUJAN_LANGUAGES names with the places of their servers, such as en:/,hu:/hu/."""
-    named = [each.split(":", 1) for each in filter(None, os.environ.get("RAMANUJAN_LANGUAGES", "").split(","))]
-    # TRANSLATORS: what your language calls itself.
-    return [
-        Offered(lang, language(lang).pgettext("own name of the language", "English"), place, lang == LANGUAGE)
-        for lang, place in named
-    ]
+    """Return the languages in RAMANUJAN_LANGUAGES, with the URL paths of their servers, such as en:/,hu:/hu/."""
+    entries = filter(None, os.environ.get("RAMANUJAN_LANGUAGES", "").split(","))
+    languages = []
+    for entry in entries:
+        lang, place = entry.split(":", 1)
+        # TRANSLATORS: what your language calls itself.
+        own_name = language(lang).pgettext("own name of the language", "English")
+        languages.append(Offered(lang, own_name, place, lang == LANGUAGE))
+    return languages
 
 
 LANGUAGE = os.environ.get("RAMANUJAN_LANGUAGE") or "en"
 _spoken = language(LANGUAGE)
 _, ngettext, pgettext = _spoken.gettext, _spoken.ngettext, _spoken.pgettext
 TRANSLATED = getattr(_spoken, "percentage", 100)
-"""Percentage of the messages that are translated into the language of this server."""
+"""The percentage of translated messages in the language of this server."""

@@ -1,4 +1,4 @@
-"""Checks of arguments: integers and fractions below a stated bound."""
+"""Validation of arguments: integers and fractions within bounds."""
 
 from __future__ import annotations
 

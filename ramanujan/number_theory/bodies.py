@@ -1,4 +1,4 @@
-"""Rolling bodies and their numbers: the quadratic for the mass ratio, its discriminant, the 40 machines.
+"""The quadratic for the mass ratio of a machine with any rolling bodies, its discriminant, and the 40 machines.
 
 This module derives the exact quadratic from a choice of rolling bodies; `integers` does the arithmetic.
 
@@ -32,10 +32,10 @@ BODIES = MappingProxyType(
 """Rolling bodies and their shape factors β = I/(MR²), from the thin hoop to the solid sphere."""
 
 LARGEST_PART = 10**6
-"""The largest numerator and denominator of a shape factor or a target; coefficients then stay below 1e26."""
+"""The largest numerator and denominator of a shape factor or a target, which keeps coefficients below 1e26."""
 
 LARGEST_RATIO_PART = 10**1000
-"""The largest numerator and denominator of a mass ratio that is passed in; ordinary convergents fit."""
+"""The largest numerator and denominator of a mass ratio; ordinary convergents are smaller."""
 
 ShapeFactor = str | int | Fraction
 
@@ -75,7 +75,7 @@ def normalized_frequency_squared_exact(
 def unit_quadratic(
     beta_a: ShapeFactor, beta_b: ShapeFactor, beta_c: ShapeFactor, target: int | Fraction = 1
 ) -> integers.Quadratic:
-    """Return the primitive integers (a, b, c), a > 0 > c, of the quadratic aε² + bε + c = 0 that says Ω²m/k = w.
+    """Return the primitive integers (a, b, c), a > 0 > c, of the quadratic aε² + bε + c = 0 equivalent to Ω²m/k = w.
 
         2ws ε² + [w(2 + γ)(2 + s) − 8] ε − 4[(2 + γ) − w(1 + γ)] = 0
 
@@ -84,7 +84,7 @@ def unit_quadratic(
     Parameters
     ----------
     beta_a, beta_b, beta_c : shape factors of the two lower rollers and the top body, from 0 to 1, or names in BODIES
-    target : w, dimensionless; 1, the unit frequency, unless given
+    target : w, dimensionless; by default 1, the unit frequency
 
     Returns
     -------
@@ -112,17 +112,17 @@ def unit_quadratic(
 
 @dataclass(frozen=True)
 class BodyChoice:
-    """A choice of rolling bodies and of the target Ω²m/k, with the integers that follow from it.
+    """A choice of rolling bodies and a target for Ω²m/k, with its quadratic and discriminant.
 
     Parameters
     ----------
-    left, right, top : the two lower rollers (their order changes nothing) and the top body, names in BODIES or β
+    left, right, top : the two lower rollers (in any order) and the top body, names in BODIES or β
     target : w = Ω²m/k, dimensionless; with numerator and denominator up to 1000 the discriminant of a machine
         built from BODIES can always be factored
 
     Raises
     ------
-    ValueError : as in `unit_quadratic`; a discriminant above 10¹² is neither factored nor searched for cubes.
+    ValueError : under the conditions of `unit_quadratic`, or if the discriminant for `cubes` exceeds 10¹².
 
     >>> BodyChoice().discriminant
     1729
@@ -137,7 +137,7 @@ class BodyChoice:
         for place in ("left", "right", "top"):
             _shape_factor(place, getattr(self, place))
         object.__setattr__(self, "target", rational("target", self.target, LARGEST_PART))
-        # Computed here, so that a machine without a quadratic cannot be made.
+        # A machine without a quadratic raises an error at construction.
         self.quadratic  # noqa: B018
 
     @property
@@ -152,12 +152,12 @@ class BodyChoice:
 
     @property
     def discriminant(self) -> int:
-        """D = b² − 4ac > 0; for every machine it is (8/w − (2 + γ)(2 − s))² + 8sγ² times the square of a fraction."""
+        """D = b² − 4ac > 0; up to the square of a fraction it equals (8/w − (2 + γ)(2 − s))² + 8sγ²."""
         return integers.discriminant(*self.quadratic)
 
     @cached_property
     def factorization(self) -> tuple[tuple[int, int], ...]:
-        """D as pairs (prime, exponent)."""
+        """The prime factorization of D as pairs (prime, exponent)."""
         return integers.factorization(self.discriminant)
 
     @property
@@ -172,7 +172,7 @@ class BodyChoice:
 
 
 def norm_form(target: int | Fraction = 1) -> tuple[int, int]:
-    """Return (x, y) such that x² + 3y² is the paper's discriminant for Ω²m/k = p/q, times a square.
+    """Return (x, y) such that x² + 3y² is the discriminant of the paper's machine for Ω²m/k = p/q, times a square.
 
         x = 48q − 7p,   y = 4p,   x² + 3y² = (49p − 48q)² + 4·18p·(56q − 32p)
 
@@ -236,7 +236,7 @@ def _shape_factor(name: str, body: ShapeFactor) -> Fraction:
 
 
 def _primitive(*coefficients: Fraction) -> integers.Quadratic:
-    """Return the coprime integers in the same proportion."""
+    """Return coprime integers with the same ratios as the coefficients."""
     denominator = lcm(*(x.denominator for x in coefficients))
     a, b, c = (int(x * denominator) for x in coefficients)
     divisor = gcd(a, b, c)
@@ -244,6 +244,6 @@ def _primitive(*coefficients: Fraction) -> integers.Quadratic:
 
 
 def _bodies_changed(one: BodyChoice, other: BodyChoice) -> int:
-    """Return how many bodies must be exchanged to turn one machine into the other; lower rollers have no order."""
+    """Return the number of different bodies in two machines; the order of the lower rollers does not matter."""
     lower = Counter([one.left, one.right]) - Counter([other.left, other.right])
     return lower.total() + (one.top != other.top)

@@ -19,22 +19,22 @@ from sympy.ntheory import factorint
 from ramanujan.number_theory.arguments import integer
 
 LARGEST_NUMBER = 10**12
-"""The largest number that is factored, or searched for cubes and squares: no search then takes half a second."""
+"""The largest number to factor or to write as a sum of cubes or squares; each search takes less than half a second."""
 
 LARGEST_COEFFICIENT = 10**30
-"""The largest size of a quadratic's coefficient."""
+"""The largest absolute value of a coefficient."""
 
 MOST_DIGITS = 1000
-"""The most decimal digits of a root that are given."""
+"""The largest number of decimal digits of a root."""
 
 MOST_TERMS = 100
-"""The most terms of a continued fraction; even with the largest quotients all its convergents come at once."""
+"""The largest number of terms of a continued fraction."""
 
 _LARGEST_QUOTIENT = 10**31
-"""No partial quotient exceeds √D, which permitted coefficients keep below this."""
+"""An upper bound of the partial quotients: none exceeds √D, whose size the coefficients limit."""
 
 _CUBE_ROOTS = {root**3: root for root in range(1, 10**4 + 1)}
-"""Each cube up to LARGEST_NUMBER with its root: a look-up needs no root and no rounding."""
+"""Cube → its root, for all cubes up to LARGEST_NUMBER."""
 
 Quadratic = tuple[int, int, int]
 
@@ -62,7 +62,7 @@ def discriminant(a: int, b: int, c: int) -> int:
 
 
 def factorization(n: int) -> tuple[tuple[int, int], ...]:
-    """Return the pairs (prime, exponent) whose product is n, by rising prime.
+    """Return the prime factorization of n as pairs (prime, exponent), in ascending order.
 
     Parameters
     ----------
@@ -104,9 +104,9 @@ def squarefree_part(n: int) -> int:
 
 
 def field_discriminant(n: int) -> int:
-    """Return the discriminant of the number field ℚ(√n): no rescaling of √n by a rational changes it.
+    """Return the discriminant of the number field ℚ(√n), which does not change if √n is multiplied by a rational.
 
-    With d the squarefree part of n it is d if d ≡ 1 (mod 4), else 4d; it is 1 if n is a square, as the field is then ℚ.
+    With d the squarefree part of n, it is d if d ≡ 1 (mod 4), else 4d. It is 1 if n is a square: the field is then ℚ.
 
     Parameters
     ----------
@@ -200,7 +200,7 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
     Parameters
     ----------
     a, b, c : integers with a > 0 > c, so that exactly one root is positive
-    digits : n, how many digits stand after the decimal point, from 1 to 1000
+    digits : n, the number of digits after the decimal point, from 1 to 1000
 
     Returns
     -------
@@ -210,7 +210,7 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
     ------
     ValueError : a coefficient or the number of digits is not such an integer.
 
-    Source: integer square root; a floor inside a floor of a quotient by an integer changes nothing.
+    Source: integer square root; ⌊⌊x⌋/n⌋ = ⌊x/n⌋ for a positive integer n.
 
     >>> positive_root_digits(18, 1, -24, 10)
     '1.1272568270'
@@ -224,15 +224,15 @@ def positive_root_digits(a: int, b: int, c: int, digits: int) -> str:
 
 
 def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
-    """Return the first partial quotients of the positive root of aε² + bε + c = 0; fewer where a rational root ends.
+    """Return the first partial quotients of the positive root of aε² + bε + c = 0; a rational root may have fewer.
 
     Each complete quotient has the form (P + √D)/Q with integers P, Q, and Q divides D − P². Its conjugate (P − √D)/Q
-    stays negative, so Q stays positive and ⌊√D⌋ may stand for √D under the floor.
+    stays negative, so Q stays positive and ⌊√D⌋ can replace √D under the floor.
 
     Parameters
     ----------
     a, b, c : integers with a > 0 > c, so that exactly one root is positive
-    terms : how many partial quotients, from 1 to 100
+    terms : the number of partial quotients, from 1 to 100
 
     Returns
     -------
@@ -262,7 +262,7 @@ def continued_fraction(a: int, b: int, c: int, terms: int) -> list[int]:
 
 
 def convergents(quotients: Sequence[int]) -> list[Fraction]:
-    """Return the fractions at which a continued fraction may be cut off, one for each partial quotient.
+    """Return the convergents of a continued fraction, one for each partial quotient.
 
     Parameters
     ----------
@@ -301,7 +301,7 @@ def _one_positive_root(a: int, b: int, c: int) -> Quadratic:
 
 
 def _coefficients(a: int, b: int, c: int) -> Quadratic:
-    """Return a, b, c, or raise ValueError naming the one that is not an integer of permitted size."""
+    """Return a, b, c, or raise ValueError with the name of a coefficient that is not an integer in range."""
     bound = LARGEST_COEFFICIENT
     a, b, c = integer("a", a, -bound, bound), integer("b", b, -bound, bound), integer("c", c, -bound, bound)
     if a == 0:
