@@ -54,7 +54,7 @@ def together(
     asked: Iterable[tuple[int, WorksheetQuestion]], with_key: bool
 ) -> Iterator[list[tuple[int, WorksheetQuestion]]]:
     """Yield the numbered questions that fit on one slide."""
-    drawn: list[tuple[int, Question]] = []
+    drawn: list[tuple[int, WorksheetQuestion]] = []
     used = 0.0
     for number, question in asked:
         lines = [line for text in written(question, with_key) for line in text.splitlines() if line]
