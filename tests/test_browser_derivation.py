@@ -176,7 +176,7 @@ def test_the_route_as_it_stands_can_be_taken_home_and_its_formulas_fit_a_phone(v
 
 def check_scrolling(page) -> None:
     """Check that on a narrow screen a formula scrolls by key, which turns no step, and shows that it has the focus."""
-    page.set_viewport_size({"width": 300, "height": 844})
+    page.set_viewport_size({"width": 200, "height": 844})
     box, before = page.locator(".katex-display[data-scrolls]:visible").first, step(page)
     box.wait_for()
     settle(page)
