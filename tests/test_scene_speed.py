@@ -266,7 +266,9 @@ def test_a_number_under_the_pointer_is_written_as_in_a_sentence():
         figures.work_precision({("a", "float64"): (x, errors, x)}, singled=singled, colors=colors, **titles),
         figures.phase_errors(x, dict.fromkeys("abc", errors), colors),
     )
-    shown = [trace for drawing in drawings for trace in drawing.checked().data if trace.customdata is not None]
+    shown = [
+        trace for drawing in drawings for trace in go.Figure(drawing.to_dict()).data if trace.customdata is not None
+    ]
     assert len(shown) == 9
     for trace in shown:
         assert ":" not in re.sub(r"%\{text\}|periods: ", "", trace.hovertemplate)

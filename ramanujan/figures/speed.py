@@ -107,6 +107,8 @@ def work_precision(
 ) -> Drawn:
     """Draw error against cost, both logarithmic: solid with filled marks in float64, dotted with open ones in float32.
 
+    Measured curves may cross anywhere, so their names are in a legend.
+
     Parameters
     ----------
     curves : name of the method and its precision → cost, error and steps per period of each run
@@ -116,7 +118,7 @@ def work_precision(
     tried : cost and error of runs with a small mark
     colors : the theme's
     """
-    traces, named, methods = [], [], list(dict.fromkeys(name for name, _dtype in curves))
+    traces, methods = [], list(dict.fromkeys(name for name, _dtype in curves))
     hover = _("cost {cost}, error {error}").format(cost="%{customdata[0]}", error="%{customdata[1]}") + _NAMED
     marked = [np.array([tolerance, *(error for _cost, error, *_look in singled.values())])]
     shown = logarithmic.shown_range([error for _cost, error, _n in curves.values()] + marked, (1e-17, 1e3))
@@ -128,28 +130,23 @@ def work_precision(
         )
         own = {"mode": "lines+markers", "marker": {"symbol": symbol if double else f"{symbol}-open", "size": 8}}
         own |= {"name": name, "text": [_steps(dtype, int(n)) for n in steps], "hovertemplate": f"%{{text}}<br>{hover}"}
-        own["customdata"] = _points(cost, error)
+        # A click on a name in the legend hides the method in both precisions.
+        own |= {"customdata": _points(cost, error), "showlegend": double, "legendgroup": name}
         traces.append(line(cost.astype(np.float32), within(error, shown), **look) | own)
-        if double:
-            named.append((name, color, logarithm(cost), logarithm(within(error, shown))))
     for cost, error in tried:
         mark = marks([cost], [error], "diamond-open", 11, colors["ink"], width=2)
-        traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover})
+        traces.append(mark | {"customdata": _points([cost], [error]), "hovertemplate": hover, "showlegend": False})
     for name, (cost, error, symbol, size, color) in singled.items():
-        x, y = np.array([cost]), np.array([max(error, shown[0])])
-        mark = marks(x.tolist(), y.tolist(), symbol, size, colors[color], width=3)
+        mark = marks([cost], [max(error, shown[0])], symbol, size, colors[color], width=3)
         traces.append(mark | {"name": name, "customdata": _points([cost], [error]), "hovertemplate": hover})
-        named.append((name, colors[color], logarithm(x), logarithm(y)))
     reached = [end for cost, *_others in curves.values() for end in cost[[0, -1]]]
     reached += [cost for cost, *_others in (*singled.values(), *tried)]
     ends = min(reached), max(reached)
     traces.append(level_line(ends, tolerance, _("largest error allowed"), colors))
     x_range = float(np.log10(ends[0])) - 0.1, float(np.log10(ends[1])) + 0.1
-    named.append((_("largest error allowed"), colors["ink"], np.log10(ends), np.log10([tolerance] * 2)))
-    y_axis = log_axis(titles[1], shown)
-    x_axis = axis(titles[0], x_range, type="log", dtick=1)
-    notes = beside(Area(named, x_range, tuple(y_axis["range"]), 420, width=22))
-    return figure(traces, colors, 480, margin=_MARGIN, xaxis=x_axis, yaxis=y_axis, annotations=notes)
+    legend = {"orientation": "h", "x": 0, "y": 1.02, "yanchor": "bottom"}
+    axes = {"xaxis": axis(titles[0], x_range, type="log", dtick=1), "yaxis": log_axis(titles[1], shown)}
+    return figure(traces, colors, 544, margin=_MARGIN, showlegend=True, legend=legend, **axes)
 
 
 def forms(strips: Mapping[str, Sequence[Part]], *, quantity: str, colors: Colors) -> Drawn:
