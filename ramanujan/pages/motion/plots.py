@@ -144,18 +144,26 @@ def forces_over_time(motion: Record, drawn: tuple) -> None:
 
 
 def about_forces(motion: Record) -> None:
-    """Say what the forces mean, and the bars of the friction that is needed."""
+    """Explain the curves of the forces."""
     sentence = _(
-        "Forces on the rollers, positive to the right. A contact does not slip while its friction stays below μ times "
-        "its normal force; the bars show the least μ that this takes at the worst instant. The axes of the two lower "
-        "rollers are {spacing} apart, as drawn. No initial velocity changes a contact force: in a zero mode nothing "
-        "accelerates."
+        "Forces on the rollers, positive to the right. The axes of the two lower rollers are {spacing} apart, as "
+        "drawn. No initial velocity changes a contact force: in a zero mode nothing accelerates."
     )
     st.caption(sentence.format(spacing=centimetres(motion.spacing)))
 
 
+def about_friction() -> None:
+    """Explain the bars of the friction that each contact needs."""
+    st.caption(
+        _(
+            "A contact does not slip while its friction stays below μ times its normal force. The bars show the least "
+            "μ that this takes at the worst instant."
+        )
+    )
+
+
 def friction_needed(motion: Record, friction: Friction) -> None:
-    """Draw the friction that each contact needs as bars beside the present μ, and the largest compression."""
+    """Draw the friction that each contact needs as bars, with the present μ and the largest compression."""
     needed = required_friction(motion.oscillator, motion.compression, spacing=motion.spacing)
     mu, colors = friction.coefficient, theme.colors()
     bars = friction_bars(
@@ -168,6 +176,7 @@ def friction_needed(motion: Record, friction: Friction) -> None:
     chart(bars, "friction_needed", sees.format(mu=fixed(mu, 2), needed=listed(cache.CONTACTS, needed, "")))
     sentence = _("Largest compression without slip: **{length:3↓ cm}**")
     st.markdown(filled(sentence, length=100 * friction.largest))
+    about_friction()
 
 
 def chart(figure: object, name: str, alt: str) -> None:
