@@ -213,12 +213,12 @@ OPEN = "lesson?stop={}"
 ANSWERED = "lesson?stop={0}&chosen={0}.{1}"
 
 
-@pytest.mark.parametrize("name", ["two-clocks", "zero-modes", "1729"])
+@pytest.mark.parametrize("name", ["two-clocks", "zero-modes", "1729", "steps"])
 def test_a_stop_fits_on_a_small_phone(visit, name):
-    """While a question is open, its options are in view; upright, no stop is longer than two screens."""
-    stop = lesson.stop(name)
+    """While a question is open, its options are in view; an answered stop is at most two screens long."""
+    stop, sizes = lesson.stop(name), ((390, 664), (844, 390))
     page = visit(OPEN.format(name), width=390, height=664, has_touch=True, is_mobile=True)
-    for width, height in ((390, 664), (844, 390)):
+    for width, height in sizes:
         page.set_viewport_size({"width": width, "height": height})
         next_frame(page)
         top = page.locator("[data-testid=stSidebar]").bounding_box()["y"]
@@ -228,4 +228,7 @@ def test_a_stop_fits_on_a_small_phone(visit, name):
             assert box["y"] + box["height"] <= top
     wrong = next(option for option in stop.options if option != stop.right)
     page = visit(ANSWERED.format(name, wrong), tab=page, width=390, height=664)
-    assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight") <= 2 * 664
+    for width, height in sizes:
+        page.set_viewport_size({"width": width, "height": height})
+        next_frame(page)
+        assert page.evaluate("document.querySelector('[data-testid=stMain]').scrollHeight") <= 2 * height

@@ -57,6 +57,8 @@ SIZES = script("small_words")
 
 An index is smaller by nature, a name by its body, and an operation by the line that it leads to.
 """
+SENTENCES = script("small_sentences")
+"""The sentences of the present slide that are small although the slide has room."""
 LAID = script("laid")
 """How the slides are laid out: how many are seen, what is cut, how much of its height the slide fills."""
 OUT = script("cut_figures")
@@ -116,6 +118,20 @@ def test_a_projector_shows_one_slide_at_a_time_large_filled_and_without_scrollin
             check_switched_off(page)
     if half:
         check_clicker(projected(visit, "lesson?chosen=two-clocks.ahead", tab=page))
+
+
+@pytest.mark.parametrize("path", ["lesson?stop=zero-modes&chosen=zero-modes.one", "1729?left=sphere&top=shell"])
+def test_sentences_on_a_slide_with_room_are_large(visit, path):
+    """The last row reads letters of 3.5 % of the height."""
+    page = projected(visit, path)
+    small = []
+    for width, height in ((1024, 768), (1280, 800)):
+        page.set_viewport_size({"width": width, "height": height})
+        for title in page.locator(".st-key-pager option").all_inner_texts():
+            page.locator(".st-key-pager select").select_option(title)
+            next_frame(page)
+            small += [(width, title, each) for each in page.evaluate(SENTENCES, [0.035, 0.75])]
+    assert small == []
 
 
 def check_asked(page, path: str) -> None:

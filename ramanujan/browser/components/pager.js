@@ -8,6 +8,7 @@ import { fill } from "./sentences.js";
 import { turnOf } from "./turning.js";
 
 const AWAY = "data-away"; // projector.css hides such a slide, which keeps its size
+const SIZES = [1.2, 1.15, 1.1, 1.05, 1, 0.96, 0.92, 0.88, 0.84, 0.8, 0.76, 0.72]; // of the words (projector.css)
 const TELL = 400; // ms from the last turn to the message that keeps the slide in the address
 
 let page; // whose slides were seen last, by this pager or the one before
@@ -45,6 +46,13 @@ class Pager {
       if (by && this.turn(by)) event.preventDefault();
     }, { signal });
     bus.subscribe("turned", () => this.turn(-this.now), { signal }); // another stop of the lesson begins with its first slide
+    const refit = () => {
+      this.fitted = null;
+      this.fit();
+    };
+    bus.subscribe("step", refit, { signal });
+    addEventListener("resize", refit, { signal });
+    document.fonts.addEventListener("loadingdone", refit, { signal });
     bus.publish("slides", { has: (by) => Boolean(this.slides[this.now + by]) });
     document.documentElement.dataset.pager = "";
     project(true);
@@ -95,6 +103,20 @@ class Pager {
     this.list.selectedIndex = now;
     this.back.disabled = now <= 0;
     this.next.disabled = now >= this.slides.length - 1;
+    this.fit();
+  }
+
+  /** Choose the largest words with which the present slide shows all of its content, once for each content. */
+  fit() {
+    const node = this.slides[this.now]?.node, text = node?.textContent;
+    if (!node || (node === this.fitted?.node && text === this.fitted.text)) return;
+    this.fitted = { node, text };
+    for (const size of SIZES.filter((size) => size <= 1 || !dom.hasFigure(node))) {
+      node.style.setProperty("--fit", size);
+      node.style.setProperty("--formulas", 1);
+      node.style.setProperty("--formulas", dom.formulaSize(node));
+      if (!dom.overflows(node)) break;
+    }
   }
 
   turn(by) {

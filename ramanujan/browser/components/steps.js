@@ -1,6 +1,7 @@
 // Turns the steps of a lecture in the browser: all steps are on the page, and one of them is visible. No key press waits for
 // the server. The server hears afterwards which step is shown, and writes it into the address.
 
+import { bus } from "./bus.js";
 import { atRest } from "./lasting.js";
 import { dom } from "./streamlit_dom.js";
 import { Turner } from "./turning.js";
@@ -20,6 +21,7 @@ export default function (component, signal) {
   function reveal() {
     const step = `.st-key-step_${turner.now}`;
     sheet.textContent = `#root .st-key-lecture ${step}${step} { display: var(--step, flex); }`;
+    bus.publish("step", turner.now);
   }
 
   function turned() {

@@ -260,6 +260,18 @@ export const dom = {
       title: node.querySelector("[data-slide]")?.dataset.slide,
     })),
 
+  /** Whether a slide of a projector, or a table on it, shows less than all of its content. */
+  overflows: (slide) =>
+    [slide, ...[...slide.children].filter(dom.hasFigure)].some((box) => box.scrollHeight > box.clientHeight + 1) ||
+    [slide, ...slide.querySelectorAll("[class*='st-key-table_']")].some(dom.scrollsAside),
+  /** The factor by which formulas of a slide have to shrink so that all fit into their boxes, at most 1. */
+  formulaSize: (slide) =>
+    [...slide.querySelectorAll(".katex-display")]
+      .filter(dom.scrollsAside)
+      .reduce((size, { scrollWidth, clientWidth }) => Math.min(size, (0.95 * clientWidth) / scrollWidth), 1),
+  /** Whether a slide has a figure, which needs the room that words leave. */
+  hasFigure: (slide) => Boolean(slide.querySelector(".stPlotlyChart")),
+
   /** How wide the content of a page is at most. */
   contentWidth: () => document.querySelector(".stMainBlockContainer > *")?.clientWidth || innerWidth,
 

@@ -1,0 +1,10 @@
+// The sentences of the present slide of a projector that are lower than a share of the height, if the slide has room for more.
+([share, full]) => {
+  const slide = document.querySelector("[class*=st-key-slide-]:not([data-away])"), { top, height } = slide.getBoundingClientRect();
+  const bottoms = [...slide.children].map((node) => node.getBoundingClientRect()).filter((box) => box.height > 2).map((box) => box.bottom);
+  if (Math.max(...bottoms) - top > full * height) return [];
+  return [...slide.querySelectorAll("p, li")]
+    .filter((node) => node.checkVisibility({ visibilityProperty: true }) && node.innerText.trim().split(/\s+/).length > 3)
+    .filter((node) => parseFloat(getComputedStyle(node).fontSize) < share * innerHeight)
+    .map((node) => `${getComputedStyle(node).fontSize}: ${node.innerText.slice(0, 30)}`);
+}
