@@ -212,7 +212,7 @@ def test_the_challenge_shows_the_methods_after_a_try_and_judges_as_the_lesson_do
 def test_what_a_class_wants_at_once_is_worked_out_once_and_seconds_one_after_the_other(monkeypatch):
     worked, under_way, usual = [], [], sys.getswitchinterval()
 
-    def work(*curve, after, between):
+    def work(*curve, previous, after_block):
         worked.append(curve)
         with giving_way():  # another one, who is ready earlier
             pass

@@ -1,11 +1,11 @@
-"""The parameters of the app's URLs, checked before any widget is drawn.
+"""The parameters of the app's URLs, which are validated before any widget is drawn.
 
-A page declares its own as `URL_PARAMETERS`, `parameters` those of every page. `read_once` reads the address when a page
-is opened. Valid values go into the session state, where the widgets find them. Invalid ones are dropped, and a sentence
-reports each. `keep` writes the values of widgets into the address, an option by its id, never by its label.
+A page declares its own parameters as `URL_PARAMETERS`; `parameters` declares those of every page. `read_once` reads the
+address when a page is opened. It copies valid values to the session state, where widgets read them, and removes invalid
+values with a message for each. `keep` writes the values of widgets into the address. An option is written as its id.
 
-Only sliders of real numbers are bound to the address by Streamlit itself, so that a drag needs no answer from the
-server. Streamlit's other bindings write labels, and break off the run where a value is empty or infinite.
+Streamlit itself binds only the sliders of real numbers to the address, so that a drag does not wait for the server.
+Other bindings of Streamlit would write labels, and raise an error for an empty or infinite value.
 """
 
 import ipaddress
@@ -25,12 +25,12 @@ from ramanujan.translation import _
 PRIVATE = ("lecturer", "key", "exercise_key", "frame")
 """URL parameters of one person: of the lecturer, in a class or with a worksheet, or of one browser in a frame.
 
-*Copy link* leaves them out.
+*Copy link* omits them.
 """
 
 _THIS_COMPUTER = ("localhost", "127.0.0.1", "::1")
 _EVERYWHERE = (None, "", "0.0.0.0", "::")
-"""Values of Streamlit's option `server.address` with which the app listens in every network of its computer."""
+"""Values of Streamlit's option `server.address` for which the app listens in every network of its computer."""
 _ELSEWHERE = ("198.51.100.1", 9)
 """An address and port outside of every network, reserved for documentation."""
 
@@ -40,27 +40,27 @@ _MET = "address_met"
 """Session state: name → whether Streamlit binds it, for the URL parameters of every page that was opened."""
 _WARNED = "address_warned"
 _FEW = 8
-"""The most options that a sentence lists."""
+"""Largest number of options in a message."""
 _AROUND = " \t\n\u00a0\u202f.,;:!?…()[]{}<>«»‹›\"'`“”„‟‘’‚‛*|"
-"""Characters of the sentence around a link that a copy of the link may contain."""
+"""Characters that may surround a link in a sentence, and that a copy of the link may contain."""
 
 
 class URLParameter(ABC):
-    """A parameter of the app's URLs; one that is missing means its default."""
+    """A parameter of the app's URLs. If an address does not contain it, its value is the default."""
 
     bound: ClassVar[bool] = False
-    """Whether Streamlit itself binds a widget to it."""
+    """Whether Streamlit binds a widget to the parameter."""
     name: str
     default: Any
     refused: str
-    """The sentence for a text that does not fit; its slots are the fields of the parameter."""
+    """Template of the message for an invalid text; its slots are the fields of the parameter."""
 
     @abstractmethod
     def read(self, text: str) -> Any:
-        """Return the value that a text means; ValueError if it does not fit."""
+        """Parse a text. Raise `ValueError` if it is invalid."""
 
     def tidied(self, text: str) -> str:
-        """Return a text of the address without the punctuation around it, if it fits without it."""
+        """Return a text without surrounding punctuation, if only that makes it valid."""
         if self._fits(text):
             return text
         return bare(text) if self._fits(bare(text)) else text
@@ -73,11 +73,11 @@ class URLParameter(ABC):
         return True
 
     def write(self, value: Any) -> str:
-        """Return a value as the address has it."""
+        """Return the text of a value in the address."""
         return str(value)
 
     def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
+        """Return the message for an invalid text."""
         return self.refused.format(**vars(self))
 
 
@@ -92,7 +92,7 @@ class Count(URLParameter):
     refused = _("The value of {name} in the address was ignored: it must be a whole number from {least} to {most}.")
 
     def read(self, text: str) -> int:
-        """Return the number; ValueError if it does not fit."""
+        """Return the number. Raise `ValueError` for an invalid text."""
         if not (len(text) < 20 and text.isascii() and text.isdigit() and self.least <= int(text) <= self.most):
             raise ValueError(self.name)
         return int(text)
@@ -104,9 +104,9 @@ class Choice(URLParameter):
 
     Parameters
     ----------
-    name : of the URL parameter
-    options : the options as session state, code and address have them: ids or numbers; or these → what a person reads
-    default : the option that an address without this parameter means; None where nothing is chosen
+    name : name of the URL parameter
+    options : ids or numbers, as in the session state and in the address; or a mapping from these to labels
+    default : the option for an address without this parameter; None if there is none
     """
 
     name: str
@@ -115,14 +115,14 @@ class Choice(URLParameter):
     refused = _("The value of {name} in the address was ignored: it must be one of these: {options}.")
 
     def read(self, text: str) -> Any:
-        """Return the option; ValueError if there is no such option."""
+        """Return the option. Raise `ValueError` if there is no such option."""
         offered = {self.write(option): option for option in self.options}
         if text not in offered:
             raise ValueError(self.name)
         return offered[text]
 
     def message(self) -> str:
-        """Return the sentence for a text that does not fit, with the options; of many, the first few."""
+        """Return the message for an invalid text. It contains the options, or the first few of many."""
         texts = list(map(str, self.options))
         few, more = ", ".join(texts[:_FEW]), len(texts) - _FEW
         listed = few if more <= 0 else _("{few} and {more} more").format(few=few, more=more)
@@ -140,20 +140,20 @@ class Several(Choice):
     )
 
     def read(self, text: str) -> tuple[str, ...]:
-        """Return the options, each once; ValueError if one of them does not exist."""
+        """Return the options without repetitions. Raise `ValueError` if one of them does not exist."""
         asked = dict.fromkeys(each.strip() for each in text.split(","))
         if not asked.keys() <= set(self.options):
             raise ValueError(self.name)
         return tuple(asked)
 
     def write(self, value: tuple[str, ...]) -> str:
-        """Return the options as the address has them."""
+        """Return the text of the options in the address."""
         return ",".join(value)
 
 
 @dataclass(frozen=True)
 class Text(URLParameter):
-    """A text that fits a regular expression, its form; whether it names anything is known where it is used."""
+    """A text that matches the regular expression `form`. The code that uses it checks its meaning."""
 
     name: str
     form: str
@@ -161,7 +161,7 @@ class Text(URLParameter):
     default: str = ""
 
     def read(self, text: str) -> str:
-        """Return the text; ValueError if it does not fit."""
+        """Return the text. Raise `ValueError` if it does not match."""
         if not re.fullmatch(self.form, text, re.ASCII):
             raise ValueError(self.name)
         return text
@@ -173,36 +173,40 @@ def bare(text: str) -> str:
 
 
 def read_once(page: str, parameters: Sequence[URLParameter]) -> list[str]:
-    """Read the address if a page was just opened or gone back to; return a sentence about each problem.
+    """Read the address after a page was opened, or after the back button; return a message for each problem.
 
-    Call it once a run, before any widget of these parameters is drawn.
+    Call it once in each run, before any widget of these parameters is drawn.
 
     Parameters
     ----------
     page : name of the page
-    parameters : all that its address may contain
+    parameters : all URL parameters of the page
     """
     back = _goes_back()
     if st.session_state.get(_PLACE) == page and not back:
         return []
     st.session_state[_PLACE] = page
-    said = [sentence for parameter in parameters if (sentence := _take(parameter, back))]
+    messages = []
+    for parameter in parameters:
+        message = _copy_to_session(parameter, back)
+        if message:
+            messages.append(message)
     met = st.session_state.setdefault(_MET, {})
-    said += _strangers({parameter.name for parameter in parameters}, met)
+    messages += _remove_unknown({parameter.name for parameter in parameters}, met)
     met.update({parameter.name: parameter.bound for parameter in parameters})
-    return said
+    return messages
 
 
 def held(parameter: URLParameter) -> Any:
-    """Return the value of a URL parameter that Streamlit does not bind; its default where nothing is chosen."""
+    """Return the value of a URL parameter that Streamlit does not bind, or its default if there is none."""
     value = st.session_state.get(parameter.name)
     return parameter.default if value is None else value
 
 
 def keep(*parameters: URLParameter) -> Any:
-    """Write the chosen values into the address, and return the last of them.
+    """Write the values of parameters into the address, and return the value of the last one.
 
-    A default is left out, and so is what a bound widget cannot use.
+    A default is not written. An invalid value of a bound parameter is removed.
     """
     for parameter in parameters:
         if parameter.bound:
@@ -219,16 +223,16 @@ def keep(*parameters: URLParameter) -> Any:
 
 
 def link(query: Mapping[str, str], path: str | None = None) -> SplitResult:
-    """Return the address of this page, or of the one with another path, as the browser has it, with another query."""
+    """Return the URL of this page in the browser, with another query and optionally another path."""
     here = urlsplit(st.context.url or "")
     path = here.path if path is None else f"{here.path.rpartition('/')[0]}/{path}"
     return here._replace(path=path, query=urlencode(query, safe=","), fragment="")
 
 
 def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitResult:
-    """Return what `link` returns, as other computers open it.
+    """Return the same URL as `link`, but with a host name that works on other computers.
 
-    A browser on the server's own computer may have opened the app at `localhost`, which no other computer can open.
+    A browser on the server's own computer may use `localhost`, which other computers cannot open.
     """
     here = link(query, path)
     if here.hostname not in _THIS_COMPUTER:
@@ -238,7 +242,7 @@ def link_for_others(query: Mapping[str, str], path: str | None = None) -> SplitR
 
 
 def is_for_this_computer_alone() -> bool:
-    """Tell whether no address is known under which other computers can open this page."""
+    """Return whether there is no known URL with which other computers can open this page."""
     return link_for_others({}).hostname in _THIS_COMPUTER
 
 
@@ -248,7 +252,7 @@ def _network_host() -> str | None:
         return None
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
-            # Connecting a datagram socket sends nothing. The system chooses the network card for the way.
+            # Connecting a datagram socket sends nothing, but the system selects the network interface.
             probe.connect(_ELSEWHERE)
         except OSError:
             return None
@@ -257,13 +261,13 @@ def _network_host() -> str | None:
 
 
 def fits(parameter: URLParameter) -> bool:
-    """Tell whether the address says nothing of a parameter, or says it once and readably."""
+    """Return whether the address contains no value of a parameter, or exactly one valid value."""
     _value, sentence = _read(parameter)
     return sentence is None
 
 
 def _read(parameter: URLParameter) -> tuple[Any, str | None]:
-    """Return the value that the address has of a parameter, if any, and the sentence on what it cannot use."""
+    """Return the value of a parameter in the address or None, and the message for an invalid value or None."""
     texts = st.query_params.get_all(parameter.name)
     if len(texts) > 1:
         return None, _("The address contains {name} more than once, so it was ignored.").format(name=parameter.name)
@@ -273,10 +277,10 @@ def _read(parameter: URLParameter) -> tuple[Any, str | None]:
         return None, parameter.message()
 
 
-def _take(parameter: URLParameter, back: bool) -> str | None:
-    """Put a parameter of the address into the session, or drop it and return a sentence."""
+def _copy_to_session(parameter: URLParameter, back: bool) -> str | None:
+    """Copy a value from the address to the session state; remove an invalid value and return a message."""
     value, sentence = _read(parameter)
-    # A bound slider takes by itself what it can use, and drops the rest.
+    # A bound slider reads a valid value and removes an invalid one itself.
     if parameter.bound:
         return sentence
     if sentence:
@@ -286,20 +290,20 @@ def _take(parameter: URLParameter, back: bool) -> str | None:
     return sentence
 
 
-def _strangers(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
-    """Drop the settings of pages that were left; return a sentence about settings that no page knows."""
-    strange = set(st.query_params).difference(names)
-    for name in strange & met.keys():
+def _remove_unknown(names: Iterable[str], met: Mapping[str, bool]) -> list[str]:
+    """Remove the parameters of previous pages; return a message if there are parameters of no page."""
+    unknown = set(st.query_params).difference(names)
+    for name in unknown & met.keys():
         if not met[name]:
             del st.query_params[name]
-    if not strange - met.keys() or st.session_state.get(_WARNED):
+    if not unknown - met.keys() or st.session_state.get(_WARNED):
         return []
     st.session_state[_WARNED] = True
     return [_("The address contains a setting that this page does not know. It was ignored.")]
 
 
 def _goes_back() -> bool:
-    """Tell whether the browser's back or forward button has led here; then the address decides."""
-    # Streamlit documents this function, for threads; nothing that is documented says how a page was reached.
+    """Return whether the user pressed the back or forward button. Then the address overrides the session state."""
+    # Streamlit documents this function, but only for threads. There is no documented way to detect the back button.
     context = get_script_run_ctx()
     return context is not None and context.is_history_navigation

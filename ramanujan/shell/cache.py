@@ -1,7 +1,7 @@
-"""The only caches of the app: each is bounded, and each page has a file of its own.
+"""Caches that several pages share. The caches of a single page are in its own cache.py.
 
-A page asks here for anything that costs more than a moment. Keys are plain numbers. What only one page needs is
-imported in that page's file, so that the first page does not pay for the others.
+All expensive results are cached, all caches are bounded, and their keys are plain numbers. Modules that only one page
+uses are imported in the cache.py of this page, so that the first page loads fast.
 """
 
 import sys
@@ -15,17 +15,16 @@ from ramanujan.derivation import ROUTES, Route
 from ramanujan.derivation.nomenclature import nomenclature
 
 _USUALLY, _WHILE_COMPUTING = sys.getswitchinterval(), 5e-4
-"""Seconds after which Python lets another thread run."""
+"""Switch intervals of Python's threads [s]: the default, and that during a long computation."""
 _computing: list[None] = []
 _counting = threading.Lock()
 
 
 @contextmanager
 def giving_way() -> Iterator[None]:
-    """Compute so that other visitors are answered meanwhile.
+    """Shorten the switch interval of threads during a long computation, so that other visitors get fast answers.
 
-    Python runs one thread at a time. An answer waits for its turn many times, each time as long as Python usually lets
-    a thread compute.
+    Python runs one thread at a time. Another thread waits for up to one switch interval, many times for each answer.
     """
     with _counting:
         _computing.append(None)
@@ -48,7 +47,7 @@ def route(name: str, equal_masses: bool = False) -> Route:
 
 @st.cache_data(show_spinner=False)
 def symbols(name: str, **more: str) -> list[str]:
-    """Return the symbols of a route, and more, with their meanings as Markdown."""
+    """Return a line of Markdown for each symbol of a route and each symbol in `more`, with its meaning."""
     entries = (nomenclature(route(name)) | more).items()
-    # A square bracket before a round one would be read as a link.
+    # Markdown would parse a square bracket before a round one as a link.
     return [f"${symbol}$: {meaning}".replace("[", "\\[").replace("]", "\\]") for symbol, meaning in entries]

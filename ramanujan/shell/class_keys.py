@@ -1,11 +1,11 @@
-"""The URL parameters of a class. Every page keeps them, so that a reload loses nobody:
+"""The URL parameters of a class. They are in the address of every page, so that a reload does not leave the class:
 
-    class       the code, in everybody's address; alone it is the link that students get
-    lecturer    the lecturer's key, in the lecturer's own address
-    wall        beside the code: a large, read-only page that follows the lecturer
+    class       the code of the class; a link with only this parameter is for students
+    lecturer    the lecturer's key, only in the lecturer's address
+    wall        together with the code: a large, read-only page that follows the lecturer
     frame       the browser's random name in a frame of another site, or NOTHING_STORED (browser/frame.js)
 
-*Copy link* leaves out what `address.PRIVATE` names.
+*Copy link* omits the parameters in `address.PRIVATE`.
 """
 
 from ramanujan.shell.address import Choice, Text
@@ -18,7 +18,7 @@ class Code(Text):
     """The code of a class."""
 
     def tidied(self, text: str) -> str:
-        """Return a code without what separates its letters, such as the space that the wall shows between them."""
+        """Return a code without separators between its letters, such as the space on the wall."""
         return super().tidied("".join(filter(str.isalnum, text[:_LONGEST])))
 
 

@@ -1,7 +1,7 @@
-"""How the app is shown: on a projector, one slide at a time, and without the parts that a lecturer's link hides.
+"""Display options: the projector view with one slide at a time, and the parts that a lecturer's link hides.
 
-All of it stands in the address of every page, as `view=projector`, `slide=curve` and `hide=numbers,curve,clocks`, so
-that it can be passed on. A page declares its slides where it draws them: `with slide("curve", _("The curve")):`.
+They are URL parameters of every page, such as `view=projector`, `slide=curve` and `hide=numbers,curve,clocks`, so a
+link contains them. A page declares a slide where it draws it: `with slide("curve", _("The curve")):`.
 """
 
 from collections.abc import Callable, Sequence
@@ -15,56 +15,56 @@ from ramanujan.shell import address
 from ramanujan.translation import _
 
 PARTS = {**stage.PARTS, "curve": "the curve of Ω²m/k over the mass ratio", "steps": "the derivation in six steps"}
-"""Part that a link can hide → what it is."""
+"""Part that a link can hide → its description."""
 VIEW = address.Choice("view", ("projector",))
 HIDE = address.Several("hide", tuple(PARTS))
 SLIDE = address.Text(
     "slide", "[a-z0-9_]{1,40}", _("The value of {name} in the address was ignored: it must be a short name.")
 )
 STANDALONE = ("m", "m_prime", "k", "compression", "radius", "layers", "speed", "from", "paused")
-"""Keys of the address that the standalone file knows."""
+"""URL parameters of the standalone file."""
 _PAGE = "display_page"
 URL_PARAMETERS = (VIEW, HIDE, SLIDE)
-"""What every page keeps in its address beside the machine."""
+"""Display options in the address of every page."""
 
 _SWITCH = "projector"
 
 
 def in_browser() -> bool:
-    """Tell whether a browser shows the page; a test or another program that runs the app sends no HTTP headers."""
+    """Return whether the client is a browser. A test that runs the script sends no HTTP headers."""
     return bool(st.context.headers)
 
 
 def is_projector() -> bool:
-    """Tell whether the app is shown on a projector: large words, one picture at a time, the sidebar folded."""
+    """Return whether the projector view is on: large text, one slide at a time, the sidebar closed."""
     return address.held(VIEW) == "projector"
 
 
 def slide(name: str, title: str) -> AbstractContextManager:
-    """Return one slide of the projector, for all that is drawn in a with-block; on another screen this changes nothing.
+    """Return a context manager for a slide of the projector view. In the normal view it has no effect.
 
-    What a page draws outside of its slides is seen beside each of them.
+    Elements outside of all slides are shown beside each slide.
 
     Parameters
     ----------
-    name : of the slide, as the address has it
-    title : in the list of slides
+    name : name of the slide in the address
+    title : title in the list of slides
     """
     if not is_projector():
         return nullcontext()
-    drawn = st.container(key=f"slide-{name}")
-    drawn.html(f'<i data-slide="{escape(title)}"></i>')
-    return drawn
+    container = st.container(key=f"slide-{name}")
+    container.html(f'<i data-slide="{escape(title)}"></i>')
+    return container
 
 
 def columns(name: str) -> Sequence[AbstractContextManager]:
-    """Return the columns of the page's grid: words, and to their right the figure or formula of which they speak.
+    """Return two columns: a left one for text, and a right one for the figure or formula that the text explains.
 
-    On a narrow screen the words come first (page.css), and on a slide all is as it is drawn.
+    On a narrow screen the text is above (page.css). In the projector view there are no columns.
 
     Parameters
     ----------
-    name : of these columns, unique on the page
+    name : name of the columns, unique on the page
     """
     if is_projector():
         return nullcontext(), nullcontext()
@@ -73,13 +73,13 @@ def columns(name: str) -> Sequence[AbstractContextManager]:
 
 
 def picture_and_words(wide: int = 3) -> Sequence[AbstractContextManager]:
-    """Return the places of a slide's picture, so wide, and to its right of words, 2 wide; elsewhere all is as drawn."""
+    """Return columns of the widths `wide` and 2 for picture and text of a slide; no columns in the normal view."""
     return st.columns([wide, 2], gap="medium") if is_projector() else (nullcontext(), nullcontext())
 
 
 @st.fragment
 def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = False) -> None:
-    """Draw something on a slide of the projector; on another screen in a fold, once that is opened."""
+    """Call `draw` on a slide of the projector view. In the normal view call it in an expander when that is open."""
     if is_projector():
         with slide(name, title):
             draw()
@@ -91,7 +91,7 @@ def folded(name: str, title: str, draw: Callable[[], None], *, expanded: bool = 
 
 
 def begin(name: str) -> None:
-    """Begin another page than the last one with its first slide, unless its address names a slide."""
+    """Select the first slide when another page is opened, unless the address contains a slide."""
     if st.session_state.get(_PAGE, name) != name and SLIDE.name not in st.query_params:
         st.session_state[SLIDE.name] = ""
     st.session_state[_PAGE] = name
@@ -99,13 +99,13 @@ def begin(name: str) -> None:
 
 @st.fragment
 def pager() -> None:
-    """Draw what turns the slides; a turn reruns nothing else."""
+    """Draw the controls that select a slide. A selection reruns only this fragment."""
     address.keep(SLIDE)
     components.pager(lambda name: st.session_state.update({SLIDE.name: name}))
 
 
 def hides(*parts: str) -> bool:
-    """Tell whether the link hides one of these parts."""
+    """Return whether the link hides at least one of these parts."""
     return not set(parts).isdisjoint(address.held(HIDE))
 
 
@@ -115,7 +115,7 @@ def on_stage() -> tuple[str, ...]:
 
 
 def bar() -> None:
-    """Draw what belongs to the page as a whole: in the bar above it, or on a narrow screen below it (page.css)."""
+    """Draw the bar of the page, above it or on a narrow screen below it (page.css): link and projector switch."""
     st.session_state[_SWITCH] = is_projector()
     with st.container(horizontal=True, vertical_alignment="center", key="bar"):
         components.link(address.PRIVATE, STANDALONE)

@@ -1,7 +1,7 @@
-"""Links as people and programs write them: copied out of a sentence, typed by hand, extended by a mailer.
+"""Correction of links that were copied with punctuation, typed by hand, or extended by a mail program.
 
-A request for a page whose address can be tidied is redirected before a session begins. What no rule understands stays
-in the address, and the page says why it ignores it.
+A request with such a link is redirected to the corrected address before a session begins. An invalid value remains in
+the address, and the page explains why it was ignored.
 """
 
 import re
@@ -19,57 +19,57 @@ _TRACKING = re.compile(
     r"|_(ga|gl|hsenc|hsmi|ke|openstat)|mkt_tok|oly_\w+_id|ref|ref_src",
     re.IGNORECASE,
 )
-"""Names of parameters by which other programs follow a link, such as utm_source, fbclid or gclid."""
+"""Names of tracking parameters that other programs add to a link, such as utm_source, fbclid or gclid."""
 
 KEPT_EVERYWHERE = (*display_mode.URL_PARAMETERS, *class_keys.URL_PARAMETERS)
-"""The parameters that every page writes into its address, besides those of the sliders."""
+"""URL parameters of every page, besides those of the sliders."""
 
 
 def parameters_of(page: Page) -> tuple[address.URLParameter, ...]:
-    """Return all that the address of a page may contain."""
+    """Return all URL parameters of a page."""
     shared = (parameters, display_mode, class_keys, stages)
     return (*(each for room in shared for each in room.URL_PARAMETERS), *page.url_parameters)
 
 
 def tidied(path: str, query: str) -> str | None:
-    """Return the address of a page that a link means; None if the link is tidy or leads to no page.
+    """Return the corrected address of a page; None if the link is correct or does not lead to a page.
 
     Parameters
     ----------
-    path : of the link, below the app's own
-    query : of the link, without its question mark
+    path : path of the link, relative to the base path of the app
+    query : query of the link, without its question mark
 
     >>> tidied("Derivation", "m_prime=9/8)&utm_source=mail")
     'derivation?m_prime=1.125'
     """
-    meant = address.bare(path).strip("/").casefold()
-    page = next((page for page in PAGES.values() if page.path == meant), None)
+    bare_path = address.bare(path).strip("/").casefold()
+    page = next((page for page in PAGES.values() if page.path == bare_path), None)
     if page is None:
         return None
     known = {parameter.name: parameter for parameter in parameters_of(page)}
-    given = parse_qsl(query, keep_blank_values=True)
-    kept = []
-    for name, text in given:
+    parsed = parse_qsl(query, keep_blank_values=True)
+    corrected = []
+    for name, text in parsed:
         if name in known:
-            kept.append((name, known[name].tidied(text)))
+            corrected.append((name, known[name].tidied(text)))
         elif not _TRACKING.fullmatch(name):
-            kept.append((name, address.bare(text)))
-    if page.path == path and kept == given:
+            corrected.append((name, address.bare(text)))
+    if page.path == path and corrected == parsed:
         return None
-    return f"{quote(page.path)}?{urlencode(kept, safe=',~')}".rstrip("?")
+    return f"{quote(page.path)}?{urlencode(corrected, safe=',~')}".rstrip("?")
 
 
 class TidyLinks:
-    """Middleware that redirects a request for a page to the tidied address."""
+    """Middleware that redirects a request for a page to its corrected address."""
 
     def __init__(self, app: Any) -> None:
         base = st.get_option("server.baseUrlPath").strip("/")
-        self.app, self.place = app, f"/{base}/" if base else "/"
+        self.app, self.base_path = app, f"/{base}/" if base else "/"
 
     async def __call__(self, scope: dict[str, Any], receive: Any, send: Any) -> None:
-        answer = self.app
-        if scope["type"] == "http" and scope["path"].startswith(self.place):
-            link = tidied(scope["path"].removeprefix(self.place), scope["query_string"].decode("latin-1"))
+        response = self.app
+        if scope["type"] == "http" and scope["path"].startswith(self.base_path):
+            link = tidied(scope["path"].removeprefix(self.base_path), scope["query_string"].decode("latin-1"))
             if link is not None:
-                answer = RedirectResponse(f"{self.place}{link}", headers={"cache-control": "no-store"})
-        await answer(scope, receive, send)
+                response = RedirectResponse(f"{self.base_path}{link}", headers={"cache-control": "no-store"})
+        await response(scope, receive, send)

@@ -1,7 +1,7 @@
-"""The pages of the app, in their order: a new page is one line here and one folder in `pages`.
+"""The pages of the app, in the order of the menu. A new page requires one line here and one folder in `pages`.
 
-The page's file draws the page when Streamlit executes it (`if __name__ == "__main__":`). Its `URL_PARAMETERS` list what
-the page writes into its address. Menu, tests and benchmarks read the list below.
+A page's file draws the page when Streamlit executes it (`if __name__ == "__main__":`). Its `URL_PARAMETERS` are the
+parameters of its address. Menu, tests and benchmarks use PAGES.
 """
 
 from collections.abc import Collection
@@ -17,7 +17,7 @@ from ramanujan.shell.address import URLParameter
 from ramanujan.translation import _
 
 SIDEBAR_WIDTH = 272
-"""The width of the open sidebar [px]."""
+"""Width of the open sidebar [px]."""
 
 
 @dataclass(frozen=True)
@@ -26,11 +26,11 @@ class Page:
 
     Parameters
     ----------
-    name : of its file in this folder
-    title : in the navigation and in the browser's tab
-    icon : one of the Material symbols
-    path : its address; empty for the first page
-    quick : the query with which a test or a benchmark opens the page, so that the page computes little
+    name : name of its folder in `pages`
+    title : title in the menu and in the browser's tab
+    icon : name of a Material symbol
+    path : path of its address; empty for the first page
+    quick : query for tests and benchmarks, with which the page computes little
     """
 
     name: str
@@ -46,12 +46,12 @@ class Page:
 
     @property
     def address(self) -> str:
-        """The address for a test or a benchmark."""
+        """Path and query for a test or a benchmark."""
         return f"{self.path}?{self.quick}" if self.quick else self.path
 
     @property
     def url_parameters(self) -> tuple[URLParameter, ...]:
-        """What the page writes into its address, besides the machine."""
+        """The URL parameters of the page, besides those of every page."""
         return self._declared("URL_PARAMETERS")
 
     def lead(self) -> bool:
@@ -62,23 +62,23 @@ class Page:
         return self._declared("lead", lambda: False)()
 
     def uses_sidebar(self) -> bool:
-        """Tell whether the page in its present state depends on the sidebar; if not, the sidebar starts closed."""
+        """Return whether the page in its current state uses the sidebar; if not, the sidebar is closed at first."""
         return self._declared("uses_sidebar", lambda: True)()
 
     def withheld(self) -> Collection[str]:
-        """Return the presets that the sidebar leaves out, because they would give away an answer."""
+        """Return the presets that the sidebar omits, because they would reveal an answer."""
         return self._declared("withheld", tuple)()
 
     def aside(self) -> Collection[str]:
-        """Return the parameters whose sliders are folded, because they only change the motion of the picture."""
+        """Return the parameters with sliders in an expander, because they only change the motion of the picture."""
         return self._declared("ASIDE", ())
 
     def warm_up(self) -> None:
-        """Import the page and compute what would delay its first visitor."""
+        """Import the page, and fill the caches that its first visitor needs."""
         self._declared("warm_up", lambda: None)()
 
     def _declared(self, name: str, *default: Any) -> Any:
-        """Return what the page's file defines under this name."""
+        """Return the attribute with this name of the page's module."""
         return getattr(import_module(f"ramanujan.pages.{self.name}.page"), name, *default)
 
 
@@ -97,13 +97,13 @@ PAGES = {
 
 
 def is_first_page() -> bool:
-    """Tell whether the browser requests the first page; this needs no call of `navigate` before."""
+    """Return whether the browser requests the first page. It does not depend on `navigate`."""
     path = urlsplit(st.context.url or "").path.rpartition("/")[2]
     return path not in {page.path for page in PAGES.values() if page.path}
 
 
 def navigate(hidden: bool) -> tuple[Page, st.Page]:
-    """Draw the menu of pages, unless it is hidden; return the current page and its script."""
+    """Draw the menu, unless `hidden`; return the current page and its script."""
     pages = {
         st.Page(
             page.file,

@@ -1,4 +1,4 @@
-"""The parameters that sliders set: name, symbol, words, unit, range and step; how a typed number is read."""
+"""The parameters with sliders: names, units and ranges; and the parser of typed numbers."""
 
 import math
 import re
@@ -16,16 +16,16 @@ from ramanujan.translation import _
 
 @dataclass(frozen=True)
 class Parameter(URLParameter):
-    """A real number that a slider sets; Streamlit binds the slider to the address.
+    """A real number with a slider that Streamlit binds to the address.
 
     Parameters
     ----------
-    name : of the slider, in the session state and in the address
-    symbol, meaning, unit : what the slider is called
-    least, most, default, step, format : its range, in this unit
-    scale : this unit in SI units
-    short : the meaning in as few words as fit beside a box
-    aside : whether its slider is among those that are folded away
+    name : key in the session state and in the address
+    symbol, meaning, unit : parts of the label
+    least, most, default, step, format : arguments of the slider, in this unit
+    scale : the unit in SI units
+    short : short form of the meaning, for the label of a box
+    aside : whether the slider is in an expander
     """
 
     bound: ClassVar[bool] = True
@@ -43,33 +43,33 @@ class Parameter(URLParameter):
     aside: bool = False
 
     def read(self, text: str) -> float:
-        """Return the number, written as Streamlit's sliders read it; ValueError if it does not fit."""
+        """Return the number, as Streamlit's sliders parse it. Raise `ValueError` for an invalid text."""
         value = float(text)
         if not (math.isfinite(value) and self.least <= value <= self.most):
             raise ValueError(self.name)
         return value
 
     def tidied(self, text: str) -> str:
-        """Return a number as Streamlit's sliders read it, also from a text that only the slider's box accepts: 9/8."""
+        """Return a number as text for Streamlit's sliders, also for a text that only the box accepts, such as 9/8."""
         tidied, typed = super().tidied(text), bare(text)
         if self._fits(tidied) or two_readings(typed) or (number := read_number(typed)) is None:
             return tidied
         return repr(number)
 
     def message(self) -> str:
-        """Return the sentence for a text that does not fit."""
+        """Return the error message for an invalid text."""
         sentence = _("The value of {name} in the address was ignored: it must be a number from {least} to {most}.")
         return sentence.format(name=self.name, least=number(self.least, strip=True), most=self.written(self.most))
 
     @property
     def label(self) -> str:
-        """The name of the slider for screen readers."""
+        """Label of the slider for screen readers."""
         unit = f"\u00a0[{self.unit}]" if self.unit else ""
         return f"{self.meaning}, {self.symbol}{unit}"
 
     @property
     def value(self) -> float:
-        """The value in this unit; before the slider is drawn, that of the address."""
+        """The value in this unit. Before the slider is drawn, it is the value in the address."""
         if self.name not in st.session_state and self.name in st.query_params and fits(self):
             return self.read(st.query_params[self.name])
         return st.session_state.get(self.name, self.default)
@@ -85,15 +85,15 @@ class Parameter(URLParameter):
         return self.least * self.scale, self.most * self.scale
 
     def written(self, value: float) -> str:
-        """Return a value with its unit, for a sentence."""
+        """Return the text of a value with its unit."""
         return quantity(value, self.unit, 7, strip=True)
 
     def equation(self, value: float) -> str:
-        """Return that the parameter has this value, in one line, for a sentence."""
+        """Return the text "symbol = value unit" for a value."""
         return f"{self.symbol}\u00a0=\u00a0{self.written(value)}"
 
     def clamp(self, value: float) -> float:
-        """Return the value of the range that is nearest."""
+        """Return the nearest value within the range."""
         return min(max(value, self.least), self.most)
 
 
@@ -109,18 +109,21 @@ PARAMETERS = {
         Parameter("radius", "R", _RADIUS, "cm", 5.0, 20.0, 10.0, 0.5, "%.1f", 0.01, _("roller radius"), aside=True),
     )
 }
-"""What every page has in its sidebar and keeps in its address, in the order of the sliders."""
+"""Name → parameter in the sidebar and in the address of every page, in the order of the sliders."""
+
 GLIDE = Parameter("glide", "−Ẋ₀", _("Initial velocity of the machine"), "cm/s", -20.0, 20.0, 0.0, 0.5, "%.1f", 0.01)
 SPIN = Parameter("spin", "Φ̇₀", _("Initial spin of the top cylinder"), "rad/s", -3.0, 3.0, 0.0, 0.1, "%.1f")
-"""What a person may give the machine at release: on page 3, and in tasks."""
+"""Parameters of a push at release, on the motion page and in tasks."""
+
 MACHINE = tuple(field.name for field in fields(Oscillator) if field.name in PARAMETERS)
-"""The parameters that make an `Oscillator`."""
+"""Names of the parameters of `Oscillator`."""
+
 URL_PARAMETERS = tuple(PARAMETERS.values())
 WATCH: dict[str, dict[str, Any]] = {
     name: {"parameter": name, "scale": PARAMETERS[name].scale, "step": PARAMETERS[name].step}
     for name in (*MACHINE, "compression")
 }
-"""The contract of the stage: which slider moves which parameter."""
+"""Key of a slider → the parameter of the stage that follows it, in the format of the stage component."""
 
 SENTENCES = {
     "unreadable": _(
@@ -131,15 +134,15 @@ SENTENCES = {
     "lighter": _("m was changed from {old} to {new}, because m′ can be at most {bound}."),
     "heavier": _("m was changed from {old} to {new}, because m′ must be at least {bound}."),
 }
-"""Sentences at a slider: an entry that is no number, outside of the range, ambiguous; m changed for a mass ratio."""
+"""Messages at a slider: not a number, outside of the range, ambiguous, or m changed because of the mass ratio."""
 
 LONGEST = 60
-"""Characters of a number that are read."""
+"""Largest length of a typed number."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d{1,3})?(/\d+([.,]\d*)?)?", re.ASCII)
 
 
 def read_number(text: str) -> float | None:
-    """Return the value of a decimal or a fraction in a short text, or None; the decimal mark is a point or a comma."""
+    """Parse a decimal number or a fraction, with a point or a comma as decimal mark; return None if invalid."""
     text = text.strip()
     if len(text) > LONGEST or not _NUMBER.fullmatch(text):
         return None

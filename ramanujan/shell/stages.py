@@ -1,7 +1,7 @@
-"""The stages of the pages: each hides the parts that the link names, and follows the sliders of the sidebar.
+"""The stages of the pages. A stage hides the parts that the link hides, and follows the sliders of the sidebar.
 
-The page itself writes into the address what is seen of a stage (keeper.js): its layers, its speed, from where it is
-seen, and where it is paused, as the periods since release of machine and plain mass, for every machine on one clock.
+A script in the page (keeper.js) writes the view of a stage into the address: layers, speed, frame of reference, and the
+time of a pause. This time is in periods since the release, for machine and plain mass of each machine on the clock.
 """
 
 from collections.abc import Mapping
@@ -13,11 +13,11 @@ from ramanujan.shell.parameters import PARAMETERS, WATCH
 from ramanujan.translation import _
 
 LIMITS = PARAMETERS["compression"].limits
-"""The least and the largest x₀ [m]."""
+"""Smallest and largest x₀ [m]."""
 
 
 def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
-    """Return the URL parameters that keep the view of the stages with this prefix."""
+    """Return the URL parameters for the view of the stages with this prefix."""
     refused = _("The value of {name} in the address was ignored: it must be periods, with commas between them.")
     turns = r"-?\d{1,6}(\.\d{1,6})?"
     return (
@@ -29,18 +29,19 @@ def url_parameters(kept: str = "") -> tuple[address.URLParameter, ...]:
 
 
 URL_PARAMETERS = url_parameters()
-"""Every page keeps these in its address."""
+"""URL parameters of every page."""
 
 
 def mount(payload: Mapping[str, Any] | None, **more: Any) -> None:
-    """Put a stage on the page as `stage.mount` does, without what the link hides.
+    """Call `stage.mount`, and hide the parts that the link hides.
 
-    It follows the sliders, and x₀ has their range, unless `limits` and `watch` say otherwise.
+    By default the stage follows the sliders, and the limits of x₀ are those of its slider. `limits` and `watch` replace
+    these defaults.
     """
     hidden = {*display_mode.on_stage(), *more.pop("hide", ())}
     stage.mount(payload, **{"limits": LIMITS, "watch": WATCH, **more}, hide=hidden)
 
 
 def tell(payload: Mapping[str, Any], **more: Any) -> None:
-    """Tell a stage that was mounted without a payload which machine it shows, as `stage.tell` does."""
+    """Call `stage.tell`, which sends the machine to a stage without payload, and hide what the link hides."""
     stage.tell(payload, hide=display_mode.on_stage(), **more)

@@ -1,11 +1,10 @@
-"""Keys of worksheets and exercises: the author has the key, the others have the name, and a name leads to no key.
+"""Keys and names of worksheets and exercises: the author has the key, and students have the name.
 
-The name is a hash of the key, so that the two need not be kept anywhere: a link works on every server and for ever. A
-signature would need a secret of the server: with another one, after a move or on the laptop in the classroom, no link
-would lead to its key any more.
+The name is a hash of the key, so neither is stored: a link works on every server and does not expire. A signature would
+require a secret of the server. With another secret, for example on another server, the links would be invalid.
 
-A worksheet has one of 17¹⁰ ≈ 2 × 10¹² names, and scrypt takes some 50 ms and 16 MB for each key that somebody tries. On
-a thousand cores one finds a key that fits after three years.
+There are 17¹⁰ ≈ 2 × 10¹² names, and scrypt takes about 50 ms and 16 MB for each key. A search for a key with a given
+name takes about three years on a thousand cores.
 """
 
 import hashlib
@@ -17,37 +16,37 @@ from ramanujan.shell import address
 from ramanujan.translation import _
 
 LETTERS = 10
-"""Letters of a worksheet's name: 41 bits."""
+"""Number of letters in a name; they are 41 bits."""
 _COST = {"n": 2**14, "r": 8, "p": 1}
-"""The parameters of scrypt that its author recommends for a person who waits (C. Percival, 2009)."""
+"""Parameters of scrypt that its author recommends for interactive use (C. Percival, 2009)."""
 _REFUSED = _("The value of {name} in the address was ignored: it is not the key of a worksheet.")
 _NO_NAME = _("The value of {name} in the address was ignored: it is not the name of a worksheet.")
 
 
 def key_parameter(name: str) -> address.Text:
-    """Return the URL parameter of this name, which holds a key."""
+    """Return the URL parameter with this name for a key."""
     return address.Text(name, "[0-9a-f]{16}", _REFUSED)
 
 
 def name_parameter(name: str, default: str = "") -> address.Text:
-    """Return the URL parameter of this name, which holds the name of a worksheet."""
+    """Return the URL parameter with this name for the name of a worksheet."""
     return address.Text(name, f"[{ALPHABET}]{{{LETTERS}}}", _NO_NAME, default)
 
 
 def new() -> str:
-    """Return a key that nobody can guess."""
+    """Return a new random key."""
     return secrets.token_hex(8)
 
 
 @lru_cache(maxsize=1024)
 def name(key: str) -> str:
-    """Return the name of the worksheet to which a key belongs."""
+    """Return the name of the worksheet with this key."""
     hashed = int.from_bytes(hashlib.scrypt(key.encode(), salt=b"Ramanujan's oscillator", **_COST))
     return "".join(ALPHABET[hashed // len(ALPHABET) ** place % len(ALPHABET)] for place in range(LETTERS))
 
 
 def read_name(text: str) -> str | None:
-    """Return the name of a worksheet that was typed, in whatever case and with whatever between its letters, or None.
+    """Parse a typed name of a worksheet, in upper or lower case and with any separators; return None if it is invalid.
 
     >>> read_name(" bcdfh-jklmn ")
     'BCDFHJKLMN'
@@ -56,6 +55,6 @@ def read_name(text: str) -> str | None:
 
 
 def fits(held: address.Text, worksheet: str) -> bool:
-    """Tell whether a URL parameter holds the key of the worksheet with this name."""
+    """Return whether the value of a URL parameter is the key of the worksheet with this name."""
     key = address.keep(held)
     return bool(key) and name(key) == worksheet
