@@ -55,6 +55,7 @@ def test_how_a_number_looks(number, text):
     assert shown(number) == text
 
 
+@mpmath.workdps(100)
 def test_a_near_cancellation_keeps_its_digits():
     """The difference 10³⁰ − r√1729, for the nearest integer r, is 10³⁰ times smaller than its terms."""
     p = 10**30
