@@ -50,7 +50,7 @@ Number = float | int | Decimal
 
 
 def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
-    """Return a number with so many significant digits; an integer below a million keeps all of its own.
+    """Return a number with `digits` significant digits; an integer below a million keeps all of its own.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def number(value: Number, digits: int = 2, *, strip: bool = False) -> str:
 
 
 def at_most(value: Number, digits: int = 2) -> str:
-    """Return an upper bound of a number: the number rounded up to so many significant digits.
+    """Return an upper bound of a number: the number rounded up to `digits` significant digits.
 
     Use it wherever a sentence says "at most", "up to", "below" or "never exceeds".
 
@@ -97,7 +97,7 @@ def at_most(value: Number, digits: int = 2) -> str:
 
 
 def at_least(value: Number, digits: int = 2) -> str:
-    """Return a lower bound of a number: the number rounded down to so many significant digits.
+    """Return a lower bound of a number: the number rounded down to `digits` significant digits.
 
     >>> at_least(2.828, 3), at_least(16777216.0, 2), at_least(0.3, 1)
     ('2.82', '1.6×10⁷', '0.3')
@@ -106,7 +106,7 @@ def at_least(value: Number, digits: int = 2) -> str:
 
 
 def _rounded(value: Number, digits: int, rounding: str) -> Number:
-    """Return a number rounded to so many significant digits; integers, infinities and NaN are returned unchanged."""
+    """Return a number rounded to `digits` significant digits; integers, infinities and NaN are returned unchanged."""
     if isinstance(value, Integral) or not math.isfinite(value) or value == 0:
         return value
     # The shortest decimal: the exact value of the double 0.1 is a little larger than 0.1.
@@ -169,8 +169,8 @@ def ambiguous_number(formula: str) -> str | None:
     return None
 
 
-def told_from(value: float, other: float, digits: int = 2, write: Callable[[Number, int], str] = number) -> str:
-    """Return a number with so many significant digits, or as many more as show on which side of another one it is.
+def distinct_from(value: float, other: float, digits: int = 2, write: Callable[[Number, int], str] = number) -> str:
+    """Return a number with `digits` significant digits, and more if it would otherwise look equal to another number.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def told_from(value: float, other: float, digits: int = 2, write: Callable[[Numb
     digits : significant digits
     write : `number`, `at_most` or `at_least`
 
-    >>> told_from(0.00103, 0.001), told_from(0.25, 0.001)
+    >>> distinct_from(0.00103, 0.001), distinct_from(0.25, 0.001)
     ('0.00103', '0.25')
     """
     while digits < _DIGITS_OF_A_FLOAT and write(value, digits) == write(other, digits):
@@ -187,7 +187,7 @@ def told_from(value: float, other: float, digits: int = 2, write: Callable[[Numb
 
 
 def fixed(value: float, places: int) -> str:
-    """Return a number with so many decimal places.
+    """Return a number with `places` decimal places.
 
     >>> fixed(-0.5, 2), fixed(12345.678, 1)
     ('−0.50', '12\\u202f345.7')
@@ -224,7 +224,7 @@ def duration(seconds: float) -> str:
 
 
 def in_latex(decimal: str) -> str:
-    """Return a decimal as LaTeX, in which a comma of its own would be followed by a space.
+    """Return a decimal as LaTeX; braces prevent a space after a decimal comma.
 
     >>> in_latex("0.5")
     '0.5'

@@ -1,11 +1,11 @@
-"""Plotly figures from arrays: one function for each figure, a file or two for each page, and the look that they share.
+"""Plotly figures from arrays, with one function for each figure, and their common look.
 
-The caller gives the numbers and the colours; the functions here compute neither physics nor themes. Every figure fits a
+The caller passes the numbers and the colours; these functions compute neither physics nor themes. Every figure fits a
 phone: labels are anchored inside the axes and do not overlap.
 
-Plotly checks every property when a figure is made, and again when it is sent. For two panels that takes tens of
-milliseconds, many times as long as computing the numbers. Every figure is therefore written as the dictionary
-that Plotly would produce. A test lets Plotly check each of them.
+Plotly validates every property when a figure is created, and again when it is sent. For two panels this takes tens of
+milliseconds, many times as long as the computation of the numbers. These functions therefore return the dictionary that
+Plotly would produce. A test validates each of them with Plotly.
 """
 
 import base64
@@ -22,14 +22,14 @@ MASS_RATIO = _("mass ratio <i>ε</i> = <i>m</i>′/<i>m</i>")
 NORMALIZED = "Ω²<i>m</i>/<i>k</i>"
 """The axes of the curve of Ω². Symbols are italic, as in formulas: capital Greek letters and units are upright."""
 NO_NAME = "<extra></extra>"
-"""The end of a hover text without the name of the curve, which Plotly would add."""
+"""The end of a hover text, to omit the name of the curve, which Plotly adds by default."""
 
 _FAMILY = '"Source Sans", sans-serif'
-"""The typeface of the page, which page.css brings."""
+"""The typeface of the page, from page.css."""
 
 
 def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, Any]:
-    """Return the look that all figures share: no box, a faint grid, room for labels.
+    """Return the common look of all figures: no box, a faint grid, room for labels.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
     around = ("2px 0", "-2px 0", "0 2px", "0 -2px")
     layout = {
         "font": {"color": colors["ink"], "size": 14, "family": _FAMILY},
-        # The page's own ground, so that a figure that is saved in the dark theme can be read.
+        # With the background of the page, a figure saved in the dark theme is legible.
         "paper_bgcolor": colors["paper"],
         "plot_bgcolor": "rgba(0,0,0,0)",
         "margin": {"l": 56, "r": 16, "t": 12, "b": 48},
@@ -58,7 +58,7 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
         "modebar": {"bgcolor": colors["paper"], "color": colors["ink"], "activecolor": colors["primary"]},
         "hoverlabel": {"bgcolor": colors["paper"], "font": {"color": colors["ink"]}},
         "separators": DECIMAL + THIN,
-        # Lines leave the letters of a name free, in a saved file as well; a blurred shadow is darker than dark paper.
+        # The shadow separates the letters of a label from lines, also in a saved file. Blur would darken dark paper.
         "annotationdefaults": {"font": {"shadow": ", ".join(f"{by} {colors['paper']}" for by in around)}},
     }
     return {"layout": layout, "data": {"scatter": [{"type": "scatter"} | ({"hovertemplate": hover} if hover else {})]}}
@@ -67,31 +67,31 @@ def template(colors: Mapping[str, str], hover: str | None = None) -> dict[str, A
 def figure(
     traces: Iterable[Mapping[str, Any]], colors: Mapping[str, str], height: int, hover: str | None = None, **layout: Any
 ) -> "Drawn":
-    """Return traces in the common look.
+    """Return a figure in the common look.
 
     Parameters
     ----------
-    traces : as `line` and `marks` return them, or any of Plotly's
+    traces : from `line` and `marks`, or any Plotly traces
     colors, hover : as in `template`
     height : of the figure [px]
-    layout : Plotly's properties of this figure
+    layout : further layout properties of Plotly
     """
     return drawn(traces, {"template": template(colors, hover), "height": height, "showlegend": False, **layout})
 
 
 _TYPES = {"float32": "f4", "float64": "f8", "int8": "i1", "uint8": "u1", "int16": "i2", "int32": "i4"}
-"""NumPy's name of a number type → Plotly's, for arrays that are sent as bytes."""
+"""NumPy dtype → Plotly dtype, for arrays in bytes."""
 
 
 class Drawn(BaseFigure):
-    """A finished figure: `to_dict` returns what is sent. Streamlit accepts it as a figure of Plotly's."""
+    """A finished figure, which Streamlit accepts as a Plotly figure; `to_dict` returns its dictionary."""
 
     def __init__(self, sent: dict[str, Any]) -> None:
-        # The base class would check, copy and index every property.
+        # The constructor of the base class would validate, copy and index every property.
         self._sent = sent
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the figure's dictionary, the same at every call; it must not be changed."""
+        """Return the figure's dictionary, which is the same object at every call and must not be modified."""
         return self._sent
 
     def __repr__(self) -> str:
@@ -99,18 +99,18 @@ class Drawn(BaseFigure):
 
 
 def drawn(traces: Iterable[Mapping[str, Any]], layout: Mapping[str, Any]) -> Drawn:
-    """Return a figure of these traces; their arrays become Plotly's typed arrays, bytes in base 64."""
+    """Return a figure with these traces; NumPy arrays become Plotly's typed arrays, bytes in base 64."""
     data = [{name: _typed(value) for name, value in trace.items()} for trace in traces]
     return Drawn({"data": data, "layout": dict(layout)})
 
 
 def line(x: Any, y: Any, **look: Any) -> dict[str, Any]:
-    """Return a trace that joins points; color, width, dash and shape are the look of its line."""
+    """Return a trace of joined points; color, width, dash and shape are properties of its line."""
     return {"type": "scatter", "x": x, "y": y, "mode": "lines", "line": look}
 
 
 def marks(x: Any, y: Any, symbol: str, size: float, fill: str, **outline: Any) -> dict[str, Any]:
-    """Return a trace of marks at points; color and width are the look of their outlines."""
+    """Return a trace of marks at points; color and width are properties of their outlines."""
     marker = {"symbol": symbol, "size": size, "color": fill} | ({"line": outline} if outline else {})
     return {"type": "scatter", "x": x, "y": y, "mode": "markers", "marker": marker}
 
@@ -118,23 +118,23 @@ def marks(x: Any, y: Any, symbol: str, size: float, fill: str, **outline: Any) -
 def horizontal_bars(
     lengths: Iterable[float], places: Iterable[Any], words: Iterable[Any], marker: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Return a trace of bars that begin at the left, each with words at its end."""
+    """Return a trace of horizontal bars, each with a label at its end."""
     bars = {"type": "bar", "orientation": "h", "x": list(lengths), "y": list(places), "marker": marker}
     return bars | {"text": list(words), "textposition": "outside", "constraintext": "none", "cliponaxis": False}
 
 
 _LEAST = 400
-"""Pixels: the height that a figure has at least; where a slide has more room, it takes it."""
+"""The smallest height of a figure [px]; on a slide it grows with the free space."""
 _LINE = 16
-"""Letters of an axis title that fit beside one of two panels."""
+"""The number of letters of an axis title that fit beside one of two panels."""
 _ABOVE = (24, 54)
-"""Pixels above the panels: for a number at an axis' end, left out by Plotly without room, and for a line of words."""
+"""The margin above the panels [px], without and with a line of words. Plotly omits the last number without a margin."""
 _LETTERS = 26
-"""Pixels: how large Plotly takes the letters for, which type.css leaves alone; projector.css sets 20 to 39 px."""
+"""The size of letters for Plotly's layout [px]; type.css does not change it, and projector.css sets 20 to 39 px."""
 
 
 def in_large_print(figure: BaseFigure) -> Drawn:
-    """Return the figure with room for large words, in any height.
+    """Return the figure with room for large letters, at any height.
 
     >>> from ramanujan.figures import drawn
     >>> sent = drawn([], {"height": 620, "yaxis": {"title": {"text": "displacement relative to the block"}}})
@@ -146,7 +146,7 @@ def in_large_print(figure: BaseFigure) -> Drawn:
     layout = {**sent["layout"], "height": min(_LEAST, sent["layout"].get("height", _LEAST))}
     for name in [name for name in layout if name.startswith(("xaxis", "yaxis"))]:
         layout[name] = _roomy_axis(layout[name], upright=name.startswith("yaxis"))
-    # Plotly does not measure a word again in the same size, and the switch to a projector finds figures drawn small.
+    # Plotly caches the width of a text by its size. A new size forces a new measurement after a switch to a projector.
     notes = [{**note, "font": {**note.get("font", {}), "size": _LETTERS}} for note in layout.get("annotations", ())]
     is_above = any(note.get("yref") == "paper" and note["y"] == 1 for note in notes)
     layout |= {"annotations": notes, "margin": {**layout.get("margin", {}), "t": _ABOVE[is_above]}}
@@ -154,11 +154,11 @@ def in_large_print(figure: BaseFigure) -> Drawn:
 
 
 def _roomy_axis(axis: dict[str, Any], upright: bool) -> dict[str, Any]:
-    # The first label of one axis must not touch that of the other.
+    # The standoff separates the first labels of both axes.
     axis = {**axis, "ticklabelstandoff": 6, "tickfont": {"size": _LETTERS}}
     if text := axis.get("title", {}).get("text", ""):
         lines = _in_lines(text) if upright else text
-        # Plotly measures a power of ten as if its exponent were not there, and a second line as small.
+        # Plotly ignores the exponent of a power of ten and underestimates the height of a second line.
         powers = axis.get("type") == "log" or any("<sup>" in label for label in axis.get("ticktext", ()))
         standoff = 12 + (18 if upright and powers else 0) + (28 if "<br>" in lines else 0)
         axis["title"] = {**axis["title"], "text": lines, "standoff": standoff, "font": {"size": _LETTERS}}

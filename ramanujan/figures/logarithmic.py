@@ -1,4 +1,4 @@
-"""Logarithmic figures of errors and costs: the axes, marks and ranges that those of the speed page share."""
+"""Axes, marks and ranges of the logarithmic figures of errors and costs on the speed page."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -12,43 +12,44 @@ Colors = Mapping[str, str]
 Scale = Callable[[np.ndarray], np.ndarray]
 
 _SYMBOLS = ("circle", "square", "diamond", "triangle-up", "triangle-down", "pentagon", "hexagon2")
-"""Symbol of the first, second, … method."""
+"""The symbols of the methods, in order."""
 _SQUEEZED, _APART = 8, 4
-"""How much smaller a decade is drawn below the room of the other curves, and a gap of how many decades begins there."""
+"""The factor by which the lower decades of an axis are compressed, and the smallest gap above them [decades]."""
 
 
 def look_of(index: int, colors: Colors) -> tuple[str, str]:
+    """Return the colour and the symbol of a method."""
     return colors[f"method_{index}"], _SYMBOLS[index]
 
 
 def axis(title: str, ends: Sequence[float], **more: Any) -> dict[str, Any]:
-    """Return an axis in the common look: its title, and what its ends show, as Plotly counts it."""
+    """Return an axis in the common look, with its title and its range in Plotly's units."""
     look = {"tickfont": {"size": 12}, "ticklabelstandoff": 3, "exponentformat": "power", "fixedrange": True}
     return {"title": {"text": title, "standoff": 8}, "range": list(ends), **look, **more}
 
 
 def log_axis(title: str, shown: tuple[float, float]) -> dict[str, Any]:
-    """Return a logarithmic axis with seven marks at most."""
+    """Return a logarithmic axis with at most seven ticks."""
     low, high = np.log10(shown).tolist()
     return axis(title, (low, high), type="log", dtick=max(1, math.ceil((high - low) / 6)))
 
 
 def level_line(ends: Sequence[float], level: float, name: str, colors: Colors) -> dict[str, Any]:
-    """Return a level for comparison with the curves."""
+    """Return a horizontal line for comparison with the curves."""
     trace = line(list(ends), [level] * 2, color=colors["ink"], dash="dash", width=1.5)
     return trace | {"name": name, "hoverinfo": "skip"}
 
 
 def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tuple[dict[str, Any], Scale, float]:
-    """Return an axis of exponents, how a value is placed on it, and below which exponent its decades are smaller.
+    """Return an axis of exponents, the scale of its values, and the exponent below which it is compressed.
 
-    Where some curves lie far below the others, such as rounding errors, the others have most of the room.
+    If some curves, such as rounding errors, are far below the others, the lower decades are compressed.
 
     Parameters
     ----------
     title : of the axis
-    curves : all values, each curve for itself
-    most : the largest exponent that is shown
+    curves : the values of each curve
+    most : the largest exponent on the axis
     """
     exponents = [each[np.isfinite(each)] for each in map(logarithm, curves)]
     exponents = [each for each in exponents if each.size] or [np.array([-1.0, 0.0])]
@@ -67,7 +68,7 @@ def axis_with_room(title: str, curves: Sequence[np.ndarray], most: float) -> tup
     below = [int(least)] if least < low - 3 else []
     decades = [*range(int(low) + (step if below else 0), int(np.ceil(high)) + 1, step)]
     ticks = {"tickvals": [low + (n - low) / _SQUEEZED for n in below] + decades, "ticktext": _powers(below + decades)}
-    # Of few decades the last one is named, too; all are as large as Plotly draws the powers of a logarithmic axis.
+    # An axis with few decades has a tick at its end, too. The font size is that of Plotly's logarithmic axes.
     top = high + 0.2 if step > 1 else np.ceil(high) + 0.05
     return axis(title, (bottom - 0.2 if bottom < low else low, top), tickfont={"size": 15}, **ticks), place, low
 
@@ -77,14 +78,14 @@ def _powers(exponents: Iterable[int]) -> list[str]:
 
 
 def power_axis(title: str, low: float, high: float) -> dict[str, Any]:
-    """Return a linear axis of exponents whose ticks read 10ⁿ."""
+    """Return a linear axis of exponents with the tick labels 10ⁿ."""
     step = next(step for step in (10, 20, 50, 100) if (high - low) / step <= 6)
     values = [n for n in range(-400, 401, step) if low <= n <= high]
     return axis(title, (low, high), tickvals=values, ticktext=_powers(values))
 
 
 def within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:
-    """Return the values in single precision; a value that a logarithmic axis cannot show becomes a gap."""
+    """Return the values in single precision; nonpositive and very large values become NaN, a gap in the curve."""
     values = np.asarray(values, float)
     top = 1e3 * shown[1]
     return np.where((values > 0) & (values <= top), values, np.nan).astype(np.float32)
@@ -92,7 +93,7 @@ def within(values: np.ndarray, shown: tuple[float, float]) -> np.ndarray:
 
 def shown_range(curves: Iterable[np.ndarray], shown: tuple[float, float]) -> tuple[float, float]:
     """Return the range of an axis: all positive finite values, within the given limits."""
-    # There are no values while the first run is still in progress.
+    # During the first run there are no values yet.
     values = np.concatenate([np.empty(0), *curves])
     values = values[np.isfinite(values) & (values > 0)]
     low, high = (values.min(), values.max()) if values.size else shown
@@ -100,7 +101,7 @@ def shown_range(curves: Iterable[np.ndarray], shown: tuple[float, float]) -> tup
 
 
 def logarithm(values: np.ndarray) -> np.ndarray:
-    """Return log₁₀ in single precision, NaN where it does not exist."""
+    """Return log₁₀ in single precision, NaN for nonpositive and infinite values."""
     values = np.asarray(values, float)
     good = (values > 0) & np.isfinite(values)
     return np.where(good, np.log10(np.where(good, values, 1.0)), np.nan).astype(np.float32)

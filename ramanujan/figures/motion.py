@@ -1,4 +1,4 @@
-"""The figures of the motion page: panels with one time axis, the phase plane, and the friction that contacts need."""
+"""The figures of the motion page: panels with a common time axis, the phase plane, and the required friction."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from ramanujan.numerals import fixed, number
 from ramanujan.translation import _
 
 _HEIGHT = 420
-"""The height of all panels with the gaps between them [px]."""
+"""The total height of the panels and the gaps between them [px]."""
 
 _GAP = 0.12
 _BELOW = 48
@@ -21,10 +21,10 @@ _ABOVE = 28
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve against time: its name for who points at it, its values at equal steps, and how it is drawn.
+    """A curve against time, with its values at equal steps.
 
-    Its `label`, if it has one, stands beside it in the colour `ink`. `stacked` curves are filled and lie on top of each
-    other, hatched if they are `hatched`; one label then stands for neighbours.
+    `name` appears in the hover text, `label` beside the curve in the colour `ink`. Curves that are `stacked` are filled
+    and lie on top of each other; neighbours with the same label share it.
     """
 
     name: str
@@ -39,13 +39,13 @@ class Curve:
 
     @property
     def look(self) -> dict[str, Any]:
-        """How Plotly draws the line."""
+        """The line properties for Plotly."""
         return {"color": self.color, "width": self.width, "dash": self.dash, "shape": "spline"}
 
 
 @dataclass(frozen=True)
 class Panel:
-    """Curves with one vertical axis: its title, its unit, and the range that it shows."""
+    """Curves with a common vertical axis: its title, its unit, its curves and its range."""
 
     title: str
     unit: str
@@ -59,8 +59,8 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     Parameters
     ----------
     panels : from top to bottom; every curve has its values at the same n equal steps from 0 to periods · period
-    period : of the machine [s]; the end of the first is marked
-    periods : how many are shown, at least one
+    period : of the machine [s]; a line marks the end of the first period
+    periods : number of periods on the time axis, at least one
     colors : ink, faint and paper
     """
     end = period * periods
@@ -77,7 +77,7 @@ def time_panels(panels: Sequence[Panel], *, period: float, periods: int, colors:
     notes = [_above(period, _("one period"), font={"size": 12}), *beside(*areas)]
     at = {"text": "<i>t</i> = %{x:.4~g} s"}
     along = _axis(_("time after release <i>t</i> [s]"), (0, end), anchor="free", position=0, unifiedhovertitle=at)
-    # One small box for all panels, which must not hide the curves.
+    # One small hover box for all panels hides little of the curves.
     box = {"hovermode": "x unified", "hoversubplots": "axis", "hoverlabel": {"font": {"size": 11}}}
     meta = {"cursor": "time", "period": period, "periods": periods}
     return _laid_out(traces, colors, shapes=[end_of_one], annotations=notes, meta=meta, xaxis=along, **axes, **box)
@@ -140,13 +140,13 @@ def friction_bars(
         shapes=[_upright(friction_coefficient, {"color": colors["primary"], "width": 3})],
         annotations=[_above(friction_coefficient, present, font={"color": colors["primary"]})],
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "fixedrange": True},
-        # The word at the end of the longest bar needs room, also on a phone.
+        # The range leaves room for the word at the end of the longest bar on a phone.
         xaxis=_axis(_("friction coefficient"), (0, 1.4 * longest), nticks=5),
     )
 
 
 def roomy(arrays: Sequence[np.ndarray]) -> tuple[float, float]:
-    """Return a range that holds all the arrays, a seventh wider on both sides: room for a name."""
+    """Return the range of all arrays, widened by a seventh on both sides for a label."""
     least, most = min(map(np.min, arrays)), max(map(np.max, arrays))
     margin = (most - least) / 7 or 1.0
     return float(least - margin), float(most + margin)
@@ -158,7 +158,7 @@ def _laid_out(traces: list[dict[str, Any]], colors: Mapping[str, str], height: i
 
 
 def _axis(title: str, ends: tuple[float, float], **more: Any) -> dict[str, Any]:
-    """Return an axis with its title and what its ends show."""
+    """Return an axis with its title and its range."""
     return {"title": {"text": title}, "range": list(ends), **more}
 
 
@@ -168,7 +168,7 @@ def _zero_line(colors: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _upright(x: float, line: dict[str, Any], **more: Any) -> dict[str, Any]:
-    """Return an upright line at x, as high as its panel."""
+    """Return a vertical line at x through its panel."""
     ends = {"x0": x, "x1": x, "xref": "x", "y0": 0, "y1": 1, "yref": "y domain"}
     return {"type": "line", **ends, "line": line, **more}
 
@@ -179,14 +179,14 @@ def _above(x: float, text: str, **more: Any) -> dict[str, Any]:
 
 
 def _domains(panels: int) -> list[list[float]]:
-    """Return the place of each panel, from top to bottom, as fractions of the plotting area."""
+    """Return the vertical domain of each panel, from top to bottom, in fractions of the plotting area."""
     share = (1 - _GAP * (panels - 1)) / panels
     lowest_first = [[number * (share + _GAP), number * (share + _GAP) + share] for number in range(panels)]
     return [[low, min(1.0, high)] for low, high in reversed(lowest_first)]
 
 
 def _area(panel: Panel, axis: str, end: float, height: float, width: float) -> Area:
-    """Return a panel as the names of its curves see it, beside them or in the areas that they fill."""
+    """Return the area in which the labels of a panel are placed, with its curves and its filled bands."""
     t = np.linspace(0, end, len(panel.curves[0].values))
     bands: dict[str, list[np.ndarray]] = {}
     top = np.zeros(len(t))
@@ -201,11 +201,11 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
     # TRANSLATORS: at a curve under the pointer: "hoop: 3.2 cm".
     hover = _("{name}: {value} {unit}").format(name=curve.name, value="%{y}", unit=panel.unit) + NO_NAME
     if several and curve is panel.curves[0]:
-        # One box reads all panels. The first curve of each brings its title.
+        # In the common hover box the first curve of each panel adds the panel's title.
         hover = f"<b>{panel.title}</b><br>{hover}"
     trace = {
         "type": "scatter",
-        # Equal steps need no array, and single precision is far finer than a pixel.
+        # Equal steps need no array of times. Single precision is much finer than a pixel.
         "x0": 0,
         "dx": end / (len(curve.values) - 1),
         "y": curve.values.astype(np.float32),
@@ -213,9 +213,9 @@ def _trace(curve: Curve, panel: Panel, axis: str, end: float, *, several: bool) 
         "name": curve.name,
         "mode": "lines",
         "line": curve.look,
-        # Plotly itself writes a space before the colon.
+        # By default Plotly writes a space before the colon.
         "hovertemplate": hover,
-        # With the format here Plotly writes a true minus sign; with the format in the template, a hyphen.
+        # Plotly writes a minus sign with this property, but a hyphen with a format in the template.
         "yhoverformat": ".3~g",
     }
     if curve.stacked:

@@ -1,4 +1,4 @@
-"""Figures of Ω²m/k against the mass ratio: that of the first page, and what it shares with that of the page 1729."""
+"""The figure of Ω²m/k against the mass ratio on the first page, and common parts for the figure on the page 1729."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class Curve:
-    """What the figure of the first page shows of all machines.
+    """The curve of Ω²m/k with its limits and marked machines.
 
     Parameters
     ----------
@@ -43,26 +43,26 @@ class Curve:
 
 
 _LENS = (0.8, 1.4), (0.77, 1.24)
-"""The part of ε and of Ω²m/k that the inset enlarges: there the marked ratios keep apart, on a phone as well."""
+"""The ranges of ε and of Ω²m/k in the inset, which separates the marked ratios, even on a phone."""
 _PLACE = (0.04, 0.5), (0.16, 0.61)
-"""The place of the inset, below the curve, in shares of the panel."""
+"""The horizontal and vertical domain of the inset, below the curve, in fractions of the panel."""
 
 
 def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
-    """Draw Ω²m/k against ε: the curve, its two limits, and an inset of the part where both marked ratios are.
+    """Draw Ω²m/k against ε: the curve, its two limits, and an inset around the marked ratios.
 
-    The page moves a ring over panel and inset, which marks the present machine.
+    On the page, a moving ring in panel and inset marks the current machine.
 
     Parameters
     ----------
-    curve : what is drawn; each asymptote where the curve is close to it
+    curve : the curve and its limits, which are drawn only near the curve
     colors : ink, faint, paper, primary, hoop_ink, top
     """
-    # Single precision is a thousand times finer than a pixel, and half the bytes.
+    # Single precision is a thousand times finer than a pixel, with half the bytes.
     ratios, values, heavy_limit = (
         array.astype(np.float32) for array in (curve.ratios, curve.values, curve.heavy_limit)
     )
-    # Further up the asymptote is far from the curve and would cross a label.
+    # Above this value the asymptote is far from the curve and would cross a label.
     below = heavy_limit <= 0.75 * curve.light_limit
     limit = {"color": colors["ink"], "width": 1.5, "dash": "dot"}
     no_hover = {"name": _("limit"), "hoverinfo": "skip"}
@@ -83,7 +83,7 @@ def frequency_curve(curve: Curve, colors: Mapping[str, str]) -> Drawn:
     for mark, name, symbol, size, color in shown:
         outlined = marks([mark.ratio], [mark.value], symbol, size, color, width=3, color=color)
         traces.append(outlined | {"name": name} | inset)
-    # Here the space to the right of the asymptote is empty, above the line “in step”.
+    # At this point the space right of the asymptote, above the line “in step”, is empty.
     there = int(np.argmin(np.abs(heavy_limit - 0.59 * curve.light_limit)))
     light, heavy = limit_labels(curve)
     beside = {"xanchor": "left", "yanchor": "bottom", "xshift": 6, "yshift": 3, "align": "left"}
@@ -113,20 +113,20 @@ def limit_labels(curve: Curve) -> tuple[str, str]:
 
 
 def _lens(ends: list[float], highest: float, unit: float, colors: Mapping[str, str]) -> list[dict[str, Any]]:
-    """Return the lines “in step” of panel and inset, the ground of the inset, and the frame of what it enlarges."""
+    """Return the lines “in step” of panel and inset, the background of the inset, and the frame of its region."""
     (least, most), (low, high) = _LENS
     (_left, right), (bottom, top) = _PLACE
     in_step = {"type": "line", "line": {"color": colors["primary"], "width": 1.5, "dash": "dash"}, "layer": "below"}
     in_step |= {"x0": 0, "x1": 1, "y0": unit, "y1": unit}
     domains = {"xref": "x domain", "yref": "y domain"}
     thin = {"line": {"color": colors["ink"], "width": 1}, "opacity": 0.5} | domains
-    # A shape counts ε itself, even where the axis is logarithmic.
+    # Fractions of the panel, because a shape on a logarithmic axis has linear coordinates.
     start, end = (np.log([least, most]) - np.log(ends[0])) / (np.log(ends[1]) - np.log(ends[0]))
     corners = ((bottom, low / highest), (top, high / highest))
     ground = {"type": "rect", "fillcolor": colors["paper"], "line": {"width": 0}, "layer": "below", "x0": 0, "x1": 1}
     return [
         in_step | {"xref": "x domain", "yref": "y"},
-        # The numbers of the inset are below it.
+        # The background extends below the inset, behind its tick labels.
         ground | {"y0": -0.25, "y1": 1, "xref": "x2 domain", "yref": "y2 domain"},
         in_step | {"xref": "x2 domain", "yref": "y2"},
         thin | {"type": "rect", "x0": start, "x1": end, "y0": corners[0][1], "y1": corners[1][1]},
@@ -142,14 +142,14 @@ def over_ratios(
     along: Mapping[str, Any],
     **more: Any,
 ) -> Drawn:
-    """Return a figure of Ω²m/k from 0 on against the mass ratio, on an axis as Plotly describes it."""
+    """Return a figure of Ω²m/k, from 0 to `highest`, against the mass ratio; `along` are properties of its axis."""
     upward = {"title": {"text": NORMALIZED}, "range": [0, highest], "fixedrange": True}
     across = {"title": {"text": MASS_RATIO}, "fixedrange": True, **along}
     return figure(traces, colors, 384, hover, xaxis=across, yaxis=upward, **more)
 
 
 def pointed(mark: Mark, to: tuple[float, float], side: str, colors: Mapping[str, str]) -> dict[str, Any]:
-    """Return the label of a mark with an arrow to it; `to` is how far it stands to the right and below [px]."""
+    """Return the label of a mark with an arrow; `to` is the offset of the label to the right and down [px]."""
     words = {"text": mark.label, "xanchor": side, "align": "left"}
     arrow = {"ax": to[0], "ay": to[1], "arrowcolor": colors["ink"], "arrowwidth": 1, "arrowhead": 0, "standoff": 8}
     return {"x": mark.ratio, "y": mark.value, **words, **arrow}

@@ -1,4 +1,4 @@
-"""The figures of the speed page: growing errors, work–precision diagram, forms of Ω² and phase at the extremes."""
+"""The figures of the speed page: growth of errors, work–precision diagram, forms of Ω², and phase errors."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,16 +12,16 @@ from ramanujan.numerals import number
 from ramanujan.translation import _, ngettext
 
 _NAMED = "<extra>%{fullData.name}</extra>"
-"""Plotly's second box, which names the curve."""
+"""The second hover box of Plotly, with the name of the curve."""
 _AFTER = _("after {periods} periods: {error}")
 _UPPER, _LOWER = {"domain": [0.54, 1.0]}, {"domain": [0.0, 0.46], "anchor": "x"}
 """The axes of two panels below each other."""
 _ENERGY_MOST, _PHASE_MOST = 0.5, 2
-"""Exponents of ten: a run whose error grows further leaves the figure at the top, so that the others can be seen."""
+"""The largest exponents of ten on the axes. A curve with larger errors leaves the figure at the top."""
 _HIGH = 560
-"""Height [px] of two panels with the gap between them."""
+"""The height of two panels and the gap between them [px]."""
 _STRIP, _HALF_STRIP = 62, 0.24
-"""Height [px] of the strip of a form with its name above it, and half of that without, in these."""
+"""The height of a form's strip with the name above it [px], and half the height of the strip alone, as a fraction."""
 _MARGIN = {"l": 60, "r": 28, "t": 12, "b": 48}
 
 
@@ -31,7 +31,7 @@ Curve = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a form's strip, from one exponent of ten to another: whether the form is right there, and a word."""
+    """A part of a form's strip between two exponents of ten, whether the form is right in it, and a label."""
 
     start: float
     end: float

@@ -41,7 +41,7 @@ def level_crossing(
         marks([root], [level], "star", 16, colors["top"]),
     ]
     left, right = ends = float(ratios[0]), float(ratios[-1])
-    # The label avoids the falling curve: right above its flat start, left above its flat end, else left below it.
+    # The label avoids the falling curve: to the right above its flat start, to the left above its flat end or below it.
     at_start = root < left + 0.4 * (right - left)
     above = at_start or level < 0.35 * values[0]
     to, side, other = ((22, -50), "left", "right") if at_start else ((-22, -50 if above else 40), "right", "left")
@@ -61,14 +61,14 @@ def machine_grid(
     chosen: tuple[int, int],
     colors: Mapping[str, str],
 ) -> Drawn:
-    """Draw the discriminants of all machines as a table that can be clicked; sums of two cubes are highlighted.
+    """Draw the discriminants of all machines as a clickable table; sums of two cubes are highlighted.
 
     Parameters
     ----------
     rows, columns : the pairs of lower rollers, the top bodies
     numbers : the discriminants, row by row
-    ways : in how many ways each is a sum of two positive cubes
-    chosen : row and column of the machine that is marked
+    ways : for each discriminant, the number of ways to write it as a sum of two positive cubes
+    chosen : row and column of the marked machine
     colors : ink, faint, paper, primary, hoop, on_hoop
     """
     cells = [(x, y) for y in range(len(rows)) for x in range(len(columns))]
@@ -80,7 +80,7 @@ def machine_grid(
         "colorscale": [[(n + side) / 3, color] for n, color in enumerate(steps) for side in (0, 1)],
         **{"zmin": 0, "zmax": 2, "xgap": 3, "ygap": 3, "showscale": False, "hoverinfo": "skip"},
     }
-    # A heatmap cannot be clicked, so the numbers are on marks, which can.
+    # The numbers belong to marks, because a heatmap does not report clicks.
     # TRANSLATORS: {lower} is a pair such as hoop + cylinder, {top} is a body such as cylinder.
     hover = _("{lower} below, {top} on top<br>discriminant {number}")
     inks = [colors["ink"], colors["on_hoop"], colors["paper"]]
@@ -111,7 +111,7 @@ def machine_grid(
 
 
 def _pairs_axis(pairs: Sequence[str]) -> dict[str, Any]:
-    """Return the axis on which pairs of rollers stand below each other."""
+    """Return an axis with the pairs of rollers below each other."""
     return {"tickvals": list(range(len(pairs))), "ticktext": list(pairs), "range": [len(pairs) - 0.4, -0.6]}
 
 
@@ -121,7 +121,7 @@ def cube_counts(pairs: Sequence[str], counts: Sequence[int], highlighted: int, c
     Parameters
     ----------
     pairs, counts : the pairs of lower rollers and their numbers
-    highlighted : which of them is the paper's
+    highlighted : the index of the paper's pair
     colors : ink, faint, paper, primary, block
     """
     tones = [colors["primary"] if n == highlighted else colors["block"] for n in range(len(pairs))]

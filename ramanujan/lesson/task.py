@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from ramanujan.lesson.stop import COMPRESSION
-from ramanujan.numerals import filled, told_from, with_unit
+from ramanujan.numerals import distinct_from, filled, with_unit
 from ramanujan.oscillator import Oscillator
 
 
@@ -77,7 +77,7 @@ def near(off: float, tolerance: float, sentences: tuple[str, ...], unit: str = "
         (sentence,) = too_small
     scale = {"cm": 100, "%": 100}.get(unit, 1)
     # The distance has enough digits to differ from the tolerance.
-    distance = with_unit(told_from(scale * abs(off), scale * tolerance), unit)
+    distance = with_unit(distinct_from(scale * abs(off), scale * tolerance), unit)
     return TaskVerdict(done, filled(sentence, off=distance, **values))
 
 

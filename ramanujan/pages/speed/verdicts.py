@@ -13,7 +13,7 @@ from ramanujan.accuracy.phase import PhaseErrors
 from ramanujan.accuracy.work_precision import STEPS_PER_PERIOD, Choice, WorkPrecision
 from ramanujan.figures.speed import Part
 from ramanujan.integrators import METHODS, Method
-from ramanujan.numerals import at_least, duration, filled, number, quantity, told_from
+from ramanujan.numerals import at_least, distinct_from, duration, filled, number, quantity
 from ramanujan.pages.speed.downsampling import Run
 from ramanujan.translation import _, ngettext
 
@@ -45,7 +45,7 @@ def method_facts(method: Method, steps: int) -> str:
     cost = filled(cost, method=title, order=method.order, n=method.evaluations)
     # A stable turn and the limit are rounded down alike, so the limit remains a bound and the larger of the two.
     write = number if turn > limit else at_least
-    turn_and_limit = {"turn": told_from(turn, limit, 3, write), "limit": told_from(limit, turn, 3, write)}
+    turn_and_limit = {"turn": distinct_from(turn, limit, 3, write), "limit": distinct_from(limit, turn, 3, write)}
     return f"{cost} {stable.format(**turn_and_limit)}"
 
 
