@@ -70,11 +70,13 @@ def has_outline(picture: np.ndarray) -> bool:
 
 
 def check_controls(page: Page, skipped: str) -> int:
-    """Check that each control is seen, has the outline that it has in other colours, and shows the focus."""
+    """Check that each control is seen; and of each kind, that it keeps its outline and shows the focus."""
     controls, outlined, wrong = page.evaluate(CONTROLS, skipped), set(), []
+    enabled = [i for i, control in enumerate(controls) if not control["isDisabled"]]
+    first_of_kind = {controls[i]["kind"]: i for i in reversed(enabled)}.values()
     page.emulate_media(forced_colors="none")
-    for i, control in enumerate(controls):
-        if control["tag"] == "button":
+    for i in first_of_kind:
+        if controls[i]["tag"] == "button":
             page.evaluate(SHOW, i)
             if has_outline(painted(page, i)):
                 outlined.add(i)
@@ -86,7 +88,7 @@ def check_controls(page: Page, skipped: str) -> int:
             wrong.append(("is not seen", control))
         if i in outlined and not has_outline(picture):
             wrong.append(("has lost its outline", control))
-        if not control["isDisabled"] and control["tag"] != "span":
+        if i in first_of_kind and control["tag"] != "span":
             page.evaluate(FOCUS, i)
             if not differ(picture, painted(page, i)):
                 wrong.append(("does not show the focus", control))
