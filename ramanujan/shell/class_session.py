@@ -1,10 +1,10 @@
-"""Who this session is in a class: a lecturer with a key, a student with a seat, the wall, or nobody.
+"""The role of this session in a class: lecturer with a key, student with a seat, wall, or none.
+
+The role is stored in the session state, and after a reload it is read from the address (`class_keys`). A student is
+identified by a random cookie of the browser (`browser_cookie`), so that several tabs of one phone have one vote. In a
+frame of another site, `browser/frame.js` writes a random name into the address instead.
 
 The wall also follows the sliders of the lecturer's desk.
-
-It is known from the session, and after a reload from the address (`class_keys`). A student is a browser: the server
-gives each a random cookie (`browser_cookie`), so that several tabs of one phone have one vote. In a frame of another
-site, `browser/frame.js` puts a random name into the address instead.
 """
 
 import json
@@ -29,27 +29,28 @@ from ramanujan.shell.class_keys import CLASS, FRAME, LECTURER, NOTHING_STORED, W
 from ramanujan.shell.parameters import MACHINE
 
 FOLLOWED_EVERY = 0.5
-"""Seconds between two looks of a wall, or of another desk, at what the desk shows."""
+"""Interval at which a wall or another desk reads the view of the desk [s]."""
+
 _KEY, _SEAT, _WALL = "class_key", "class_seat", "class_wall"
 _WAITS = "class_waits"
-"""Session state: the code of the class in which this session gets a seat in a moment."""
+"""Session state: the code of the class in which this session waits for a seat."""
 _SESSION = "class_session"
-"""Session state: a random name, in place of the browser’s where that keeps no cookies."""
+"""Session state: a random name, used if the browser stores no cookies."""
 _HERE = "here"
-"""Stands for the IP address of a visitor at the server’s own computer, which Streamlit leaves out."""
+"""Placeholder for the IP address of a visitor on the server’s own computer, for whom Streamlit returns none."""
 _SETTINGS = "class_settings"
-"""Session state: the settings of the desk, as this screen last told or took them."""
+"""Session state: the settings of the desk that this session last sent or received."""
 _FOLLOWED = "class_followed"
-"""Session state: the desk’s last message about its stage, and what this screen’s stage got of it."""
+"""Session state: the desk’s last message about its stage, and the message to the stage of this screen."""
 _JUDGED = "class_link_judged"
 _SAID = "class_said"
-"""Session state: why the last thing that somebody did here was refused."""
+"""Session state: the error message of the last action."""
 _SHOWN = "class_said_with"
-"""Session state: the question with which this was shown first."""
+"""Session state: the question with which the error message was first shown."""
 
 
 def arrive() -> None:
-    """Recognize lecturer, wall and student by their address, once a session; from then on the address follows."""
+    """Read the role from the address, once in a session. Afterwards write the role into the address."""
     if not st.session_state.get(_JUDGED):
         st.session_state[_JUDGED] = True
         code = address.held(CLASS)
@@ -80,7 +81,7 @@ def seat_held() -> Seat | None:
 
 
 def awaited() -> str | None:
-    """Return the code of the class in which this session gets a seat in a moment, if there is one."""
+    """Return the code of the class in which this session waits for a seat, if there is one."""
     return st.session_state.get(_WAITS)
 
 
@@ -90,7 +91,7 @@ def wall_held() -> str | None:
 
 
 def phase_of(stop: Stop) -> Phase | None:
-    """Return how far the class has come with a stop; None unless this is the lecturer’s session."""
+    """Return the phase of a stop in the class; None if this is not the lecturer’s session."""
     if (key := key_held()) is None:
         return None
     try:
@@ -101,7 +102,7 @@ def phase_of(stop: Stop) -> Phase | None:
 
 
 def question(code: str) -> ClassQuestion:
-    """Return what a class is asked now; a stop that this version of the app does not have counts as no question.
+    """Return the current question of a class; no question for a stop that this version of the app does not have.
 
     The class may have begun under another version of the app, before an upgrade or on another machine.
     """
@@ -112,12 +113,12 @@ def question(code: str) -> ClassQuestion:
 
 
 def open_class(lifetime: float = DAY) -> None:
-    """Become the lecturer of a new class, which is kept for so many seconds."""
+    """Open a new class with this session as its lecturer; it is deleted after `lifetime` seconds."""
     st.session_state[_KEY] = shared().open_class(lifetime, network()).key
 
 
 def take_seat(code: str) -> None:
-    """Become a student of the class with this code, now or in a moment; a session has one seat in a class."""
+    """Join the class with this code, or wait for a seat in it. A session has at most one seat."""
     named = browser() or st.session_state.setdefault(_SESSION, secrets.token_urlsafe(9))
     for name in (_SEAT, _WAITS):
         st.session_state.pop(name, None)
@@ -129,7 +130,7 @@ def take_seat(code: str) -> None:
 
 
 def browser() -> str:
-    """Return the random name of this browser; an empty one if the browser stores nothing for this page."""
+    """Return the random name of this browser; an empty text if the browser stores nothing for this page."""
     if name := st.context.cookies.get(NAME):
         return name
     return "" if forgets_seat() else address.held(FRAME)
@@ -143,22 +144,22 @@ def forgets_seat() -> bool:
 def network() -> str:
     """Return the visitor’s IP address.
 
-    It is that of the connection. Where this comes from a proxy that Uvicorn trusts (FORWARDED_ALLOW_IPS, by default
-    the same computer), it is the last one in X-Forwarded-For, which the proxy writes itself. A visitor without a
-    proxy can write anything into this header, so it is not read.
+    It is that of the connection. If the connection comes from a proxy that Uvicorn trusts (FORWARDED_ALLOW_IPS, by
+    default the same computer), it is the last address in X-Forwarded-For, which the proxy itself writes. Otherwise the
+    header is ignored, because a visitor can write anything into it.
     """
     return st.context.ip_address or _HERE
 
 
 def leave() -> None:
-    """Be nobody again."""
+    """Give up the role in the class."""
     for name in (_KEY, _SEAT, _WAITS, _WALL, _SAID):
         st.session_state.pop(name, None)
     _write_address()
 
 
 def attempt(act: Callable, *values: object) -> None:
-    """Do something in the class, or keep the sentence that says why not."""
+    """Call a function of the class, and store the message of a `ClassError`."""
     for name in (_SAID, _SHOWN):
         st.session_state.pop(name, None)
     try:
@@ -168,18 +169,18 @@ def attempt(act: Callable, *values: object) -> None:
 
 
 def refusal() -> str | None:
-    """Return why the last attempt was refused, if it was."""
+    """Return the error message of the last `attempt`, if there is one."""
     return st.session_state.get(_SAID)
 
 
 def forget_refusal(question: tuple[str, Vote]) -> None:
-    """Forget a refusal that was shown with an earlier question than this one, stop and vote."""
+    """Delete an error message that was shown with an earlier question. A question is a stop and a vote."""
     if _SAID in st.session_state and st.session_state.setdefault(_SHOWN, question) != question:
         st.session_state.pop(_SAID)
 
 
 def tell_settings(key: str) -> None:
-    """Tell the wall what the sliders of the lecturer's desk hold, if that has changed."""
+    """Send the values of the desk's sliders to the wall if they have changed."""
     machine = sidebar.oscillator()
     held = {name: getattr(machine, name) for name in MACHINE} | {"compression": sidebar.compression()}
     if (text := urlencode(held)) != st.session_state.get(_SETTINGS):
@@ -189,7 +190,7 @@ def tell_settings(key: str) -> None:
 
 
 def take_settings(settings: str | None) -> None:
-    """Give the sliders of the wall what those of the desk hold."""
+    """Set the sliders of the wall to the values of the desk's sliders."""
     st.session_state[_SETTINGS] = settings
     if settings:
         held = {name: float(text) for name, text in parse_qsl(settings)}
@@ -201,12 +202,12 @@ def take_settings(settings: str | None) -> None:
 
 
 def settings_differ(settings: str | None) -> bool:
-    """Tell whether the desk has moved its sliders since the wall was drawn."""
+    """Return whether the desk's sliders have changed since the wall was drawn."""
     return settings != st.session_state.get(_SETTINGS)
 
 
 def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
-    """Tell every screen what is seen of a stop's machine at this desk, if the class is at this stop."""
+    """Send the desk's view of a stop's machine to all screens, if this is the current stop of the class."""
     key = key_held()
     with suppress(ClassError):
         if key and shared().question(parts_of(key)[0]).stop == stop.id:
@@ -216,7 +217,7 @@ def tell_seen(stop: Stop, seen: dict[str, Any]) -> None:
 
 
 def follow(code: str) -> None:
-    """Let the stage of this screen, also of another desk, show what is seen at the desk; then it runs by itself."""
+    """Publish the desk's last view to the stage of this screen, a wall or another desk. It then runs by itself."""
     text, ago = shared().view(code)
     if text is None:
         return
@@ -233,7 +234,7 @@ def _sit_at_desk(key: str) -> None:
 
 
 def _write_address(code: str = "", lecturer: str = "", wall: str | None = None) -> None:
-    """Let the address say this of the class."""
+    """Write the role in a class into the address, or remove it."""
     for key, value in ((CLASS, code), (LECTURER, lecturer), (WALL, wall)):
         st.session_state[key.name] = value
     address.keep(CLASS, LECTURER, WALL)

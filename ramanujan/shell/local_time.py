@@ -1,4 +1,4 @@
-"""Dates and times as the visitor's clock and language have them."""
+"""Dates and times in the visitor's time zone and language."""
 
 from datetime import UTC, datetime, tzinfo
 from zoneinfo import ZoneInfo

@@ -1,4 +1,4 @@
-"""How pages look beyond the theme: its colours for figures (they are set in .streamlit/config.toml) and the margins."""
+"""Colours of the theme in .streamlit/config.toml, for figures and for drawings on paper."""
 
 from functools import cache
 
@@ -34,8 +34,8 @@ def colors() -> dict[str, str]:
 
 @cache
 def _colors(shown: str) -> dict[str, str]:
-    # To ask for an option takes a tenth of a millisecond, and a page asks for all of them several times a run.
-    # An app test in another folder finds no theme.
+    # `st.get_option` takes a tenth of a millisecond, and a page reads all options several times in a run.
+    # An app test in another folder has no theme.
     fallback = {"paper": "rgba(0,0,0,0)", "faint": "rgba(128,128,128,0.3)"}
     bodies = {
         use: st.get_option(f"theme.{shown}.{option}") or fallback.get(use, _GRAY) for use, option in _OPTIONS.items()
