@@ -155,7 +155,7 @@ def open_address(page: Page, address: str, *scripts: str) -> None:
 
 
 MOUNTED = """() => [...document.querySelectorAll("[data-testid=stBidiComponentIsolated]")].every((component) =>
-    component.shadowRoot?.querySelector("style, section") && !component.shadowRoot.querySelector(".stage:not(.told)") ||
+    component.shadowRoot?.querySelector("style, section") && !component.shadowRoot.querySelector(".stage:not(.ready)") ||
     component.closest("[class*=_published], [class*=_pick], .st-key-keys"))"""
 """Whether every component that shows something is there, and every stage knows its machine."""
 

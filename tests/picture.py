@@ -43,7 +43,7 @@ class Picture:
         """Show a machine."""
         self.machine, self.compression, self.initial = machine, compression, initial or released(machine, compression)
         data = stage.payload(machine, compression, initial=initial)
-        self.bare.put(lambda: stage.tell(data, name=self.name))
+        self.bare.put(lambda: stage.publish(data, name=self.name))
         next_frame(self.page)
 
     def find(self, expression: str) -> object:

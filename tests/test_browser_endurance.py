@@ -32,7 +32,7 @@ window.requestAnimationFrame = (draw) => request(() => draw(performance.now()));
 CURSORS = """[...document.querySelectorAll('.js-plotly-plot')].reduce((sum, {layout, data}) =>
   sum + (layout.meta.cursor === 'orbit' ? data.length : 1), 0)"""
 """How many marks of the time the figures of the page should have."""
-TOPICS = ("machine", "time", "drawn", "seek", "story", "seen")
+TOPICS = ("machine", "time", "drawn", "seek", "story", "view")
 """What the bus may know of a stage."""
 
 

@@ -124,7 +124,7 @@ def test_the_story_is_true_at_every_moment_and_ends_in_step(told):
     assert [each[-1] for each in told.sent] == [repr(GOAL)], "no message while it plays"
     assert evaluate("heard").count(SAID) == 1
     evaluate(f"bus.publish('exact/m_prime', {{ value: {GOAL!r}, text: '{GOAL!r}', judged: 1 }})")
-    told.put(lambda: stage.tell(stage.payload(Oscillator(1.5, GOAL, 10.0), 0.08), name="oscillator"))
+    told.put(lambda: stage.publish(stage.payload(Oscillator(1.5, GOAL, 10.0), 0.08), name="oscillator"))
     assert evaluate(f"() => (turn(1), ({NOW})())")["said"] == SAID
     assert float(evaluate(MARK)) == pytest.approx((GOAL - 0.05) / (10 - 0.05))
     assert evaluate(f"{STORY}.querySelector('button').textContent") == "Again"
@@ -214,7 +214,7 @@ def test_in_every_engine_a_key_snaps_to_what_the_page_looks_for_and_this_is_said
     """A key within a step of it; what the server has told is no move of a hand."""
     evaluate = told.page.evaluate
     evaluate(HEARD)
-    told.put(lambda: stage.tell(stage.payload(Oscillator(1.5, 1.68, 10.0), 0.08), name="oscillator"))
+    told.put(lambda: stage.publish(stage.payload(Oscillator(1.5, 1.68, 10.0), 0.08), name="oscillator"))
     evaluate("bus.publish('exact/m_prime', { value: 1.68, text: '1.68', judged: 0 })")
     evaluate("document.querySelector('.st-key-m_prime input').value = 1.68")
     box = "document.querySelector('.st-key-m_prime_exact [data-testid]').shadowRoot.querySelector('input').value"

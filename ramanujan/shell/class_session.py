@@ -225,7 +225,7 @@ def follow(code: str) -> None:
     if known != text:
         seen = {**json.loads(text), "ago": ago}
         st.session_state[_FOLLOWED] = text, seen
-    components.publish("class_seen_published", {f"seen/stop_{seen['stop']}": seen})
+    components.publish("class_seen_published", {f"view/stop_{seen['stop']}": seen})
 
 
 def _sit_at_desk(key: str) -> None:

@@ -1,47 +1,55 @@
-"""The animated scene: a Components v2 component that draws the machine and listens to the sliders.
+"""The animated scene: a Components v2 component that draws the machine and follows the sliders.
 
-This file holds what crosses from Python to the page (`payload`) and the mounting; words.py holds the texts, formulas.py
-the physics, which SymPy prints to JavaScript. The page's side is stage.html, stage.css, and one JavaScript module for
-each concern: motion, drawing and playback are pure; picture, layers and dial draw; parts hides, clock is time, words is
-what is said, slab and thumb are the hand, toolbar the controls; stage wires them. No physics is written in JavaScript.
+This file defines the data sent to the page (`settings`, `payload`) and mounts the component. words.py contains the
+texts, and formulas.py the physics, printed to JavaScript by SymPy. The browser's side consists of stage.html, stage.css
+and JavaScript modules:
 
-The stage itself is mounted with constant arguments, so that Streamlit sends it once in a session. After a change only a
-small message (`page.publish`) is sent, which carries the numbers.
+    motion, drawing, playback     pure functions and state
+    picture, layers, dial         drawing
+    parts                         hiding of parts
+    clock                         the animation loop
+    words                         sentences for the reader
+    slab, thumb                   input by pointer, keys and sliders
+    toolbar                       the controls
+    stage                         the connection of all these
 
-The contract, version 1. To the page, once:
+No physics is written in JavaScript.
 
-    stage        the name under which its messages are published
-    limits       compression: the least and the greatest that the slab can be dragged to [m]; where these are the
-                 same, it cannot be dragged
-    watch        key of a slider → {parameter, scale, step}: its value times scale is that parameter in SI units
-    clock        stages with the same clock run and pause together
-    layers       which of `LAYERS` are shown at first
-    compact      only the picture and its label, without controls
-    dials        whether the two clock hands, the gauge and the readouts are shown
-    narrow       whether these are shown below the picture
-    periods      after so many periods the motion begins again; left out: never
-    label        the text under the picture
-    kept         prefix of the names under which the address keeps what is seen
-    tells        whether the stage tells the server what is seen of it, see `SEEN`
+The stage is mounted with constant arguments, so Streamlit sends it once per session. After a change only a small message
+with the numbers is sent (`publish`).
 
-and by `page.publish`, at every change:
+Constant data, sent once:
+
+    stage           name of the stage; its topics on the bus contain it
+    limits          compression: smallest and largest x₀ to which the slab can be dragged [m]; equal limits fix the slab
+    watch           slider key → {parameter, scale, step}; value times scale is the parameter in SI units
+    clock           name of the clock; stages with the same clock run and pause together
+    layers          the members of `LAYERS` that are shown first
+    compact         whether only the picture and its label are shown, without controls
+    dials           whether the two clock hands, the gauge and the readouts are shown
+    narrow          whether these are below the picture
+    periods         number of periods after which the motion repeats; default: never
+    label           text under the picture
+    address_prefix  prefix of the stage's names in the address
+    sends_view      whether the stage sends its view to the server, see `VIEW`
+
+The message, published at every change; all but the first two are optional:
 
     version      1
     parameters   m, m_prime [kg], k [N/m], radius, compression [m], beta_hoop, beta_cylinder, beta_top
-    initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; left out: released at rest
-    samples      q = φ/φ₀ at equal steps, per_period of them in a period, drawn instead of the exact motion of a
-                 machine that was released at rest; left out: exact
-    computed     the same, drawn as an outline over the exact motion, with log, the evaluations and the turns that it
-                 was off, as text, after each period, run, the number of the run, and pace, the seconds of a period
-                 while a new run is shown for the first time; left out: none
-    slipping     the contact that is marked, such as hoop_slab; left out: none
-    hide         the parts that are hidden, see `PARTS`; left out: none
+    initial      X, phi, Phi [m, rad, rad] and X_dot, phi_dot, Phi_dot at release; default: released at rest
+    samples      q = φ/φ₀ at equal steps, per_period of them in a period; they replace the exact motion of a machine
+                 released at rest
+    computed     samples drawn as an outline over the exact motion, with these items:
+                 log, the evaluations and the phase error in turns after each period, as text;
+                 run, the number of the run;
+                 pace, the seconds of a period while a new run is shown for the first time
+    slipping     the contact to mark, such as hoop_slab
+    hide         the hidden parts, members of `PARTS`
 
-Other parts of the page communicate with a stage through the topics of the bus, which `ramanujan.browser.components`
-lists.
-
-The page answers nothing but `SEEN`, and that at the desk of a class alone: a slab that is let go moves its slider, see
-thumb.js.
+Other parts of the page communicate with a stage through the topics of the bus, listed in
+`ramanujan.browser.components`. The stage sends nothing to the server, except its view at the desk of a class: a drag of
+the slab moves the slider, which sends its own value (thumb.js).
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -63,11 +71,17 @@ PARTS = {
     "motion": "the motion itself and what shows it: the machine stands still as it was released",
     **{name: f"{what}, with its tick box" for name, (_title, what) in LAYERS.items()},
 }
-"""Part of a stage that can be hidden → what it is. What is hidden is not on the page, nor in what is said of it."""
-SEEN: Mapping[str, Any] = {"layers": "", "from": "", "speed": 1.0, "pace": 1.0, "turns": ""}
-"""What is seen of the stages on a clock, by an example: layers, view and speed as the address has them; pace, how many
-seconds of the machine pass in one of the beholder, 0 where it stands; turns, the periods since release of machine and
-plain mass, for each stage on the clock."""
+"""Part of a stage that can be hidden → its description. A hidden part is neither on the page nor in its sentences."""
+VIEW: Mapping[str, Any] = {"layers": "", "from": "", "speed": 1.0, "pace": 1.0, "turns": ""}
+"""An example of the view that a stage sends to the server.
+
+layers, from, speed
+    layers, reference frame and speed, in the notation of the address
+pace
+    seconds of the machine per second of the clock; 0 while it is paused
+turns
+    periods since release of the machine and of the plain mass, for each stage on the clock
+"""
 
 
 def payload(
@@ -80,15 +94,15 @@ def payload(
     computed: Mapping[str, Any] | None = None,
     slipping: str | None = None,
 ) -> dict[str, Any]:
-    """Return what is published at every change: the machine and its motion as plain numbers.
+    """Return the message published at every change: the machine and its motion as plain numbers.
 
     Parameters
     ----------
     oscillator : the machine; m, m′ [kg], k [N/m], R [m]
     compression : x₀ [m]
-    initial : the state at release; without it, at rest with the spring compressed by x₀
-    shape_factors : β of the rollers hoop, cylinder, top; it sets how they look and how they move
-    samples, computed : a computed motion, to draw instead of the exact one or as an outline over it
+    initial : the state at release; default: at rest with the spring compressed by x₀
+    shape_factors : β of the rollers hoop, cylinder, top; it determines their look and their motion
+    samples, computed : a computed motion; `samples` replaces the exact one, `computed` is an outline over it
     slipping : the contact to mark, such as hoop_slab
     """
     shapes = {f"beta_{name}": float(shape_factors[name]) for name in SHAPE_FACTORS}
@@ -105,7 +119,7 @@ def mount(
     data: Mapping[str, Any] | None,
     *,
     key: str = "stage",
-    on_seen: Callable[[dict[str, Any]], None] | None = None,
+    on_view: Callable[[dict[str, Any]], None] | None = None,
     hide: Iterable[str] = (),
     **options: Any,
 ) -> None:
@@ -113,19 +127,19 @@ def mount(
 
     Parameters
     ----------
-    data : the payload; None where `tell` brings it
-    key : of the stage among the page's elements
-    on_seen : called with a value like `SEEN` when a person has changed the view, and when the machine begins anew
-    hide : the parts that are hidden, of `PARTS`; another run may hide others
+    data : the payload; None if it is published later
+    key : Streamlit's key of the stage
+    on_view : called with a value like `VIEW` when a person has changed the view, and when the machine is released again
+    hide : the hidden parts, members of `PARTS`; they may differ in the next run
     **options : as in `settings`
     """
     fixed = settings(key, **options)
-    if on_seen:
-        components.asks("stage/stage", key, {**fixed, "tells": True}, "seen", on_seen, SEEN)
+    if on_view:
+        components.mount("stage/stage", key, {**fixed, "sends_view": True}, "view", on_view, VIEW)
     else:
         modules.component("stage/stage")(key=key, data=fixed)
     if data is not None:
-        tell(data, key=key, name=fixed["stage"], hide=hide)
+        publish(data, key=key, name=fixed["stage"], hide=hide)
 
 
 def settings(
@@ -141,24 +155,24 @@ def settings(
     narrow: bool = False,
     periods: float | None = None,
     label: str | None = None,
-    kept: str = "",
+    address_prefix: str = "",
 ) -> dict[str, Any]:
     """Return the constant data of a stage.
 
     Parameters
     ----------
-    key : of the stage among the page's elements
-    limits : the range of x₀ that the slab can be dragged through [m]
-    watch : slider key → parameter, scale and step, for following a drag without the server
-    name : the stage's name on the page's bus, unique in the whole app; without it, the key
-    clock : name of the clock, shared by stages that run together; without it, the stage has its own
-    layers : shown at first, of `LAYERS`
-    compact : only the picture and its label, without controls
+    key : Streamlit's key of the stage
+    limits : range of x₀ for dragging the slab [m]
+    watch : slider key → parameter, scale and step; the page follows these sliders without the server
+    name : name of the stage on the bus, unique in the app; default: the key
+    clock : name of the clock, shared by stages that run together; default: a clock for this stage
+    layers : members of `LAYERS` that are shown first
+    compact : show only the picture and its label, without controls
     dials : show the two clock hands, the gauge and the readouts beside the picture
-    narrow : show them below the picture
-    periods : of the machine, after which its motion begins again; without it, never
+    narrow : show these below the picture
+    periods : number of periods after which the motion repeats; default: never
     label : a few words under the picture, also its name for screen readers
-    kept : prefix of the names under which the address keeps the view; one for each clock of a page
+    address_prefix : prefix of the stage's names in the address; one for each clock of a page
     """
     name = name or key
     return {
@@ -172,11 +186,11 @@ def settings(
         "narrow": narrow,
         "periods": periods,
         "label": label,
-        "kept": kept,
+        "address_prefix": address_prefix,
     }
 
 
-def tell(
+def publish(
     data: Mapping[str, Any],
     *,
     key: str = "stage",
@@ -184,13 +198,13 @@ def tell(
     hide: Iterable[str] = (),
     more: Mapping[str, Any] | None = None,
 ) -> None:
-    """Tell a stage which machine it shows.
+    """Publish the machine that a stage shows.
 
     Parameters
     ----------
     data : the payload
     key, name, hide : as in `mount`
-    more : topics of the page's bus that are told with it
+    more : further topics of the bus and their values
     """
     if unknown := set(hidden := sorted(hide)).difference(PARTS):
         sentence = _("hide must be among {known}, and {unknown} is not")

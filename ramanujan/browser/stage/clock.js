@@ -1,16 +1,16 @@
-// Time: one animation loop for every stage on the page, and clocks, which stages share that run and pause together. The loop
-// rests while nothing moves: on a page that stands still, sixty frames a second took a quarter of a processor.
+// Time: one animation loop for all stages on the page, and the clocks. Stages on the same clock run and pause together. The
+// loop stops while nothing moves: sixty frames a second of an unchanged page used a quarter of a processor.
 
 import { clamp } from "./motion.js";
 
-export const EYE = 0.7; // s, the shortest period that an eye can follow; what is faster is slowed
+export const EYE = 0.7; // s, the shortest period that an eye can follow; faster motion is slowed to it
 
 const clocks = new Map(); // name → { playing, speed, slowing, seenFrom, stages }
 let frame = 0;
 let lastTick = 0;
-let asked = false; // whether another frame is wanted
+let needsFrame = false;
 
-/** Put a stage on the clock of that name until the signal aborts, and return the clock. */
+/** Add a stage to the clock with this name until the signal aborts. Return the clock. */
 export function joinClock(name, stage, playing, signal) {
   if (!clocks.has(name)) clocks.set(name, { playing, speed: 1, slowing: 1, seenFrom: "ground", stages: new Set() });
   const clock = clocks.get(name);
@@ -23,24 +23,24 @@ export function joinClock(name, stage, playing, signal) {
   return clock;
 }
 
-/** Let the loop run again: something may have moved. */
+/** Restart the loop, because something may have moved. */
 export function wake() {
-  asked = true;
+  needsFrame = true;
   if (frame) return;
   lastTick = performance.now();
   frame = requestAnimationFrame(tick);
 }
 
 function tick(now) {
-  frame = requestAnimationFrame(tick); // first of all: one bad frame must not be the last
+  frame = requestAnimationFrame(tick); // requested first, so that the loop survives an exception
   const elapsed = clamp((now - lastTick) / 1000, 0, 0.1); // a hidden tab does not catch up
   lastTick = now;
-  asked = false;
+  needsFrame = false;
   for (const clock of clocks.values()) {
     clock.slowing = Math.min(1, ...[...clock.stages].map((stage) => stage.period() / EYE));
-    for (const stage of clock.stages) asked = stage.advance(elapsed) || asked;
+    for (const stage of clock.stages) needsFrame = stage.advance(elapsed) || needsFrame;
   }
-  if (asked) return;
+  if (needsFrame) return;
   cancelAnimationFrame(frame);
   frame = 0;
 }

@@ -1,5 +1,5 @@
-// The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and what the lower rollers share. Lengths in centimetres
-// of the picture, y UP.
+// The layer Coordinates: X, φ and Φ with their positive sense, x₀, R, and a bracket for the lower rollers' common mass.
+// Lengths are centimetres of the picture; y points up.
 
 import { CM, ROLLERS, arc, headOf, moved, velocityArrow } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
@@ -10,7 +10,7 @@ import { WORDS } from "./texts.js";
 const ARC = 0.5; // radius of the arc that shows an angle, in radii of the roller
 const SENSE = { from: 44, to: 74, label: 68, at: 1.12 }; // the arrow of the positive sense outside the rim: degrees and radii
 
-/** Each mark's attributes: `d` of a line, or x and y of a label. Pure. */
+/** Return mark → attributes: `d` of a line, or x and y of a label. Pure. */
 function coordinateMarks(known, g, shift) {
   const over = moved(known, shift);
   return {
@@ -22,7 +22,7 @@ function coordinateMarks(known, g, shift) {
   };
 }
 
-/** X counts to the left, from where the block's edge was at first: the way is shown in the floor, the sense at the edge. */
+/** X: the block's displacement to the left of its initial position, drawn in the floor; its positive sense at the edge. */
 function blockMarks(edge, origin, g) {
   const y = g.deck + 4.5, length = -7.5;
   return {
@@ -33,14 +33,14 @@ function blockMarks(edge, origin, g) {
   };
 }
 
-/** An angle: from the vertical to the mark on the rim, and outside the rim an arrow in the positive sense, clockwise. */
+/** An angle, from the vertical to the mark on the rim, and outside the rim an arrow in the positive sense (clockwise). */
 function angleMarks(name, angle, moved, g) {
   const [x0, y0] = g.centre[name], x = x0 + moved, { R } = g;
   const point = (radii, at) => `${x + radii * R * Math.sin(at)} ${-y0 - radii * R * Math.cos(at)}`;
   const turn = ((angle % TURN) + TURN) % TURN, signed = turn > Math.PI ? turn - TURN : turn;
   const [from, to, beside] = [SENSE.from, SENSE.to, SENSE.label].map((degrees) => (degrees * TURN) / 360);
   const value = `M${x} ${-y0}L${point(ARC, 0)}${arc(x, -y0, ARC * R, ARC * R, 0, signed)}z`;
-  const along = 1.8 / (SENSE.at * R); // the angle that the head takes
+  const along = 1.8 / (SENSE.at * R); // the angle covered by the arrow's head
   const head = `M${point(SENSE.at + 0.9 / R, to - along)}L${point(SENSE.at, to)}L${point(SENSE.at - 0.9 / R, to - along)}`;
   return {
     [`${name}_guide`]: { d: `M${x} ${-y0}L${point(1, 0)}` },
@@ -51,7 +51,7 @@ function angleMarks(name, angle, moved, g) {
   };
 }
 
-/** From where the slab's end is with the spring at its own length: x₀ to where it is released, 2Rφ to where it is now. */
+/** Lengths from the slab's end at the spring's natural length: x₀ to the point of release, 2Rφ to the present position. */
 function slabMarks(block, slab, compression, g) {
   const [right, left, end] = [g.slab.right + block, g.slab.left + block, g.slab.left + slab], above = g.slab.bottom + g.thick;
   const y0 = above + 2.6, y = above + 5.8 * Math.max(1, g.R / 10), low = g.slab.bottom + g.thick / 2;
@@ -66,7 +66,7 @@ function slabMarks(block, slab, compression, g) {
   };
 }
 
-/** R, drawn in the top roller; all three are of one size. */
+/** R, drawn in the top roller; all three have the same radius. */
 function radiusMarks(moved, g) {
   const [x0, y0] = g.centre.top, x = x0 + moved, at = (-38 * TURN) / 360, side = 0.24 * g.R;
   const [dx, dy] = [g.R * Math.sin(at), g.R * Math.cos(at)];
@@ -76,7 +76,7 @@ function radiusMarks(moved, g) {
   };
 }
 
-/** A bracket under the two lower rollers, whose mass is the same. */
+/** A bracket under the two lower rollers, which have the same mass. */
 function sharedMarks(moved, g) {
   const [left, right] = [g.centre.hoop[0] + moved, g.centre.cylinder[0] + moved], y = g.deck - 2;
   return {
@@ -90,7 +90,7 @@ const LABELS = {
   slab_label: WORDS.deformation, shared_label: WORDS.each,
 };
 
-/** Draw the marks under a node, which keeps them. */
+/** Draw the marks below a node. Each mark's element is created once and reused. */
 export const drawCoordinates = (root, known, place, shift) =>
   put((name) => root.querySelector(`[data-mark=${name}]`) ?? makeMark(name, root), coordinateMarks(known, place, shift));
 

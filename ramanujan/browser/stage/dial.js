@@ -1,5 +1,5 @@
-// What compares the machine with the plain mass: two clock hands, the sentences below them, the gauge, the readouts. When the
-// two are in step, all of these light up together.
+// The comparison of the machine with the plain mass: two clock hands, the sentences below them, the gauge, and the readouts.
+// All of these light up when the two are in step.
 
 import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { FORMULAS } from "./formulas.js";
@@ -8,18 +8,18 @@ import { finder } from "./parts.js";
 import { element, put, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
-const LEAST = 0.01; // of a turn: the smallest angle between the hands that an eye can tell
-const IN_STEP = LEAST / 1e6; // turns in a period: not even a million periods would show a difference
-const NEARLY = 1 / 500; // turns in a period: close enough that the next step of a slider would only lose it
+const LEAST = 0.01; // turns, the smallest visible angle between the hands
+const IN_STEP = LEAST / 1e6; // turns per period: no visible difference even after a million periods
+const NEARLY = 1 / 500; // turns per period: the next step of a slider would be farther away
 
-/** How near the two frequencies are: "in step", "nearly" or "apart". */
+/** Classify the distance of the two frequencies: "in-step", "nearly" or "apart". */
 function nearness({ Omega, plain }) {
-  const parting = Math.abs(Omega / plain - 1);
-  return parting < IN_STEP ? "in-step" : parting < NEARLY ? "nearly" : "apart";
+  const turnsPerPeriod = Math.abs(Omega / plain - 1);
+  return turnsPerPeriod < IN_STEP ? "in-step" : turnsPerPeriod < NEARLY ? "nearly" : "apart";
 }
 
-/** What the hands show now, in a sentence. Before the release they part, too, but nobody is ahead. */
-function lead({ phase, plainPhase, periods }) {
+/** Return a sentence about the present angle between the hands. Before the release neither hand is ahead. */
+function leadSentence({ phase, plainPhase, periods }) {
   const turns = (phase - plainPhase) / TURN, apart = Math.abs(turns);
   const values = { turns: fixed(apart, 2), periods: fixed(Math.abs(periods), 1), least: fixed(LEAST, 2) };
   if (Math.abs(periods) < 0.05) return WORDS.start;
@@ -28,8 +28,8 @@ function lead({ phase, plainPhase, periods }) {
   return fill(turns > 0 ? WORDS.ahead : WORDS.behind, values);
 }
 
-/** How soon the hands are one full turn apart. */
-function parting({ Omega, plain }) {
+/** Return a sentence: the time until the hands are one full turn apart. */
+function partingSentence({ Omega, plain }) {
   const periods = 1 / Math.abs(Omega / plain - 1);
   const turns = periods < 10 ? fixed(periods, 1) : fixed(Math.round(periods), 0);
   const words = { "in-step": WORDS.in_step, nearly: WORDS.nearly, apart: WORDS.parting };
@@ -38,7 +38,7 @@ function parting({ Omega, plain }) {
 
 export function makeDial(root) {
   const find = finder(root);
-  const reads = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
+  const readouts = Object.fromEntries(["normalized", "omega", "period"].map((name) => [name, find(`[data-read=${name}]`)]));
   const write = (node, text) => node.textContent === text || (node.textContent = text);
   const limit = FORMULAS.normalized_limit({}), at = (value) => 10 + (180 * value) / limit;
   set(find(".unity"), { x: at(1) });
@@ -47,13 +47,13 @@ export function makeDial(root) {
     element("text", { x: at(value), y: 48 }, find(".gauge .ticks")).textContent = fixed(value, value % 1 && 1);
   }
 
-  /** Without clocks, nothing on the page tells how near the two frequencies are. */
-  function machine(solution, clocks) {
-    reads.normalized.textContent = number(solution.normalized, 7);
-    reads.omega.textContent = withUnit(number(solution.Omega, 5), "rad/s");
-    reads.period.textContent = withUnit(number(TURN / solution.Omega, 4), "s");
-    set(find(".step"), { "data-step": clocks ? nearness(solution) : "" });
-    write(find(".parting"), parting(solution));
+  /** Show a machine's frequencies. `showsNearness` is false while the page must not reveal how near the two are. */
+  function machine(solution, showsNearness) {
+    readouts.normalized.textContent = number(solution.normalized, 7);
+    readouts.omega.textContent = withUnit(number(solution.Omega, 5), "rad/s");
+    readouts.period.textContent = withUnit(number(TURN / solution.Omega, 4), "s");
+    set(find(".step"), { "data-step": showsNearness ? nearness(solution) : "" });
+    write(find(".parting"), partingSentence(solution));
     set(find(".pointer"), { transform: `translate(${at(Math.min(solution.normalized, limit))} 30)` });
   }
 
@@ -68,7 +68,7 @@ export function makeDial(root) {
         "stroke-dasharray": `${Math.abs(between)} 1`,
       },
     });
-    if (running) write(find(".verdict"), lead(playback));
+    if (running) write(find(".verdict"), leadSentence(playback));
   }
 
   return { machine, frame };

@@ -1,5 +1,5 @@
-// The drawing, pure: from a machine and its state to lengths, outlines and attributes. No page, no clock, no listening.
-// All lengths here are centimetres of the picture, x to the right and y UP from the floor.
+// The drawing: pure functions from a machine and its state to lengths, outlines and attributes. No page, no clock, no events.
+// Lengths are centimetres of the picture; x points to the right, and y up from the floor.
 
 import { fill } from "../components/sentences.js";
 import { FORMULAS } from "./formulas.js";
@@ -9,16 +9,16 @@ import { WORDS } from "./texts.js";
 export const CM = 100; // per metre
 export const BODIES = ["block", "hoop", "cylinder", "slab", "top"];
 export const ROLLERS = ["hoop", "cylinder", "top"];
-const RING = 0.78; // inner radius of a hoop over its outer one
-const BEVEL = 0.9; // from the block's edges to the light on them
-const ASPECT = 2; // width of every picture over its height; stage.css keeps the same room for it
-export const STRETCH = 50; // between two labels of the ruler
-const BEYOND = 3 * STRETCH; // the floor's end beyond the view
+const RING = 0.78; // inner radius of a hoop divided by its outer radius
+const BEVEL = 0.9; // distance between the block's edges and their highlights
+const ASPECT = 2; // width of every picture divided by its height, as in stage.css
+export const STRETCH = 50; // distance between two labels of the ruler
+const BEYOND = 3 * STRETCH; // distance by which the floor extends beyond the view
 
-/** Where things stand at φ = 0, to scale, with room for the largest travel, in a view of one shape for every radius. */
+/** Return the geometry at φ = 0, to scale, with room for the largest travel. The view has the same shape for every radius. */
 export function layout({ radius }, [, largest]) {
   const R = radius * CM;
-  const travel = largest * CM; // of the slab over the block, to either side
+  const travel = largest * CM; // of the slab relative to the block, to either side
   const roll = travel / 2;
   const deck = 8, thick = 4.5, step = 3, gap = 2.5;
   const hoop = roll + R + gap;
@@ -29,8 +29,8 @@ export function layout({ radius }, [, largest]) {
   const top = riser + R + roll + gap;
   const right = top + R + gap + 2;
   const shelf = upper + R * 0.45; // the top of the bench for the plain mass
-  const bottom = -Math.max(8.5, 3.5 + R / 2); // room for the numbers of the ruler, whose letters grow with the picture
-  const view = fitted({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });
+  const bottom = -Math.max(8.5, 3.5 + R / 2); // room for the ruler's numbers, which grow with the picture
+  const view = fitView({ left: -9, right: right + travel + 2, bottom, top: Math.max(upper + 2 * R + 3, shelf + 14) });
   const centre = { hoop: [hoop, deck + R], cylinder: [cylinder, deck + R], top: [top, upper + R] };
   const low = riser * deck, high = (right - riser) * upper; // areas of the block's two steps
   const block = [low * riser + high * (riser + right), low * deck + high * upper].map((sum) => sum / (low + high) / 2);
@@ -39,16 +39,16 @@ export function layout({ radius }, [, largest]) {
   return { R, travel, deck, thick, slab, riser, upper, right, view, centre, home, shelf, floor };
 }
 
-/** The view widened to both sides, or upwards, until it has the shape of every picture. */
-function fitted({ left, right, bottom, top }) {
+/** Widen a view to both sides, or upwards, until its aspect ratio is ASPECT. */
+function fitView({ left, right, bottom, top }) {
   const wide = Math.max(right - left, ASPECT * (top - bottom)), more = (wide - (right - left)) / 2;
   return { left: left - more, right: right + more, bottom, top: bottom + wide / ASPECT };
 }
 
-/** How far each body has moved in a view that has moved by `shift` [m]. */
+/** The displacement of each body [cm] in a view that has moved by `shift` [m]. */
 export const moved = (known, shift) => mapValues(FORMULAS.displacement, (displacement) => (displacement(known) - shift) * CM);
 
-/** Where a velocity arrow begins, at φ = 0. */
+/** The points at which the velocity arrows begin, at φ = 0. */
 export function anchors(g) {
   return {
     block: [(g.riser + g.right) / 2, g.upper * 0.35],
@@ -59,17 +59,17 @@ export function anchors(g) {
 
 const SHORTEST = 0.05; // the shortest arrow that is drawn
 
-/** How long an arrow's head is at most: in proportion to a roller, so that it never reaches the letter on it. */
+/** The largest length of an arrow's head, in proportion to a roller, so that it never covers the letter on it. */
 export const headOf = (R) => clamp(0.28 * R, 1.4, 2.8);
 
-/** A velocity: a slender arrow with an open head. Its length is signed, its head never longer than itself. */
+/** A velocity: a slender arrow with an open head. Its length is signed; its head is at most as long as the arrow. */
 export function velocityArrow(x, y, length, longest) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longest);
   return `M${x} ${-y}h${length}m${-head} ${-0.6 * head}l${head} ${0.6 * head}l${-head} ${0.6 * head}`;
 }
 
-/** A force, to the right or, if upright, upwards: a broad, filled arrow. */
+/** A force, to the right or, if `upright`, upwards: a broad, filled arrow. */
 export function forceArrow(x, y, length, longest, upright = false) {
   if (Math.abs(length) < SHORTEST) return "";
   const head = Math.sign(length) * Math.min(Math.abs(length), longest), shaft = length - head;
@@ -79,44 +79,44 @@ export function forceArrow(x, y, length, longest, upright = false) {
   return `M${points.join("L")}z`;
 }
 
-/** The largest of 1, 2, 5, 10, 20, … that is not above a value. */
+/** The largest of 1, 2, 5, 10, 20, … that does not exceed a value. */
 export function roundBelow(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   const factor = [5, 2, 1].find((factor) => factor * power <= value * (1 + 1e-9));
   return factor * power;
 }
 
-/** Of each contact its roller, where it lies over the roller's centre, in radii, and the other body. */
+/** Contact → [roller, height above the roller's centre in radii, other body]. */
 export const CONTACTS = mapValues(FORMULAS.contact_force, (_force, contact) => {
   const [roller, other] = contact.split("_");
   return [roller, other === "slab" ? 1 : -1, other];
 });
 
-const ASIDE = 1.5; // cm, how far beside its contact or the spring a force is drawn at most, so that opposite arrows keep apart
+const MAX_OFFSET = 1.5; // cm, by which a force is drawn beside its contact or the spring, so that opposite arrows do not overlap
 
 /**
- * The forces on every body, name → [the body on which it acts, x, y, newtons to the right or upwards]: at a contact two that are
- * opposite and equal. `forces` lie along the floor, `weights` upright.
+ * The forces on all bodies, name → [body, x, y, newtons to the right or upwards]. A contact has two opposite and equal forces.
+ * `forces` are parallel to the floor, `weights` perpendicular to it.
  */
 export function forcesOn(known, g, shift) {
-  const over = moved(known, shift), beside = 0.22 * g.R, aside = Math.min(beside, ASIDE), forces = {}, upright = {};
+  const over = moved(known, shift), beside = 0.22 * g.R, offset = Math.min(beside, MAX_OFFSET), forces = {}, upright = {};
   const weights = mapValues(FORMULAS.weight, (weight) => weight(known));
   for (const [contact, [roller, side, other]] of Object.entries(CONTACTS)) {
     const x = g.centre[roller][0] + over[roller], y = g.centre[roller][1] + side * g.R;
     const friction = FORMULAS.contact_force[contact](known), normal = -side * FORMULAS.normal_force[contact](known);
-    forces[`${contact} ${roller}`] = [roller, x, y - side * aside, friction];
-    forces[`${contact} ${other}`] = [other, x, y + side * aside, -friction];
+    forces[`${contact} ${roller}`] = [roller, x, y - side * offset, friction];
+    forces[`${contact} ${other}`] = [other, x, y + side * offset, -friction];
     upright[`${contact} ${roller}`] = [roller, x, y, normal];
     upright[`${contact} ${other}`] = [other, x, y, -normal];
   }
-  // Of a stretched spring they point at each other.
+  // The two forces of a stretched spring point towards each other.
   const axis = g.slab.bottom + g.thick / 2;
-  forces["spring slab"] = ["slab", g.slab.right + over.slab, axis + aside, FORMULAS.spring_force.slab(known)];
-  forces["spring block"] = ["block", g.riser + over.block, axis - aside, FORMULAS.spring_force.block(known)];
-  // Beside the line of a roller's normal forces, which would hide its weight.
+  forces["spring slab"] = ["slab", g.slab.right + over.slab, axis + offset, FORMULAS.spring_force.slab(known)];
+  forces["spring block"] = ["block", g.riser + over.block, axis - offset, FORMULAS.spring_force.block(known)];
+  // A roller's weight is drawn beside the line of its normal forces, which would hide it.
   for (const [name, [x, y]] of Object.entries(g.home)) {
-    const aside = ROLLERS.includes(name) ? beside : 0;
-    upright[`weight ${name}`] = [name, x + over[name] + aside, y, -weights[name]];
+    const distance = ROLLERS.includes(name) ? beside : 0;
+    upright[`weight ${name}`] = [name, x + over[name] + distance, y, -weights[name]];
   }
   const total = Object.values(weights).reduce((sum, weight) => sum + weight, 0);
   const heights = Object.fromEntries(BODIES.map((name) => [`height_${name}`, g.home[name][1] / CM]));
@@ -125,7 +125,7 @@ export function forcesOn(known, g, shift) {
   return { forces, weights: upright };
 }
 
-/** A spring between two points at one height: the strands in front of its axis, with both ends, and those behind. */
+/** A spring between two points at the same height: the strands in front of its axis, with both ends, and those behind. */
 export function coil(selector, from, to, y, height) {
   const turns = 10, lead = clamp((to - from) / 8, 0, 3), across = (to - from - 2 * lead) / turns / 2;
   const strands = (rise) => `l${across} ${-rise}m${across} ${rise}`.repeat(turns);
@@ -135,15 +135,15 @@ export function coil(selector, from, to, y, height) {
   };
 }
 
-/** Heavier looks heavier: nearly empty for the lightest body that the sliders allow, nearly full for the heaviest. */
+/** The density of a body's fill: nearly empty for the lightest mass of the sliders, nearly full for the heaviest. */
 export const weight = (mass) => clamp(0.5 + 0.4 * Math.log10(mass), 0.12, 0.95);
 
-/** What a roller of shape factor β = I/(mass·R²) is. */
+/** The shape of a roller with the shape factor β = I/(mass·R²). */
 export const shapeOf = (beta) => (beta > 0.8 ? "hoop" : beta > 0.6 ? "shell" : beta > 0.45 ? "cylinder" : "sphere");
 
 /**
- * The path along an ellipse between two angles, counted clockwise from the top. It consists of Bézier curves, at most 0.03 % off
- * the ellipse, because TikZ draws an SVG arc with too few digits.
+ * The path along an ellipse between two angles, measured clockwise from the top. Its Bézier curves are within 0.03 % of the
+ * ellipse; TikZ draws an SVG arc with too few digits.
  */
 export function arc(x, y, across, upright, from, to) {
   const pieces = Math.ceil(Math.abs(to - from) / (TURN / 4)), step = (to - from) / pieces, k = (4 / 3) * Math.tan(step / 4);
@@ -155,7 +155,7 @@ export function arc(x, y, across, upright, from, to) {
   return Array.from({ length: pieces }, (_, i) => piece(from + i * step)).join("");
 }
 
-/** A roller's outline, the line that shows how it has turned, and what is inlaid in it so that its turning is seen from afar. */
+/** A roller's outline, the mark that shows its angle, and an inlay that makes its rotation visible from a distance. */
 export function rollerPaths(shape, R) {
   const circle = (r, sense = 1) => `M0 ${-r}${arc(0, 0, r, r, 0, sense * TURN)}z`;
   const ring = (outer, inner) => circle(outer * R) + circle(inner * R, -1);
@@ -170,10 +170,10 @@ export function rollerPaths(shape, R) {
   }[shape];
 }
 
-/** What the rollers are: words for their shapes. */
+/** The names of the three rollers' shapes. */
 export const rollerWords = (parameters) => ROLLERS.map((name) => WORDS.bodies[shapeOf(parameters[`beta_${name}`])]);
 
-/** What the bodies are called, the two lower rollers by their places where their shapes do not tell them apart. */
+/** The names of the bodies. If both lower rollers have the same shape, their names contain their places. */
 export function bodyNames(parameters) {
   const words = WORDS.bodies, [left, right, top] = rollerWords(parameters);
   const at = (side, body) => fill(left === right ? words[side] : body === top ? words.lower : "{body}", { body });
@@ -181,8 +181,8 @@ export function bodyNames(parameters) {
 }
 
 /**
- * The floor, far beyond the view, so that it ends at the edge of the screen and not before, and the bench behind the machine on
- * which the plain mass slides. Both springs begin at one line, and the mark of rest above the slab's is that of the plain mass.
+ * The floor, and the bench behind the machine on which the plain mass slides. The floor extends beyond the view, to the edge of
+ * the screen. Both springs begin at the same x, and the plain mass's rest mark is above the slab's.
  */
 export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
   const wide = 10, high = 6.5, end = slab.right, post = 1.4, left = -6;
@@ -199,16 +199,16 @@ export function scenery({ floor: [from, to], slab, travel, shelf, riser }) {
   };
 }
 
-/** The outlines of the bodies, and where their letters stand on them. */
+/** The outlines of the bodies, and the positions of their letters. */
 export function outlines(g, parameters) {
   const slab = { x: g.slab.left, y: -g.slab.bottom - g.thick, width: g.slab.right - g.slab.left, height: g.thick };
-  const held = slab.x + 0.77 * slab.width; // clear of the letter, of the velocity's arrow and of x₀
+  const handle = slab.x + 0.77 * slab.width; // clear of the letter, the velocity arrow and x₀
   const shadow = `M${0.55 * g.R} ${g.R}${arc(0, g.R, 0.55 * g.R, 0.1 * g.R, TURN / 4, (3 * TURN) / 4)}z`; // below the contact
   const rollers = ROLLERS.map((name) => {
     const { form, mark, inlay } = rollerPaths(shapeOf(parameters[`beta_${name}`]), g.R);
     const parts = { form, mark, inlay, shade: form, shadow };
     const drawn = Object.entries(parts).map(([part, d]) => [`.${name} .${part}`, { d }]);
-    // The letter is below the centre, where no arrow begins.
+    // The letter is below the centre, because an arrow begins at the centre.
     return { ...Object.fromEntries(drawn), [`.${name} text`]: { y: 0.44 * g.R } };
   });
   const block = { d: `M0 0V${-g.deck}H${g.riser}V${-g.upper}H${g.right}V0z` };
@@ -216,19 +216,19 @@ export function outlines(g, parameters) {
     ".block .form": block,
     ".block .shade": block,
     ".block .bevel": { d: `M${BEVEL} ${-BEVEL}V${BEVEL - g.deck}H${g.riser + BEVEL}V${BEVEL - g.upper}H${g.right - BEVEL}` },
-    ".block .rest": { d: `M${g.slab.right} ${-g.deck}V${-g.slab.bottom - g.thick - 2}` }, // of the slab's end
+    ".block .rest": { d: `M${g.slab.right} ${-g.deck}V${-g.slab.bottom - g.thick - 2}` }, // rest position of the slab's end
     ".block text": { x: (g.riser + g.right) / 2, y: -g.upper * 0.6 },
     ".slab .form": slab,
     ".slab .shade": slab,
-    ".slab .grip": { ...slab, y: slab.y - 3, height: slab.height + 6 }, // a finger needs more than the slab's own height
+    ".slab .grip": { ...slab, y: slab.y - 3, height: slab.height + 6 }, // a finger needs a taller target than the slab
     ".slab text": { x: slab.x + slab.width / 2, y: slab.y + slab.height / 2 },
-    ".handle path": { d: [-1.2, 0, 1.2].map((x) => `M${held + x} ${slab.y + 1}v${slab.height - 2}`).join("") },
-    ".handle text": { x: held, y: -(g.slab.bottom + g.thick + g.shelf) / 2 },
+    ".handle path": { d: [-1.2, 0, 1.2].map((x) => `M${handle + x} ${slab.y + 1}v${slab.height - 2}`).join("") },
+    ".handle text": { x: handle, y: -(g.slab.bottom + g.thick + g.shelf) / 2 },
     ".stiffness": { y: -g.slab.bottom - g.thick / 2 + 4.5 },
   }, ...rollers);
 }
 
-/** Where the coordinates put the bodies and the spring. */
+/** The positions of the bodies and the spring for these coordinates. */
 export function placed(known, g, shift = 0) {
   const x = moved(known, shift), [from, to] = [g.slab.right + x.slab, g.riser + x.block];
   const table = { ...coil(".spring", from, to, g.slab.bottom + g.thick / 2, 2), ".stiffness": { x: (from + to) / 2 } };
@@ -238,34 +238,34 @@ export function placed(known, g, shift = 0) {
   return table;
 }
 
-/** The outlines of slab and top roller where they are: what a position leaves behind. */
+/** The outlines of slab and top roller at a position, for the trail. */
 export function exposure(known, g, shift) {
   const over = moved(known, shift), { slab, R } = g, [x, y] = g.centre.top;
   const edge = `M${slab.left + over.slab} ${-slab.bottom}v${-g.thick}H${slab.right + over.slab}v${g.thick}z`;
   return `${edge}M${x + over.top} ${-y - R}${arc(x + over.top, -y, R, R, 0, TURN)}z`;
 }
 
-/** Where the centre of mass of the whole machine lies in a view that has moved by `shift` [m]. */
+/** The centre of mass of the whole machine in a view that has moved by `shift` [m]. */
 export function centreOfMass(known, g, shift) {
   const over = moved(known, shift);
   return FORMULAS.centre({ ...known, ...mapValues(g.home, ([x], name) => x + over[name]) });
 }
 
-/** What stands still where one looks from: the block, or the ground; of a formula for every body, its value there. */
-export const standing = (formulas, known, seenFrom) => (seenFrom === "block" ? formulas.block(known) : 0);
+/** A quantity of the reference frame: the block's value of these formulas, or 0 for the ground. */
+export const frameValue = (formulas, known, seenFrom) => (seenFrom === "block" ? formulas.block(known) : 0);
 
-/** How a roller's rim travels through these states over the floor or the block: the path of the mark on it. */
+/** The path of the mark on a roller's rim through these states, relative to the ground or the block. */
 export function rimTrace(name, states, g, seenFrom) {
   const [x, y] = g.centre[name];
   const points = states.map((known) => {
-    const angle = FORMULAS.angle[name](known), over = moved(known, standing(FORMULAS.displacement, known, seenFrom))[name];
+    const angle = FORMULAS.angle[name](known), over = moved(known, frameValue(FORMULAS.displacement, known, seenFrom))[name];
     return `${x + over + g.R * Math.sin(angle)} ${-(y + g.R * Math.cos(angle))}`;
   });
   return `M${points.join("L")}`;
 }
 
-/** What has left its place, if anything has: the top roller over an edge, or the slab into the block. */
-export function leftPlace(known, g) {
+/** The end of the motion, or null: the top roller beyond an edge ("edge"), or the slab against the block ("struck"). */
+export function collision(known, g) {
   const over = (FORMULAS.displacement.top(known) - FORMULAS.displacement.block(known)) * CM + g.centre.top[0];
   if (over < g.riser || over > g.right) return "edge";
   return Math.abs(FORMULAS.deformation(known)) * CM > g.travel + 8 ? "struck" : null;

@@ -27,11 +27,11 @@ def formulas() -> dict[str, Any]:
     # Rational numbers, from the decimals of the source text.
     per_radius, gap, g = (sp.Rational(str(number)) for number in (SPACING_PER_RADIUS, SPACING_GAP, GRAVITY))
     spacing = per_radius * R + gap
-    others = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
-    # φ has no drift, so that φ̈ = −Ω²φ at every moment.
-    own = {phi.diff(t, 2): -(Omega**2) * phi}
+    accelerations = {X.diff(t, 2): eliminated.X_from_phi, Phi.diff(t, 2): eliminated.Phi_from_phi}
+    # φ has no drift, so φ̈ = −Ω²φ at all times.
+    oscillation = {phi.diff(t, 2): -(Omega**2) * phi}
     total = sum(body.mass for body in bodies.bodies)
-    forces = {name: force.subs(own) for name, force in contact_forces(bodies).items()}
+    forces = {name: force.subs(oscillation) for name, force in contact_forces(bodies).items()}
     return {
         "natural_frequency": sp.sqrt(frequency_squared),
         "plain_frequency": sp.sqrt(k / m),
@@ -56,13 +56,13 @@ def formulas() -> dict[str, Any]:
         "contact_force": forces,
         "spring_force": spring_forces(bodies),
         "normal_force": normal_forces(bodies, spacing, g),
-        "floor_lever": floor_lever(bodies, g).subs(others).subs(own),
+        "floor_lever": floor_lever(bodies, g).subs(accelerations).subs(oscillation),
         "weight": {body.name: body.mass * g for body in bodies.bodies},
     }
 
 
 def labels() -> dict[str, Any]:
-    """Return the expressions that stand in the picture, as text."""
+    """Return the expressions shown in the picture, as text."""
     bodies = machine()
     return {
         "deformation": plain_text(bodies.deformation),

@@ -1,10 +1,10 @@
-// The layers that can be chosen: energy bars by body, velocity arrows, forces along the floor and upright, traces of the rims,
-// coordinates.
+// The layers with a tick box: energy bars by body, velocity arrows, horizontal forces, weights and normal forces, traces of the
+// rims, coordinates.
 
 import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { drawCoordinates } from "./coordinates.js";
 import {
-  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, headOf, moved, rimTrace, roundBelow, standing,
+  BODIES, CM, CONTACTS, ROLLERS, anchors, bodyNames, forceArrow, forcesOn, frameValue, headOf, moved, rimTrace, roundBelow,
   velocityArrow,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
@@ -14,7 +14,7 @@ import { element, set } from "./svg.js";
 import { WORDS } from "./texts.js";
 
 const TRACE_POINTS = 90;
-const PERIOD_POINTS = 24; // the states of a period among which the greatest speed and force are looked for
+const PERIOD_POINTS = 24; // states of a period at which the largest speed and force are sampled
 
 export function makeLayers(root) {
   const find = finder(root), layers = layerNames(root);
@@ -35,7 +35,7 @@ export function makeLayers(root) {
   function machine(parameters, solution, newData, from) {
     [data, seenFrom] = [newData, from];
     show(shown);
-    // A period is looked through when a layer first shows something of it.
+    // Sample a period only when a layer first needs it.
     measure = () => {
       findScales(onePeriod(parameters, solution, PERIOD_POINTS));
       drawScales();
@@ -45,15 +45,15 @@ export function makeLayers(root) {
     };
   }
 
-  const velocity = (name, known) => FORMULAS.velocity[name](known) - standing(FORMULAS.velocity, known, seenFrom);
+  const velocity = (name, known) => FORMULAS.velocity[name](known) - frameValue(FORMULAS.velocity, known, seenFrom);
 
-  /** The greatest speed and forces of a period set the scale of the arrows: how long one is [cm] for a m/s, and for a newton. */
+  /** Set the scales of the arrows, cm per m/s and cm per newton, from the largest speed and forces of a period. */
   function findScales(states) {
     const largest = (values) => Math.max(...states.map((known) => Math.max(...values(known).map(Math.abs)))) || 1;
     const size = Math.max(place.R, 8), newtons = (of) => Object.values(of).map(([, , , force]) => force);
     const speed = largest((known) => BODIES.map((name) => velocity(name, known)));
     const force = largest((known) => newtons(forcesOn(known, place, 0).forces));
-    // The normal forces of a lower roller point at each other, and must not meet.
+    // The normal forces on a lower roller point towards each other and must not overlap.
     const normal = (contact, known) => FORMULAS.normal_force[contact](known);
     const onRoller = (name, known) => normal(`${name}_slab`, known) + normal(`${name}_block`, known);
     const pair = largest((known) => ["hoop", "cylinder"].map((name) => onRoller(name, known)));
@@ -64,7 +64,7 @@ export function makeLayers(root) {
     per = { speed: (1.5 * size) / speed, force: (1.8 * size) / force, weight };
   }
 
-  /** An arrow of each kind of a round size, with its value: without it lengths would mean nothing. */
+  /** Draw a scale for each kind of arrow: an arrow of a round value, with the value. */
   function drawScales() {
     const x = place.view.left + 2, above = place.slab.bottom + place.thick, row = Math.max(1, place.R / 10);
     const first = Math.min(above + 20 * row, place.view.top - 3.5), step = (first - above - 9 * row) / 2;
@@ -86,7 +86,7 @@ export function makeLayers(root) {
 
   function frame(known, shift, write) {
     if (layered || seenFrom === "block") measure?.();
-    const origin = standing(FORMULAS.displacement, known, seenFrom);
+    const origin = frameValue(FORMULAS.displacement, known, seenFrom);
     if (shown.has("traces")) set(find(".traces"), { transform: `translate(${(origin - shift) * CM})` });
     if (shown.has("arrows")) drawArrows(known, shift);
     if (seenFrom === "block") drawRolling(known, shift);
@@ -102,15 +102,15 @@ export function makeLayers(root) {
       draw("arrows", name, name, velocityArrow(x + over[name], y, velocity(name, known) * per.speed, headOf(place.R)));
   }
 
-  /** Rolling: on a lower roller the velocities of its contact, its centre and its top relative to the block. */
+  /** Draw the velocities of a lower roller's contact, centre and top relative to the block. */
   function drawRolling(known, shift) {
     const [home, middle] = place.centre.hoop, x = home + moved(known, shift).hoop;
     for (const [i, [point, formula]] of Object.entries(FORMULAS.rolling).entries()) {
       const y = middle + (i - 1) * place.R, length = formula(known) * per.speed, side = length < 0 ? -1 : 1;
       draw("rolling", point, "hoop", velocityArrow(x, y, length, headOf(place.R)) || `M${x} ${-y}h0`);
-      // A word that ends at an arrow to the left begins within the view.
+      // A label of an arrow to the left must begin within the view.
       set(points[point], { x: side < 0 ? Math.max(x + length - 1.2, place.view.left + 15) : x + length + 1.2, y: -y });
-      // Where an arrow turns round, its letters would jump.
+      // The label would jump when the arrow changes its direction.
       const visibility = formula !== FORMULAS.rolling.contact && Math.abs(length) < 1.5 ? "hidden" : "";
       Object.assign(points[point].style, { textAnchor: side < 0 ? "end" : "start", visibility });
     }
@@ -140,20 +140,22 @@ export function makeLayers(root) {
 
   function show(names) {
     shown = names;
-    for (const name of layers) for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) see(node, shown.has(name));
-    see(find(".rolling"), seenFrom === "block");
+    for (const name of layers) {
+      for (const node of [find(`.${name}`), find(`[data-of=${name}]`)]) setVisible(node, shown.has(name));
+    }
+    setVisible(find(".rolling"), seenFrom === "block");
     find(".machine").classList.toggle("from-block", seenFrom === "block");
-    see(find(".speed"), shown.has("arrows") || seenFrom === "block");
+    setVisible(find(".speed"), shown.has("arrows") || seenFrom === "block");
     find(".machine").classList.toggle("weighed", shown.has("weights"));
     layered = [...shown].some((name) => name !== "energy");
     find(".machine").classList.toggle("layered", layered);
   }
-  const see = (node, seen) => node && (node.style.display = seen ? "" : "none");
+  const setVisible = (node, isVisible) => node && (node.style.display = isVisible ? "" : "none");
 
   return { geometry, machine, frame, show };
 }
 
-/** A line in a body's ink on a rim of paper, so that it can be seen upon that body; what comes back draws it. */
+/** Make a line in a body's colour, with a light rim so that it is visible on that body. Return a function that sets its path. */
 function makeLine(name, body, parent) {
   const group = element("g", { "data-line": name, style: `--arrow: var(--${body}-ink)` }, parent);
   const paths = ["rim", "line"].map((kind) => element("path", { class: kind }, group));

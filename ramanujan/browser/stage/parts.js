@@ -1,32 +1,32 @@
-// Hides parts of a stage: until a reader has made a prediction, or because a lecturer's link asks for it. A hidden part leaves
-// the page, so that neither eye nor screen reader nor a look into the document finds it.
+// Hides parts of a stage, until a reader has made a prediction or because a lecturer's link requests it. A hidden part is
+// removed from the document, so that neither a screen reader nor the page's source reveals it.
 
-const SAID = ".verdict, .parting"; // what is said of the clocks, in numbers
+const CLOCK_SENTENCES = ".verdict, .parting";
 
-/** Part → the nodes that belong to it. `PARTS` of __init__.py explains the names; a layer marked as still shows no motion. */
+/** Part → selector of its nodes. `PARTS` in __init__.py explains the names. A layer of the class `still` shows no motion. */
 function partNodes(root) {
   const layers = layerNames(root).map((name) => [name, `.scene .${name}, [data-layer=${name}], [data-of=${name}]`]);
   const moving = layers.filter(([name]) => !root.querySelector(`.${name}.still`)).map(([, nodes]) => nodes);
   return {
-    clocks: `.dial, .key, ${SAID}`,
-    numbers: `.gauge, .readouts, .legend b, .scales, ${SAID}`,
+    clocks: `.dial, .key, ${CLOCK_SENTENCES}`,
+    numbers: `.gauge, .readouts, .legend b, .scales, ${CLOCK_SENTENCES}`,
     plain: ".machine > .plain",
     motion: [".trail, [data-do=play], .transport, .scrub, .show, .speeds, .viewpoint, .scales", ...moving].join(", "),
     ...Object.fromEntries(layers),
   };
 }
 
-/** The names of the layers: each has a tick box. */
+/** The names of the layers, read from their tick boxes. */
 export const layerNames = (root) => [...root.querySelectorAll("[data-layer]")].map((box) => box.dataset.layer);
 
-const stores = new WeakMap(); // root → where its hidden nodes are kept
+const stores = new WeakMap(); // root → the element that contains its hidden nodes
 
-/** Find a node of a stage, also one that is hidden at present. */
+/** Return a function that finds a node of a stage by its selector, including hidden nodes. */
 export const finder = (root) => (selector) => root.querySelector(selector) ?? stores.get(root)?.querySelector(selector);
 
-/** The parts under a root: `hide(names)` hides these and shows all others, `hides(name)` tells what is hidden. */
+/** The parts of a stage. `hide(names)` hides these and shows all others; `hides(name)` returns whether one is hidden. */
 export function makeParts(root) {
-  const owners = new Map(); // node → the parts to which it belongs
+  const owners = new Map(); // node → its parts
   for (const [name, selector] of Object.entries(partNodes(root)))
     for (const node of root.querySelectorAll(selector)) owners.set(node, [...(owners.get(node) ?? []), name]);
   const places = new Map([...owners.keys()].map((node) => [node, document.createComment("")]));
@@ -38,9 +38,9 @@ export function makeParts(root) {
     hide(names) {
       hidden = new Set(names);
       for (const [node, parts] of owners) {
-        const place = places.get(node), seen = !parts.some((name) => hidden.has(name));
-        if (seen && place.parentNode) place.replaceWith(node);
-        if (seen || place.parentNode) continue;
+        const place = places.get(node), isVisible = !parts.some((name) => hidden.has(name));
+        if (isVisible && place.parentNode) place.replaceWith(node);
+        if (isVisible || place.parentNode) continue;
         node.replaceWith(place);
         store.append(node);
       }

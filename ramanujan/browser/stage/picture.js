@@ -1,10 +1,10 @@
-// The picture of one stage: puts the drawing's attributes on the nodes of stage.html, and is the only one that does. The
-// layers that can be chosen are in layers.js, the clock hands, gauge and readouts in dial.js.
+// The picture of one stage: sets the attributes from drawing.js on the nodes of stage.html. The layers with tick boxes are in
+// layers.js; the clock hands, gauge and readouts are in dial.js.
 
 import { fill, fixed, withUnit } from "../components/sentences.js";
 import { makeDial } from "./dial.js";
 import {
-  BODIES, CM, STRETCH, centreOfMass, coil, exposure, layout, leftPlace, outlines, placed, rollerWords, scenery, weight,
+  BODIES, CM, STRETCH, centreOfMass, coil, collision, exposure, layout, outlines, placed, rollerWords, scenery, weight,
 } from "./drawing.js";
 import { FORMULAS } from "./formulas.js";
 import { makeLayers } from "./layers.js";
@@ -13,19 +13,19 @@ import { finder } from "./parts.js";
 import { element, put, set, strip } from "./svg.js";
 import { WORDS } from "./texts.js";
 
-const TRAIL = { positions: 8, apart: TURN / 60 }; // the last ones, so much of a period apart
+const TRAIL = { positions: 8, apart: TURN / 60 }; // number of past positions, and the phase between two of them
 
 /**
- * The picture under a root.
+ * Make the picture of a stage with these functions:
  *
- * geometry(parameters)                              the radius or a body's shape has changed
- * machine({ parameters, solution, data, playback })  any parameter or the computed motion has changed
- * frame({ known, playback, shift, write })           a frame: known = parameters, state, Omega; shift [m] of the view;
- *                                                   write: the running numbers, too
- * show(layers)                                      the set of layers that are seen
- * ghosts(states)                                    the still for less motion, several exposures, or none
- * leaves(known)                                     what has left its place in this state, if anything has
- * toMetres(clientX)                                 from the pointer to metres along the floor, in the view
+ * geometry(parameters)                              draw a new radius or shape of a body
+ * machine({ parameters, solution, data, playback })  draw any new parameter or computed motion
+ * frame({ known, playback, shift, write })           draw a frame: known = parameters, state, Omega; shift [m] of the view;
+ *                                                   write: whether the running numbers are updated, too
+ * show(layers)                                      show this set of layers
+ * ghosts(states)                                    draw copies of the machine in these states, for reduced motion
+ * collision(known)                                  return the end of the motion in this state, or null
+ * toMetres(clientX)                                 convert a pointer's x to metres along the floor
  */
 export function makePicture(root, { compact, dials, narrow, limits, label }, signal) {
   const find = finder(root);
@@ -33,7 +33,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   const inMoving = finder(moving), layers = makeLayers(root), dial = makeDial(root);
   const sizes = new ResizeObserver(fitText);
   signal.addEventListener("abort", () => sizes.disconnect());
-  let place = null, shifted = 0, ends = [0, 0], left = 0; // phase of the last position in the trail
+  let place = null, shifted = 0, ends = [0, 0], trailPhase = 0; // trailPhase: of the last position in the trail
 
   host.classList.toggle("compact", compact);
   host.classList.toggle("no-dials", !dials);
@@ -41,17 +41,17 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
   find(".label").textContent = label ?? "";
   if (label) set(host, { "aria-label": label });
 
-  /** Tell the style sheet how many picture units a pixel is. */
+  /** Set the style sheet's --u, the picture units per pixel. */
   function fitText() {
     if (!place) return;
     const scale = svg.getScreenCTM()?.a;
     if (!scale) return;
     svg.style.setProperty("--u", String(1 / scale));
-    // What the screen shows can be wider than the view, and a label of the ruler is whole or not there.
+    // The screen can show more than the view. A label of the ruler that would be cut is hidden.
     const { left, right } = place.view, word = 2 * parseFloat(getComputedStyle(svg).fontSize);
     const half = (svg.clientWidth / 2 - word) / scale;
     ends = [(left + right) / 2 - half, (left + right) / 2 + half];
-    // The arrows of known size stand at the left end of what is seen.
+    // The scales of the arrows are at the left end of the visible area.
     set(find(".scales"), { transform: `translate(${Math.min(0, (right - left - svg.clientWidth / scale) / 2)})` });
     slideFloor(svg, shifted, ends);
   }
@@ -65,7 +65,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     put(inMoving, outlines(place, parameters));
     drawRuler(svg, place);
     layers.geometry(place, parameters);
-    // Its size is told anew with the next layout, so that none is made for it alone.
+    // Measure the text with the next layout, because a layout of its own would be slow.
     sizes.unobserve(svg);
     sizes.observe(svg);
   }
@@ -75,7 +75,7 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     find(".plain .body").style.setProperty("--weight", weight(parameters.m));
     const [left, right, top] = rollerWords(parameters);
     set(find(".picture"), { role: "img", "aria-label": fill(WORDS.picture, { left, right, top }) });
-    find(".computed").replaceChildren(...(data.computed ? [copied({ ...parameters, ...playback.now() })] : []));
+    find(".computed").replaceChildren(...(data.computed ? [copyMachine({ ...parameters, ...playback.now() })] : []));
     dial.machine(solution, !hides("clocks") && !hides("motion"));
     layers.machine(parameters, solution, data, clock.seenFrom);
   }
@@ -89,26 +89,26 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
       ".centre": { transform: `translate(${centreOfMass(known, place, shift)} -2.4)` },
     });
     if (shift * CM !== shifted) slideFloor(svg, (shifted = shift * CM), ends);
-    leave(known, playback.phase, shift);
-    if (playback.computed) follow(known, playback, shift);
+    drawTrail(known, playback.phase, shift);
+    if (playback.computed) drawComputed(known, playback, shift);
     layers.frame(known, shift, write);
     dial.frame(playback, write);
   }
 
-  /** Leave a faint outline of what has just moved; none after a leap in time, nor where the machine stands. */
-  function leave(known, phase, shift) {
-    const trail = find(".trail"), passed = Math.abs(phase - left);
+  /** Draw faint outlines of the last positions; none after a jump in time, and none while the machine is paused. */
+  function drawTrail(known, phase, shift) {
+    const trail = find(".trail"), passed = Math.abs(phase - trailPhase);
     if (!host.classList.contains("playing")) return trail.replaceChildren();
     if (passed < TRAIL.apart) return;
-    left = phase;
+    trailPhase = phase;
     if (passed > 4 * TRAIL.apart) return trail.replaceChildren();
     const outline = trail.children.length < TRAIL.positions ? element("path") : trail.firstChild;
     set(outline, { d: exposure(known, place, shift) });
     trail.append(outline);
   }
 
-  /** A copy of the machine in a state, that nobody can take hold of. */
-  function copied(known) {
+  /** Return a copy of the machine in a state, without labels and without interaction. */
+  function copyMachine(known) {
     const ghost = moving.cloneNode(true);
     set(ghost, { class: "ghost" });
     for (const node of ghost.querySelectorAll("text, title, .grip, .handle, .rest")) node.remove();
@@ -117,8 +117,8 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     return ghost;
   }
 
-  /** Draw the computed machine, and count what it has cost. */
-  function follow(known, playback, shift) {
+  /** Draw the computed machine, and write its evaluations and its error below the picture. */
+  function drawComputed(known, playback, shift) {
     const { log } = playback.computed, period = Math.min(Math.floor(playback.phase / TURN + 1e-9), log.length - 1);
     const [evaluations, turns] = log[period];
     put(finder(find(".computed")), placed({ ...known, ...playback.rival() }, place, shift));
@@ -130,13 +130,13 @@ export function makePicture(root, { compact, dials, narrow, limits, label }, sig
     machine,
     frame,
     show: layers.show,
-    ghosts: (states) => find(".ghosts").replaceChildren(...states.map(copied)),
-    leaves: (known) => leftPlace(known, place),
+    ghosts: (states) => find(".ghosts").replaceChildren(...states.map(copyMachine)),
+    collision: (known) => collision(known, place),
     toMetres: (clientX) => new DOMPoint(clientX, 0).matrixTransform(svg.getScreenCTM().inverse()).x / CM,
   };
 }
 
-/** The marks of the ruler, and its labels without their words. */
+/** Draw the ticks of the ruler, and its labels without their text. */
 function drawRuler(root, { floor: [from, to], view }) {
   const ruler = root.querySelector(".ruler");
   ruler.replaceChildren();
@@ -147,7 +147,7 @@ function drawRuler(root, { floor: [from, to], view }) {
   for (let x = from; x <= to; x += STRETCH) element("text", { x, y: -0.69 * view.bottom }, ruler);
 }
 
-/** Slide the ruler under a view that has moved; the labels between the ends say where on the floor one looks. */
+/** Slide the ruler under a view that has moved by `shift`, and write the labels between the two ends. */
 function slideFloor(root, shift, [left, right]) {
   const ruler = root.querySelector(".ruler"), stretches = Math.floor(shift / STRETCH), moved = stretches * STRETCH - shift;
   set(ruler, { transform: `translate(${moved})` });

@@ -1,10 +1,10 @@
-// The picture as a file: SVG that needs nothing of this page, PNG, or TikZ for LaTeX, always in the light theme. All three are
-// read off the picture that is seen, so that its lengths stand nowhere twice.
+// Saves the picture as a file: self-contained SVG, PNG, or TikZ for LaTeX, always in the light theme. All three are read from
+// the elements on the page, so that no length is written twice.
 
 import { element, set, strip } from "./svg.js";
 import { LIGHT } from "./texts.js";
 
-const LOOKS = [
+const STYLES = [
   "fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
   "opacity", "font-family", "font-size", "font-style", "text-anchor", "dominant-baseline", "paint-order",
 ];
@@ -13,35 +13,36 @@ const TIKZ_WIDE = 330; // pt, for a slide or a page
 const FILE = "ramanujan-machine";
 const SHAPES = "path, rect, circle, line, text";
 
-/** Whether a node is seen, and not only there for a hand. */
-const isSeen = (node, style) =>
+/** Whether a node is visible and part of the drawing, not a target for a pointer. */
+const isDrawn = (node, style) =>
   style.visibility !== "hidden" && node.getClientRects().length > 0 && !node.closest(".grip, .handle, .ghosts, .trail");
 
-/** Do something while the stage has the colours of the light theme. Nothing is drawn before they are given back. */
-function inLight(host, make) {
+/** Call a function while the stage has the colours of the light theme. The browser draws nothing before they are restored. */
+function inLightTheme(host, make) {
   for (const [name, colour] of Object.entries(LIGHT)) host.style.setProperty(name, colour);
-  const made = make();
+  const content = make();
   for (const name of Object.keys(LIGHT)) host.style.removeProperty(name);
-  return made;
+  return content;
 }
 
-/** A copy of the picture that carries its looks with it, and of it only what is seen. */
+/** Return a copy of the picture that contains its styles and only its visible nodes. */
 function standalone(svg) {
   const copy = svg.cloneNode(true), scale = svg.getScreenCTM().a, { x, y, width, height } = svg.viewBox.baseVal;
-  const copies = [...copy.querySelectorAll("*")], gone = [];
+  const copies = [...copy.querySelectorAll("*")], hidden = [];
   [...svg.querySelectorAll("*")].forEach((node, i) => {
     const style = getComputedStyle(node);
-    if (!node.closest("defs") && !isSeen(node, style)) return gone.push(copies[i]);
-    const looks = Object.fromEntries(LOOKS.map((name) => [name, style.getPropertyValue(name)]));
-    // Strokes are as many pixels of the screen wide, whatever the scale.
-    const lines = style.getPropertyValue("vector-effect") === "non-scaling-stroke" ? 1 / scale : 1;
-    looks["stroke-width"] = parseFloat(looks["stroke-width"]) * lines;
-    looks["stroke-dasharray"] = looks["stroke-dasharray"].replace(/[\d.]+(px)?/g, (length) => parseFloat(length) * lines);
-    looks["font-family"] = looks["font-family"].replaceAll('"', "'");
+    if (!node.closest("defs") && !isDrawn(node, style)) return hidden.push(copies[i]);
+    const styles = Object.fromEntries(STYLES.map((name) => [name, style.getPropertyValue(name)]));
+    // The width of a stroke is in pixels of the screen at every scale.
+    const strokeScale = style.getPropertyValue("vector-effect") === "non-scaling-stroke" ? 1 / scale : 1;
+    styles["stroke-width"] = parseFloat(styles["stroke-width"]) * strokeScale;
+    const toUserUnits = (length) => parseFloat(length) * strokeScale;
+    styles["stroke-dasharray"] = styles["stroke-dasharray"].replace(/[\d.]+(px)?/g, toUserUnits);
+    styles["font-family"] = styles["font-family"].replaceAll('"', "'");
     strip(copies[i], /^(class|style|role|tabindex|aria-.*|data-.*)$/);
-    set(copies[i], looks);
+    set(copies[i], styles);
   });
-  for (const node of gone) node.remove();
+  for (const node of hidden) node.remove();
   strip(copy, /./);
   const size = { width: WIDE, height: Math.round((WIDE * height) / width) };
   set(copy, { xmlns: "http://www.w3.org/2000/svg", viewBox: `${x} ${y} ${width} ${height}`, ...size });
@@ -71,12 +72,12 @@ const colourOf = (value) => (value.match(/^rgba?\((\d+), (\d+), (\d+)/) ?? []).s
 const tikzColour = (value) => ((([r, g, b]) => r && `{rgb,255:red,${r};green,${g};blue,${b}}`)(colourOf(value)));
 const rounded = (value) => Number(value.toFixed(4));
 
-/** The picture as TikZ: each shape with the outline and the place that it has on the page. */
+/** Return the picture as TikZ: each shape with its outline and its transformation on the page. */
 function tikz(svg, { x, y, width, height }) {
   const inverse = svg.getScreenCTM().inverse();
   const lines = [...svg.querySelectorAll(SHAPES)].flatMap((node) => {
     const style = getComputedStyle(node);
-    if (node.closest("defs") || !isSeen(node, style)) return [];
+    if (node.closest("defs") || !isDrawn(node, style)) return [];
     const { a, b, c, d, e, f } = inverse.multiply(node.getScreenCTM()), place = [a, b, c, d].map(rounded).join(",");
     const cm = `cm={${place},(${rounded(e - x)}pt,${rounded(f - y)}pt)}`;
     if (node.matches("text")) return node.textContent ? [label(node, style, cm)] : [];
@@ -98,7 +99,7 @@ ${lines.join("\n")}
 `;
 }
 
-/** Read the lengths of a node by their names. */
+/** Return a function that reads an attribute of a node as a rounded length. */
 const lengthsOf = (node) => (name) => rounded(Number(node.getAttribute(name) ?? 0));
 
 function outline(node) {
@@ -112,19 +113,19 @@ function outline(node) {
 function label(node, style, cm) {
   const of = lengthsOf(node), ends = { start: "west", end: "east" }[style.textAnchor];
   const anchor = style.dominantBaseline === "auto" ? `base${ends ? ` ${ends}` : ""}` : ends ?? "center";
-  // A letter upon a line has a rim of paper.
+  // A letter on a line has a rim in the background's colour.
   const rim = style.paintOrder === "stroke" ? `fill=${tikzColour(style.stroke)}, fill opacity=0.6, text opacity=1, ` : "";
   const text = style.fontStyle === "italic" ? `$${inTex(node.textContent)}$` : inTex(node.textContent);
-  const looks = `anchor=${anchor}, ${rim}inner sep=1pt, text=${tikzColour(style.fill)}`;
-  return `  \\begin{scope}[${cm}]\\node[${looks}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
+  const options = `anchor=${anchor}, ${rim}inner sep=1pt, text=${tikzColour(style.fill)}`;
+  return `  \\begin{scope}[${cm}]\\node[${options}] at (${of("x")}pt,${of("y")}pt) {${text}};\\end{scope}`;
 }
 
 // ----
 
-/** Offer the picture under a stage's root as a file of a kind: svg, png or tex. */
+/** Download a stage's picture as a file of this kind: svg, png or tex. */
 export async function save(root, kind) {
   const [svg, host] = [root.querySelector("svg.machine"), root.querySelector(".stage")];
-  const content = inLight(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : textOf(standalone(svg))));
+  const content = inLightTheme(host, () => (kind === "tex" ? tikz(svg, svg.viewBox.baseVal) : textOf(standalone(svg))));
   const written = new Blob([content], { type: kind === "tex" ? "text/plain" : "image/svg+xml" });
   const file = kind === "png" ? await rasterized(written) : written;
   const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(file), download: `${FILE}.${kind}` });

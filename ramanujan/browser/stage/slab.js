@@ -1,4 +1,4 @@
-// The slab in a hand: dragged by the pointer or moved by the keys, within bounds that give way softly.
+// Moves the slab by pointer or keys, within elastic bounds.
 
 import { bus } from "../components/bus.js";
 import { atRest } from "../components/lasting.js";
@@ -11,54 +11,54 @@ import { WORDS } from "./texts.js";
 import { centimetres } from "./words.js";
 
 const THRESHOLD = { mouse: 4, pen: 6, touch: 9 }; // px that a pointer must move before a click becomes a drag
-const GIVE = 0.02; // m, the most by which the slab gives way beyond its bounds
+const GIVE = 0.02; // m, the largest displacement beyond a bound
 const KEY_STEP = 0.005; // m
-const KEY_PAUSE = 400; // ms after the last key stroke until x₀ is sent
+const KEY_PAUSE = 400; // ms from the last key stroke until x₀ is sent
 
-/** Where the slab is drawn when a hand wants it elsewhere; the first `slack` beyond a bound are free. */
-function yielding(wanted, [least, most], slack = 0) {
+/** The compression to draw for a wanted one: beyond a bound by more than `slack`, the slab lags behind the pointer. */
+function elastic(wanted, [least, most], slack = 0) {
   const bound = clamp(wanted, least, most);
   const excess = Math.abs(wanted - bound) - slack;
   if (excess <= 0) return wanted;
   return bound + Math.sign(wanted - bound) * (slack + GIVE * (1 - Math.exp(-excess / (2 * GIVE))));
 }
 
-/** What the key wants of the compression, or undefined. */
-function keyed(key, compression, [least, most]) {
+/** The compression after a key, or undefined for other keys. */
+function compressionAfter(key, compression, [least, most]) {
   const steps = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 5, PageDown: -5 }[key];
   if (steps) return clamp(compression + steps * KEY_STEP, least, most);
   return { Home: least, End: most }[key];
 }
 
 /**
- * Drags the slab, and undoes the last drag. A drag lasts from the first move of a pointer, or the first key, until it ends or
- * is cancelled. `hand.isHolding` is true while it lasts.
+ * Drags the slab, and undoes the last drag. A drag begins with the first move of a pointer, or with the first key. Until it ends
+ * or is cancelled, `hand.isHolding` is true.
  */
 export class Slab {
-  grip = null; // { id, x, from, deformation, slack } of the pointer that is down; `from` as soon as it drags
+  grip = null; // { id, x, from, deformation, slack } of the pressed pointer; `from` is set when it drags
 
   constructor(node, stage, signal) {
-    // Where x₀ has no room, there is nothing to drag.
+    // With equal limits x₀ cannot change.
     const fixed = stage.compact || stage.limits[0] === stage.limits[1];
     Object.assign(this, { node, stage, fixed, button: stage.root.querySelector(".undo") });
     stage.host.classList.toggle("fixed", fixed);
     if (fixed) return set(node, { "aria-hidden": true });
-    this.soon = atRest(KEY_PAUSE, () => this.letGo(), signal); // one message for a run of key strokes
+    this.soon = atRest(KEY_PAUSE, () => this.letGo(), signal); // one message for a series of key strokes
     const on = (type, act, options = {}) => node.addEventListener(type, act, { ...options, signal });
     const ofGrip = (act) => (event) => event.pointerId === this.grip?.id && act(event);
     on("pointerdown", (event) => this.press(event));
-    // A finger on the slab drags it, and must not scroll the page as well.
+    // A finger that drags the slab must not also scroll the page.
     on("touchstart", (event) => event.preventDefault(), { passive: false });
     on("pointermove", ofGrip((event) => this.drag(event)));
-    on("pointercancel", ofGrip(() => this.end(() => this.giveUp())));
+    on("pointercancel", ofGrip(() => this.end(() => this.cancel())));
     for (const type of ["pointerup", "lostpointercapture"]) on(type, ofGrip(() => this.end(() => this.letGo())));
     on("keydown", (event) => this.key(event));
     on("blur", () => this.grip || this.letGo());
-    const elsewhere = (event) => event.composedPath().includes(node) || this.grip || this.letGo();
-    document.addEventListener("pointerdown", elsewhere, { capture: true, signal });
+    const letGoElsewhere = (event) => event.composedPath().includes(node) || this.grip || this.letGo();
+    document.addEventListener("pointerdown", letGoElsewhere, { capture: true, signal });
   }
 
-  // ---- what a pointer and keys do
+  // ---- events
 
   press(event) {
     if (this.grip || event.button !== 0 || !event.isPrimary) return;
@@ -73,7 +73,7 @@ export class Slab {
     if (grip.from === undefined) {
       if (Math.abs(clientX - grip.x) < (THRESHOLD[pointerType] ?? THRESHOLD.touch)) return;
       this.soon.cancel();
-      // Where the slab swings beyond its bounds, it is taken where it is.
+      // A slab that swings beyond its bounds is dragged from its present position.
       const deformation = FORMULAS.deformation({ ...parameters, ...playback.now() });
       const slack = Math.abs(deformation - clamp(deformation, ...limits));
       Object.assign(grip, { from: picture.toMetres(grip.x), deformation, slack });
@@ -90,34 +90,34 @@ export class Slab {
   key(event) {
     if (event.key === "Escape") {
       if (this.grip?.from !== undefined) this.grip = null;
-      return this.giveUp();
+      return this.cancel();
     }
-    const wanted = keyed(event.key, this.compression(), this.stage.limits);
+    const wanted = compressionAfter(event.key, this.compression(), this.stage.limits);
     if (wanted === undefined || this.grip || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     this.compress(wanted);
     this.soon();
   }
 
-  // ---- what this does to the stage
+  // ---- effects on the stage
 
   compression() {
     return clamp(this.stage.parameters.compression, ...this.stage.limits);
   }
 
-  /** Hold the machine at rest with the spring compressed by so much, to a step of its slider. */
+  /** Hold the machine at rest with the spring compressed by `wanted` [m], rounded to a step of its slider. */
   compress(wanted, slack = 0) {
     const { limits, hand, playback, parameters, voice } = this.stage, { phase, plainPhase } = playback;
     if (!hand.isHolding) this.before = { compression: parameters.compression, text: hand.text(), phase, plainPhase };
-    const bound = clamp(wanted, ...limits), beyond = bound !== wanted;
+    const bound = clamp(wanted, ...limits), isBeyond = bound !== wanted;
     this.value = hand.rounded(bound);
     this.stage.change(() => {
-      hand.hold(this.value, beyond ? yielding(wanted, limits, slack) : this.value);
+      hand.hold(this.value, isBeyond ? elastic(wanted, limits, slack) : this.value);
       playback.reset();
     });
     const [least, most, value] = [...limits, this.value].map(centimetres);
-    const held = withUnit(number(this.value * CM, 3), "cm");
-    voice.note(beyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.held, { value: held }));
+    const rounded = withUnit(number(this.value * CM, 3), "cm");
+    voice.note(isBeyond ? fill(WORDS.bound, { least, most, value }) : fill(WORDS.dragged, { value: rounded }));
   }
 
   letGo() {
@@ -127,8 +127,8 @@ export class Slab {
     this.stage.change(() => this.stage.hand.drop(this.value));
   }
 
-  /** Have everything as it was when the slab was taken. */
-  giveUp() {
+  /** Restore the state before the drag. */
+  cancel() {
     const { hand, playback, voice } = this.stage;
     if (!hand.isHolding) return;
     this.soon.cancel();
@@ -137,24 +137,24 @@ export class Slab {
       hand.giveUp(compression);
       Object.assign(playback, { phase, plainPhase });
     });
-    voice.note(fill(WORDS.kept, { value: centimetres(compression) }));
+    voice.note(fill(WORDS.restored, { value: centimetres(compression) }));
   }
 
-  /** Set the x₀ from before the slab was last let go, with all of its digits; return whether there was one. */
+  /** Restore x₀ from before the last drag, with all of its digits. Return whether there was one. */
   undo() {
     if (this.button.hidden) return false;
     bus.publish(`enter/${this.stage.hand.slabKey}`, this.last.text);
     return true;
   }
 
-  /** Show x₀ to those who cannot see it, and the way back as long as nobody else has set another. */
+  /** Describe x₀ to screen readers, and offer to undo the last drag unless x₀ has been changed since. */
   show() {
     const { node, fixed, value, last, button, stage: { host, limits, hand, parameters } } = this;
     if (fixed) return;
     const [least, most, now] = [...limits, this.compression()].map((metres) => metres * CM);
     node.querySelector(".handle text").textContent = fill(WORDS.drag, { value: centimetres(this.compression()) });
-    host.classList.toggle("held", hand.isHolding);
-    // With its value: before that it is no slider.
+    host.classList.toggle("dragged", hand.isHolding);
+    // The role and the value are set together, because a slider needs a value.
     set(node, {
       role: "slider",
       tabindex: 0,
@@ -165,8 +165,8 @@ export class Slab {
       "aria-valuenow": now,
       "aria-valuetext": withUnit(number(now, 3), "cm"),
     });
-    const back = last && Math.abs(parameters.compression - value) < 1e-9 && Math.abs(last.compression - value) > 1e-9;
-    button.hidden = !back || hand.isHolding;
-    if (back) button.textContent = fill(WORDS.undo, { value: centimetres(last.compression) });
+    const canUndo = last && Math.abs(parameters.compression - value) < 1e-9 && Math.abs(last.compression - value) > 1e-9;
+    button.hidden = !canUndo || hand.isHolding;
+    if (canUndo) button.textContent = fill(WORDS.undo, { value: centimetres(last.compression) });
   }
 }

@@ -1,5 +1,5 @@
-// The stage: joins clock, playback, picture, hand and words. All physics is in formulas.js, which SymPy prints; texts.js holds
-// the words. __init__.py states the contract with Python.
+// The stage connects clock, playback, picture, hand and voice. The physics is in formulas.js, printed by SymPy; the texts are in
+// texts.js. __init__.py documents the data from Python.
 
 import { bus } from "../components/bus.js";
 import { observe } from "../components/lasting.js";
@@ -18,12 +18,12 @@ import { listenToControls, showControls } from "./toolbar.js";
 import { description, makeVoice, moment } from "./words.js";
 
 const STEPS = 24; // steps of the step buttons in one period
-const TEXT_INTERVAL = 0.12; // s between two updates of running numbers; faster ones cannot be read
+const TEXT_INTERVAL = 0.12; // s between two updates of the running numbers, so that they can be read
 const SHAPES = ["radius", "beta_hoop", "beta_cylinder", "beta_top"];
 
 export default (component, signal) => void new Stage(component, component.data, signal);
 
-const arrived = new WeakMap(); // what the desk of a class shows → when this page heard of it [ms]
+const arrivals = new WeakMap(); // view of a class's desk → time of its arrival on this page [ms]
 
 class Stage {
   constructor(component, options, signal) {
@@ -42,23 +42,24 @@ class Stage {
     this.hand = new Hand(watch, () => this.data.parameters);
     listenToControls(root, this, signal);
     this.calm = matchMedia("(prefers-reduced-motion: reduce)");
-    this.calm.addEventListener("change", () => this.calmed(), { signal });
+    this.calm.addEventListener("change", () => this.applyMotionPreference(), { signal });
     this.clock = joinClock(clock, this, !this.calm.matches, signal);
-    // A slider may move, and may be drawn after the stage.
+    // A slider may move, and Streamlit may draw it after the stage.
     observe(document.body, { childList: true, subtree: true, attributeFilter: ["value"] }, wake, signal);
-    this.keeper = makeKeeper(this, options, (seen) => component.data.tells && component.setTriggerValue("seen", seen), signal);
+    const sendView = (view) => component.data.sends_view && component.setTriggerValue("view", view);
+    this.keeper = makeKeeper(this, options, sendView, signal);
     signal.addEventListener("abort", () => {
       bus.forget(`seek/${stage}`);
       bus.forget(`time/${stage}`, this);
       bus.forget(`drawn/${stage}`, this);
     });
-    bus.subscribe(`seek/${stage}`, (asked) => this.seek(asked), { signal });
-    bus.subscribe(`story/${stage}`, (pace) => this.tell(pace), { signal });
+    bus.subscribe(`seek/${stage}`, (request) => this.seek(request), { signal });
+    bus.subscribe(`story/${stage}`, (pace) => this.setLapse(pace), { signal });
     bus.subscribe(`machine/${stage}`, (payload) => this.receive(payload), { signal });
-    bus.subscribe(`seen/${clock}`, (seen) => this.follow(seen), { signal });
+    bus.subscribe(`view/${clock}`, (view) => this.follow(view), { signal });
   }
 
-  // ---- what comes from Python, and what changes
+  // ---- data from Python, and changes
 
   receive(data) {
     const before = this.data;
@@ -67,27 +68,27 @@ class Stage {
     this.change(() => (this.data = data));
     const { computed } = data;
     if (before && computed && computed.run !== before.computed?.run) this.race(this.calm.matches ? null : computed.pace);
-    if (data.slipping && data.slipping !== before?.slipping) this.voice.tell(WORDS.slips[data.slipping]);
-    if (!this.parts.hides("motion")) this.keeper.tell();
+    if (data.slipping && data.slipping !== before?.slipping) this.voice.announce(WORDS.slips[data.slipping]);
+    if (!this.parts.hides("motion")) this.keeper.send();
     if (before) return;
     this.layers = new Set(this.keeper.layers() ?? this.layers);
     this.picture.show(this.layers);
     this.resume(this.keeper.paused());
-    this.calmed();
-    this.follow(bus.last(`seen/${this.clockName}`), true);
-    this.draw(0); // at once: the machine is seen a frame earlier
+    this.applyMotionPreference();
+    this.follow(bus.last(`view/${this.clockName}`), true);
+    this.draw(0); // now, so that the machine appears one frame earlier
   }
 
   /**
-   * Show what is seen at the desk of a class: layers and view, and where the machine stands there or since when it runs. A stage
-   * that was told so by its own desk shows that already, unless it has just begun.
+   * Show the view of a class's desk: its layers, its frame, and its phases, advanced by the time since they were sent. A desk
+   * also receives its own view (`own`), and applies it only to a stage that begins.
    */
-  follow(seen, begins = false) {
-    if (seen && !arrived.has(seen)) arrived.set(seen, performance.now());
-    const at = 2 * [...this.clock.stages].indexOf(this), turns = seen?.turns.split(",").slice(at, at + 2).map(Number) ?? [];
-    if (!this.solution || turns.length < 2 || (seen.own && !begins)) return;
-    const { Omega, plain } = this.solution, { layers, from, speed, pace, ago } = seen;
-    const passed = pace * (ago + (performance.now() - arrived.get(seen)) / 1000);
+  follow(view, begins = false) {
+    if (view && !arrivals.has(view)) arrivals.set(view, performance.now());
+    const at = 2 * [...this.clock.stages].indexOf(this), turns = view?.turns.split(",").slice(at, at + 2).map(Number) ?? [];
+    if (!this.solution || turns.length < 2 || (view.own && !begins)) return;
+    const { Omega, plain } = this.solution, { layers, from, speed, pace, ago } = view;
+    const passed = pace * (ago + (performance.now() - arrivals.get(view)) / 1000);
     Object.assign(this.clock, { speed, seenFrom: from });
     this.picture.show((this.layers = new Set(layers.split(","))));
     this.change(() => this.resume([turns[0] * TURN + Omega * passed, turns[1] * TURN + plain * passed]));
@@ -95,33 +96,33 @@ class Stage {
     this.showClock();
   }
 
-  /** Stand where a link has been paused. */
+  /** Pause at these two phases, if any. */
   resume(phases) {
     if (!phases) return;
     this.clock.playing = false;
     this.playback.goTo(phases[0]);
-    this.playback.meet(phases[1]);
+    this.playback.setPlainPhase(phases[1]);
   }
 
   hide(names) {
-    const stood = this.parts.hides("motion");
+    const hidMotion = this.parts.hides("motion");
     this.parts.hide(names);
-    this.host.classList.add("told");
-    // Controls that were hidden have not heard of what was set since.
+    this.host.classList.add("ready");
+    // Controls that were hidden do not show later changes.
     this.showClock();
-    if (stood && !this.parts.hides("motion")) this.playback.reset();
+    if (hidMotion && !this.parts.hides("motion")) this.playback.reset();
   }
 
-  /** Make a change that may move the bodies, and let the picture flow from where it was drawn to where it is now. */
-  change(make) {
+  /** Call a function that may move the bodies, and fade the picture to the new state. */
+  change(act) {
     const before = this.solution && this.playback.drawn();
-    make();
+    act();
     const { initial, samples, computed } = this.data, set = this.hand.values(), parameters = { ...this.data.parameters, ...set };
     const solution = solve(parameters, initial), shapes = SHAPES.map((name) => parameters[name]).join();
     if (shapes !== this.shapes) this.picture.geometry(parameters);
     Object.assign(this, { parameters, solution, shapes });
-    const leaves = (state) => this.picture.leaves({ ...parameters, ...state });
-    this.playback.take({ parameters, solution, samples, computed, leaves, seenFrom: this.clock.seenFrom });
+    const collision = (state) => this.picture.collision({ ...parameters, ...state });
+    this.playback.setMachine({ parameters, solution, samples, computed, collision, seenFrom: this.clock.seenFrom });
     if (before && !this.calm.matches) this.playback.flowFrom(before);
     this.picture.machine(this);
     const normalized = this.parts.hides("numbers") ? undefined : solution.normalized;
@@ -138,88 +139,88 @@ class Stage {
 
   // ---- time
 
-  /** Go on by so many seconds; return whether there is more to come. */
+  /** Advance by a number of seconds. Return whether another frame is needed. */
   advance(elapsed) {
     if (!this.solution) return false;
     if (this.hand.look()) this.change(() => {});
-    const stands = this.hand.isHolding || this.parts.hides("motion");
-    const running = this.clock.playing && !stands;
+    const isStill = this.hand.isHolding || this.parts.hides("motion");
+    const running = this.clock.playing && !isStill;
     if (running) this.run(elapsed * this.pace());
     const fading = this.playback.fade(elapsed);
     if (running || fading || this.dirty) this.draw(elapsed);
     return running || fading || this.hand.held !== null;
   }
 
-  /** How many seconds of the machine pass in one of the beholder's. */
+  /** The speed of the playback: seconds of the machine per second of the clock. */
   pace() {
     return this.lapse ? TURN / this.solution.plain / this.lapse : this.clock.speed * this.clock.slowing;
   }
 
-  /** Tell a story, in which a period of the plain mass lasts so many seconds; null ends it. */
-  tell(lapse) {
+  /** Begin a story or a race, in which a period of the plain mass lasts `lapse` seconds; null ends it. */
+  setLapse(lapse) {
     this.lapse = lapse;
     this.root.host?.toggleAttribute("data-told", Boolean(lapse));
-    this.playback.keeps = Boolean(lapse);
+    this.playback.keepsAngle = Boolean(lapse);
     if (lapse) {
       this.playback.reset();
       this.setClock({ playing: true });
     } else this.showSlowing();
   }
 
-  /** Show a computed machine against the exact one, a period in so many seconds; null shows the end. */
+  /** Compare a computed machine with the exact one; a period lasts `pace` seconds. null shows the end. */
   race(pace) {
-    this.tell(pace);
+    this.setLapse(pace);
     if (pace) return;
     this.still = false;
     this.stay((playback) => playback.goTo(playback.end));
   }
 
-  /** Have the picture drawn with the next frame. */
+  /** Request a drawing in the next frame. */
   redraw() {
     this.dirty = true;
     wake();
   }
 
   run(seconds) {
-    const left = this.playback.advance(seconds, this.periods);
-    if (!left) return;
-    if (left === "ended" && this.lapse) return this.race(null);
+    const reason = this.playback.advance(seconds, this.periods);
+    if (!reason) return;
+    if (reason === "ended" && this.lapse) return this.race(null);
     this.releaseAll();
-    if (left === "again") return;
-    this.voice.note(WORDS[left]);
-    this.voice.tell(WORDS[left], true);
+    if (reason === "again") return;
+    this.voice.note(WORDS[reason]);
+    this.voice.announce(WORDS[reason], true);
   }
 
   release() {
     this.change(() => this.playback.reset());
-    this.keeper.tell();
+    this.keeper.send();
   }
 
-  /** What runs on one clock begins again together, or the comparison would be lost. */
+  /** Release all stages on the clock together, so that they stay comparable. */
   releaseAll() {
     for (const stage of this.clock.stages) if (stage.solution) stage.release();
   }
 
   play(playing = !this.clock.playing) {
     this.setClock({ playing });
-    this.voice.tell(playing ? WORDS.playing : WORDS.paused);
+    this.voice.announce(playing ? WORDS.playing : WORDS.paused);
   }
 
-  /** Go somewhere and stay there, with every stage on the clock. */
+  /** Pause the clock and move all of its stages with the function `go`. */
   stay(go) {
     this.clock.playing = false;
     this.keeper.set();
     for (const stage of this.clock.stages) {
       if (!stage.solution || stage.parts.hides("motion")) continue;
-      const left = go(stage.playback);
-      if (left) stage.voice.note(WORDS[`${left}_ahead`]);
+      const reason = go(stage.playback);
+      if (reason) stage.voice.note(WORDS[`${reason}_ahead`]);
       stage.showClock();
     }
   }
 
   step(by) {
     this.stay((playback) => playback.goTo(TURN * ((Math.round((playback.phase / TURN) * STEPS) + by) / STEPS)));
-    this.voice.tell(moment(this.playback.phase, this.playback.time, this.parts));
+    this.voice.announce(moment(this.playback.phase, this.playback.time, this.parts));
   }
 
   scrub(share) {
@@ -230,13 +231,13 @@ class Stage {
     if (this.solution && !this.hand.isHolding) this.stay((playback) => playback.goToTime(time));
   }
 
-  /** Set the clock, { playing, speed, seenFrom }, for every stage on it. */
-  setClock(clock) {
-    Object.assign(this.clock, clock);
+  /** Set values of the clock, { playing, speed, seenFrom }, and update all of its stages. */
+  setClock(values) {
+    Object.assign(this.clock, values);
     this.keeper.set();
-    if (clock.seenFrom) this.voice.tell(clock.seenFrom === "block" ? WORDS.from_block : WORDS.from_ground);
+    if (values.seenFrom) this.voice.announce(values.seenFrom === "block" ? WORDS.from_block : WORDS.from_ground);
     for (const stage of this.clock.stages) {
-      if (clock.seenFrom && stage.solution) stage.change(() => {});
+      if (values.seenFrom && stage.solution) stage.change(() => {});
       stage.showClock();
     }
   }
@@ -248,11 +249,11 @@ class Stage {
     this.showClock();
   }
 
-  // ---- what is shown
+  // ---- the display
 
   draw(elapsed) {
     const { playback, dirty } = this;
-    this.dirty = false; // whoever hears of this frame may ask for another
+    this.dirty = false; // first, because a subscriber to this frame may request another one
     this.sinceText = (this.sinceText ?? 0) + elapsed;
     const write = this.sinceText >= TEXT_INTERVAL || dirty;
     if (write) this.sinceText = 0;
@@ -267,8 +268,8 @@ class Stage {
     if (dirty && !this.clock.playing) this.keeper.update();
   }
 
-  /** Follow the wish for less motion: stand still then, and go on as before when it ends. */
-  calmed() {
+  /** Follow the browser's preference for reduced motion: stop while it is set, and continue afterwards. */
+  applyMotionPreference() {
     const wasStill = this.still;
     this.still = this.calm.matches;
     this.clock.playing = !this.still && (wasStill || this.clock.playing);
@@ -285,6 +286,6 @@ class Stage {
   }
 
   showSlowing() {
-    this.voice.paced(this.lapse ? this.pace() : Math.min(1, this.period() / EYE) * this.clock.speed, this.clock.speed);
+    this.voice.showPace(this.lapse ? this.pace() : Math.min(1, this.period() / EYE) * this.clock.speed, this.clock.speed);
   }
 }

@@ -1,10 +1,10 @@
-// Links each body, with the arrows that belong to it, to its terms in the page's formulas: they have its ink. What a pointer, a
-// finger or the focus is on lights its partners.
+// Links each body and its arrows to the terms of the same colour in the page's formulas. The pointer, a finger or the focus on
+// one of them highlights the others.
 
 import { dom } from "../components/streamlit_dom.js";
 import { set } from "./svg.js";
 
-const OF = { X: "block", x0: "spring", R: "top", shared: "hoop" }; // the bodies of arrows that are named otherwise
+const BODY_OF = { X: "block", x0: "spring", R: "top", shared: "hoop" }; // arrow → body, for arrows with another name
 
 export function linkTerms(root, signal) {
   const [host, moving, marks] = [".stage", ".moving", ".coordinates"].map((each) => root.querySelector(each));
@@ -15,14 +15,14 @@ export function linkTerms(root, signal) {
 
   function point(event) {
     const node = event.composedPath()[0], mark = node.dataset?.of, term = dom.term(node);
-    const isOf = (name) => (mark ? name === (OF[mark] ?? mark) : bodies.get(name).contains(node));
-    const has = (name) => ink(name) === term.style.color;
-    const found = [...bodies.keys()].find(term ? has : isOf);
-    if (found === lit || (!found && dom.isFormula(node))) return;
-    lit = found;
+    const contains = (name) => (mark ? name === (BODY_OF[mark] ?? mark) : bodies.get(name).contains(node));
+    const hasColor = (name) => ink(name) === term.style.color;
+    const body = [...bodies.keys()].find(term ? hasColor : contains);
+    if (body === lit || (!body && dom.isFormula(node))) return;
+    lit = body;
     host.classList.toggle("one-lit", Boolean(lit));
     for (const each of moving.children) each.classList.toggle("lit", each === bodies.get(lit));
-    for (const each of marks.children) each.classList.toggle("lit", (OF[each.dataset.of] ?? each.dataset.of) === lit);
+    for (const each of marks.children) each.classList.toggle("lit", (BODY_OF[each.dataset.of] ?? each.dataset.of) === lit);
     sheet.textContent = lit ? dom.termRule(ink(lit)) : "";
   }
 

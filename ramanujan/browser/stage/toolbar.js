@@ -1,11 +1,11 @@
-// The controls under the picture: what each does, and how the keyboard goes from one to the next.
+// The controls under the picture: their actions, and keyboard navigation between them.
 
 import { finder } from "./parts.js";
 import { save } from "./save.js";
 import { WORDS } from "./texts.js";
 
 /**
- * Listen to the controls of a stage. `stage` answers: play(), step(by), release(), scrub(share), setClock({ speed }),
+ * Connect the controls with the methods of a stage: play(), step(by), release(), scrub(share), setClock({ speed }),
  * layer(name), slab.undo().
  */
 export function listenToControls(root, stage, signal) {
@@ -19,10 +19,10 @@ export function listenToControls(root, stage, signal) {
     undo: () => stage.slab.undo(),
   };
   for (const button of all("[data-do]")) on(button, "click", actions[button.dataset.do]);
-  const use = (selector, type, handler) => on(root.querySelector(selector), type, ({ target }) => handler(target));
-  use(".speeds select", "change", ({ value }) => stage.setClock({ speed: Number(value) }));
-  use(".viewpoint input", "change", ({ checked }) => stage.setClock({ seenFrom: checked ? "block" : "ground" }));
-  use(".scrub input", "input", ({ value }) => stage.scrub(Number(value)));
+  const connect = (selector, type, handler) => on(root.querySelector(selector), type, ({ target }) => handler(target));
+  connect(".speeds select", "change", ({ value }) => stage.setClock({ speed: Number(value) }));
+  connect(".viewpoint input", "change", ({ checked }) => stage.setClock({ seenFrom: checked ? "block" : "ground" }));
+  connect(".scrub input", "input", ({ value }) => stage.scrub(Number(value)));
   for (const label of all("[data-layer]")) on(label, "change", () => stage.layer(label.dataset.layer));
   for (const button of all("[data-save]")) on(button, "click", () => save(root, button.dataset.save));
 
@@ -38,7 +38,7 @@ export function listenToControls(root, stage, signal) {
   rove(root.querySelector(".transport"), on);
 }
 
-/** One stop for Tab in a group of buttons, arrows within it. */
+/** Make a group of buttons a single stop for Tab; the arrow keys move within it. */
 function rove(group, on) {
   const items = [...group.children], stopAt = (item) => items.forEach((each) => (each.tabIndex = each === item ? 0 : -1));
   stopAt(items[0]);
@@ -52,7 +52,7 @@ function rove(group, on) {
   });
 }
 
-/** Show what is set: whether the machine plays, its speed, from where it is seen, its layers. */
+/** Update the controls: play or pause, speed, reference frame, layers. */
 export function showControls(root, { playing, speed, seenFrom }, layers) {
   const find = finder(root);
   root.querySelector(".stage").classList.toggle("playing", playing);

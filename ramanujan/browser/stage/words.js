@@ -1,4 +1,4 @@
-// What a stage says: sentences from WORDS, the note over the picture, news for the page's live region.
+// The sentences of a stage: the note over the picture, and announcements for the page's live region.
 
 import { bus } from "../components/bus.js";
 import { atRest } from "../components/lasting.js";
@@ -6,12 +6,12 @@ import { fill, fixed, number, withUnit } from "../components/sentences.js";
 import { TURN } from "./motion.js";
 import { WORDS } from "./texts.js";
 
-const NOTE_TIME = 3000; // ms that a note stays
+const NOTE_TIME = 3000; // ms for which a note is shown
 
-/** A length to a tenth of a millimetre at most, without zeros at its end. */
+/** A length, rounded to a tenth of a millimetre, without trailing zeros. */
 export const centimetres = (metres) => withUnit(fixed(metres * 100, 2).replace(/[.,]?0+$/, ""), "cm");
 
-/** The two periods, and how fast the clocks part. */
+/** A sentence about the period, and about the rate at which the hands separate. */
 export function description({ Omega, plain }) {
   const apart = Math.abs(Omega / plain - 1);
   const period = withUnit(number(TURN / Omega, 3), "s");
@@ -19,7 +19,7 @@ export function description({ Omega, plain }) {
   return fill(Omega > plain ? WORDS.faster : WORDS.slower, { period, turns: number(1 / apart, 3) });
 }
 
-/** Where the machine is, for those who cannot see it. */
+/** A sentence about the present time, for screen readers. */
 export const moment = (phase, time, { hides }) =>
   fill(hides("numbers") ? WORDS.turned : WORDS.moment, {
     turns: fixed(phase / TURN, 2),
@@ -27,38 +27,38 @@ export const moment = (phase, time, { hides }) =>
   });
 
 /**
- * The voice of one stage. `note` shows something for a few seconds, `paced` as long as it holds, `describe` and `tell`
- * are for the page's live region, which says a sentence once; what the machine does by itself comes before descriptions.
+ * The voice of one stage. `note` shows a sentence for a few seconds, `showPace` until the pace changes. `describe` and
+ * `announce` publish sentences for the page's live region; an announcement takes precedence over a description.
  */
 export function makeVoice(root, { compact, parts, signal }) {
   const node = root.querySelector(".note");
-  let message = null, pace = "", described = "", said = "";
+  let message = null, pace = "", described = "", announced = "";
   const show = (sentence) => (node.textContent = (message = sentence) ?? pace);
-  const say = (sentence, urgent) => compact || bus.publish("say", { sentence, urgent });
+  const publish = (sentence, urgent) => compact || bus.publish("announce", { sentence, urgent });
   const fade = atRest(NOTE_TIME, () => show(null), signal);
   return {
     note(sentence) {
       show(sentence);
       fade();
     },
-    /** The picture is shown at so many times its real speed; said where nobody has chosen that `speed`. */
-    paced(factor, speed) {
+    /** Show the factor of the real speed, unless it is the `speed` that the reader has chosen. */
+    showPace(factor, speed) {
       const slow = parts.hides("numbers") ? WORDS.in_slow_motion : WORDS.slowed;
       pace = factor === speed ? "" : fill(factor < speed ? slow : WORDS.lapsed, { factor: number(factor, 2) });
       show(message);
     },
-    /** The description compares the machine with the plain mass, in numbers. */
+    /** Publish a description, unless the numbers that it contains are hidden. */
     describe(sentence) {
       if (sentence === described || parts.hides("numbers") || parts.hides("clocks")) return;
       described = sentence;
-      said = "";
-      say(sentence, false);
+      announced = "";
+      publish(sentence, false);
     },
-    /** Say what happened; what happens again and again, as at the edge of the block, is said once. */
-    tell(sentence, once = false) {
-      if (once && sentence === said) return;
-      if (once) said = sentence;
-      say(sentence, true);
+    /** Announce an event. With `once`, a repeated event, such as a collision, is announced only the first time. */
+    announce(sentence, once = false) {
+      if (once && sentence === announced) return;
+      if (once) announced = sentence;
+      publish(sentence, true);
     },
   };
 }

@@ -1,4 +1,4 @@
-"""What the stage says: templates for the page, and the texts of stage.html. Numbers are put in by the page."""
+"""The texts of the stage: templates that the page fills with numbers, and the texts of stage.html."""
 
 from ramanujan.translation import _
 
@@ -49,10 +49,10 @@ SENTENCES = {
     "ended": _("The computed motion ends here. The machine was released again."),
     "edge_ahead": _("Before this time the top roller reaches the edge of the block. The picture stops there."),
     "struck_ahead": _("Before this time the slab hits the block. The picture stops there."),
-    "held": _("x₀ = {value}"),
+    "dragged": _("x₀ = {value}"),
     "drag": _("↔ drag: x₀ = {value}"),
     "bound": _("x₀ must be between {least} and {most}. It will be {value} when you let go."),
-    "kept": _("x₀ is {value} again."),
+    "restored": _("x₀ is {value} again."),
     "undo": _("Back to x₀ = {value}"),
     "slab_slider": _("Slab: compression x₀"),
     "each": _("mass m′ each"),
@@ -63,7 +63,7 @@ SENTENCES = {
         "block, energies still relative to the ground."
     ),
 }
-"""Key → sentence, with slots for what the page knows."""
+"""Key → template of a sentence; the page fills the slots."""
 
 SLIPS = {
     "hoop_slab": _("The hoop would slip on the slab: the model no longer holds."),
@@ -72,7 +72,7 @@ SLIPS = {
     "cylinder_block": _("The lower cylinder would slip on the block: the model no longer holds."),
     "top_block": _("The top cylinder would slip on the block: the model no longer holds."),
 }
-"""Contact → what is said when it slips."""
+"""Contact → warning when it slips."""
 
 BODIES = {
     # TRANSLATORS: bodies without an article, also inside of a sentence.
@@ -89,7 +89,7 @@ BODIES = {
     "lower": _("lower {body}"),
     "top": _("top {body}"),
 }
-"""The bodies, and where a body is if its shape does not tell."""
+"""The names of the bodies, and templates for two bodies of the same shape."""
 
 TEXTS = {
     "animated": _("The machine, animated"),
@@ -141,7 +141,7 @@ LAYERS = {
     "traces": (_("Traces"), _("Traces of the rims")),
     "coordinates": (_("Coordinates"), _("Coordinates, and what the bodies share")),
 }
-"""Layer that a person shows by a tick box → its title, and what it is in a few words.
+"""Layer with a tick box → its title and a short description.
 
-What it draws stands in groups of stage.html with its name as their class, or as `data-of`.
+In stage.html, a layer's groups have its name as class or as `data-of`.
 """

@@ -254,7 +254,7 @@ def observe(stop: Stop, running: bool, fixed: bool) -> None:
     if fixed or labelled:
         own["limits"] = stages.LIMITS[1:] * 2
     if class_session.key_held():
-        own["on_seen"] = partial(class_session.tell_seen, stop)
+        own["on_view"] = partial(class_session.tell_seen, stop)
     for number, run in enumerate(stop.runs if running else stop.runs[:1]):
         machine = run.machine if labelled else sidebar.oscillator()
         compression = run.compression if labelled else sidebar.compression()
